@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include "engine/events/decimals.h"
+#include "scene/base/utf8.h"
 
 namespace campuswalk::engine {
 
@@ -25,21 +27,33 @@ std::string left_aligned(std::string_view text, std::size_t width) {
     return padded;
 }
 
+/// Whether the characters at `at` must be escaped, and how many bytes they have. Bytes that aren't UTF-8 are
+/// kept.
+std::pair<bool, std::size_t> next_character(std::string_view text, std::size_t at) {
+    const std::size_t bytes = scene::utf8_length(text, at);
+    return {bytes > 0 && scene::controls_display(scene::code_point(text.substr(at, bytes))),
+            std::max<std::size_t>(1, bytes)};
+}
+
 /// Always a single line.
 std::string in_quotes(std::string_view text) {
     constexpr std::string_view kHex = "0123456789abcdef";
     std::string out = "\"";
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
+    for (std::size_t at = 0; at < text.size();) {
+        const auto [escaped, bytes] = next_character(text, at);
+        const char c = text[at];
         if (c == '"' || c == '\\') {
             out += {'\\', c};
         } else if (c == '\n') {
             out += "\\n";
-        } else if (byte < 0x20 || byte == 0x7f) {
-            out += {'\\', 'x', kHex[byte >> 4], kHex[byte & 15]};
         } else {
-            out += c;
+            for (const char each : text.substr(at, bytes)) {
+                const auto byte = static_cast<unsigned char>(each);
+                out +=
+                    escaped ? std::string{'\\', 'x', kHex[byte >> 4U], kHex[byte & 15U]} : std::string{each};
+            }
         }
+        at += bytes;
     }
     return out + '"';
 }
@@ -63,10 +77,13 @@ std::string text_of(const Text& value) {
 }  // namespace
 
 std::string text_of_name(const std::string& value) {
-    const auto breaks_columns = [](char c) {
-        return static_cast<unsigned char>(c) <= 0x20 || c == 0x7f || c == '"' || c == '\\' || c == '=';
-    };
-    return value.empty() || std::ranges::any_of(value, breaks_columns) ? in_quotes(value) : value;
+    bool breaks_columns = value.empty() || value.find_first_of(" \"\\=") != std::string::npos;
+    for (std::size_t at = 0; at < value.size() && !breaks_columns;) {
+        const auto [escaped, bytes] = next_character(value, at);
+        breaks_columns = escaped;
+        at += bytes;
+    }
+    return breaks_columns ? in_quotes(value) : value;
 }
 
 std::string text_line(Tick tick, double time, std::string_view kind, const std::string& object,

@@ -11,33 +11,6 @@ namespace campuswalk::engine {
 
 namespace {
 
-/// For a command's message; for its properties, colons and commas are escaped too.
-std::string escaped(std::string_view text, bool in_property) {
-    std::string out;
-    for (const char c : valid_utf8(text)) {
-        switch (c) {
-            case '%':
-                out += "%25";
-                break;
-            case '\r':
-                out += "%0D";
-                break;
-            case '\n':
-                out += "%0A";
-                break;
-            case ':':
-                out += in_property ? "%3A" : ":";
-                break;
-            case ',':
-                out += in_property ? "%2C" : ",";
-                break;
-            default:
-                out += c;
-        }
-    }
-    return out;
-}
-
 /// Removes `:NUMBER` from the end; 0 if there is none.
 int take_number(std::string_view& text) {
     const std::size_t colon = text.rfind(':');
@@ -98,22 +71,23 @@ public:
     }
 
     void end(const RunReport&) override {
-        sink_("::notice title=campuswalk::" + escaped(summary_of(tally_), false) + "\n");
+        sink_("::notice title=campuswalk::" + github_escaped(summary_of(tally_), false) + "\n");
     }
 
 private:
     void annotate(const WalkResult& result, const Failure& failure) {
         const std::string& file = failure.mark.file.empty() ? result.file : failure.mark.file;
-        std::string command = "::error file=" + escaped(file, true);
+        std::string command = "::error file=" + github_escaped(file, true);
         if (failure.mark.line > 0) {
             command += ",line=" + std::to_string(failure.mark.line);
         }
         if (failure.mark.column > 0) {
             command += ",col=" + std::to_string(failure.mark.column);
         }
-        command += ",title=" + escaped(result.id + ": " + failure.code, true);
+        command += ",title=" + github_escaped(result.id + ": " + failure.code, true);
         const std::string place = place_of(failure.scene);
-        sink_(command + "::" + escaped(failure.message + (place.empty() ? "" : "\n" + place), false) + "\n");
+        sink_(command + "::" + github_escaped(failure.message + (place.empty() ? "" : "\n" + place), false) +
+              "\n");
     }
 
     TextSink sink_;

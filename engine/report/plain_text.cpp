@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 #include "scene/base/utf8.h"
 
@@ -11,14 +12,38 @@ namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 
-/// The code point of a valid character.
-char32_t code_of(std::string_view character) {
-    const auto lead = static_cast<unsigned char>(character.front());
-    char32_t code = character.size() == 1 ? lead : lead & (0x7fU >> character.size());
-    for (const char byte : character.substr(1)) {
-        code = (code << 6U) | (static_cast<unsigned char>(byte) & 0x3fU);
+/// The last digits of a number in hexadecimal.
+std::string hex_digits(std::uint32_t number, unsigned digits) {
+    constexpr std::string_view kHex = "0123456789abcdef";
+    std::string text;
+    while (digits-- > 0) {
+        text += kHex[number >> (4 * digits) & 15U];
     }
-    return code;
+    return text;
+}
+
+/// As JSON, C++ and Python write it; beyond U+FFFF as a pair of surrogates.
+std::string u_escape(char32_t code) {
+    if (code > 0xFFFF) {
+        const char32_t offset = code - 0x10000;
+        return "\\u" + hex_digits(0xD800 + (offset >> 10U), 4) + "\\u" +
+               hex_digits(0xDC00 + (offset & 0x3FFU), 4);
+    }
+    return "\\u" + hex_digits(code, 4);
+}
+
+/// Replaces each `#` that begins one of Azure's or GitHub's markers.
+std::string without_markers(std::string_view text, std::string_view escape) {
+    std::string out;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const std::string_view rest = text.substr(i);
+        if (rest.starts_with("##[") || rest.starts_with("##vso[")) {
+            out += escape;
+        } else {
+            out += text[i];
+        }
+    }
+    return out;
 }
 
 /// `escape` appends the representation of a character, given as its code point and its bytes.
@@ -31,7 +56,7 @@ std::string map_characters(std::string_view text, const Escape& escape) {
         if (bytes == 0) {
             out += kReplacement;
         } else {
-            escape(code_of(text.substr(0, bytes)), text.substr(0, bytes), out);
+            escape(scene::code_point(text.substr(0, bytes)), text.substr(0, bytes), out);
         }
         text.remove_prefix(std::max<std::size_t>(1, bytes));
     }
@@ -42,17 +67,58 @@ std::string map_characters(std::string_view text, const Escape& escape) {
 
 std::string printable(std::string_view text) {
     return map_characters(text, [](char32_t code, std::string_view bytes, std::string& out) {
-        constexpr std::string_view kHex = "0123456789abcdef";
-        if (code == '\n') {
-            out += "\\n";
-        } else if (code < 0x20 || (code >= 0x7f && code < 0xa0)) {
-            out += {'\\', 'x', kHex[code >> 4U], kHex[code & 15U]};
-        } else if (code == 0x2028 || code == 0x2029) {
-            out += code == 0x2028 ? "\\u2028" : "\\u2029";
-        } else {
+        if (!scene::controls_display(code)) {
             out += bytes;
+        } else if (code == '\n') {
+            out += "\\n";
+        } else {
+            out += code < 0x100 ? "\\x" + hex_digits(code, 2) : u_escape(code);
         }
     });
+}
+
+std::string printable_json(std::string_view json) {
+    const std::string escaped =
+        map_characters(json, [](char32_t code, std::string_view bytes, std::string& out) {
+            const bool layout = code == '\n';  // in strings it is escaped already
+            out += scene::controls_display(code) && !layout ? u_escape(code) : bytes;
+        });
+    return without_markers(escaped, "\\u0023");
+}
+
+std::string without_ci_commands(std::string_view line) {
+    const std::size_t start = std::min(line.find_first_not_of(" \t"), line.size());
+    std::string out(line.substr(0, start));
+    std::string_view rest = line.substr(start);
+    if (rest.starts_with("::") || rest.starts_with("##")) {
+        out += rest.front() == ':' ? "\\x3a" : "\\x23";
+        rest.remove_prefix(1);
+    }
+    return out + without_markers(rest, "\\x23");
+}
+
+std::string github_escaped(std::string_view text, bool in_property) {
+    std::string out;
+    if (const std::size_t end = text.find('\n'); end != std::string_view::npos) {
+        return github_escaped(text.substr(0, end), in_property) + "%0A" +
+               github_escaped(text.substr(end + 1), in_property);
+    }
+    for (const char c : without_ci_commands(printable(text))) {
+        switch (c) {
+            case '%':
+                out += "%25";
+                break;
+            case ':':
+                out += in_property ? "%3A" : ":";
+                break;
+            case ',':
+                out += in_property ? "%2C" : ",";
+                break;
+            default:
+                out += c;
+        }
+    }
+    return out;
 }
 
 std::string xml_characters(std::string_view text) {

@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/events/decimals.h"
+#include "engine/report/plain_text.h"
 #include "engine/report/result_fields.h"
 
 namespace campuswalk::engine {
@@ -259,7 +260,7 @@ Json parsed_without_repeated_keys(std::string_view line) {
 }  // namespace
 
 std::string to_json_line(const WalkResult& result) {
-    return json_of(result).dump(-1, ' ', false, Json::error_handler_t::replace);
+    return printable_json(json_of(result).dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 WalkResult result_from_json_line(std::string_view line) {

@@ -26,7 +26,7 @@ std::string escaped(std::string_view text) {
 
 /// JSON strings are also YAML.
 std::string quoted(const std::string& text) {
-    return nlohmann::json(valid_utf8(text)).dump();
+    return printable_json(nlohmann::json(valid_utf8(text)).dump());
 }
 
 class TapReporter final : public Reporter {

@@ -32,4 +32,24 @@ constexpr std::size_t utf8_length(std::string_view text, std::size_t at) {
     return overlong || outside ? 0 : length;
 }
 
+/// Of a character whose bytes utf8_length() has found to be one.
+constexpr char32_t code_point(std::string_view character) {
+    const auto lead = static_cast<unsigned char>(character.front());
+    char32_t code = character.size() == 1 ? lead : lead & (0x7FU >> character.size());
+    for (const char byte : character.substr(1)) {
+        code = (code << 6U) | (static_cast<unsigned char>(byte) & 0x3FU);
+    }
+    return code;
+}
+
+/// Whether a character changes how those around it are shown instead of being shown itself: control
+/// characters of ASCII and C1, which terminals obey, the marks of bidirectional text, which reorder a line
+/// ("Trojan Source", CVE-2021-42574), line separators, byte order marks and tags.
+constexpr bool controls_display(char32_t code) {
+    const auto within = [code](char32_t first, char32_t last) { return code >= first && code <= last; };
+    return code < 0x20 || within(0x7F, 0x9F) || code == 0x061C || within(0x200E, 0x200F) ||
+           within(0x2028, 0x202E) || within(0x2066, 0x2069) || code == 0xFEFF || within(0xFFF9, 0xFFFB) ||
+           within(0xE0000, 0xE007F);
+}
+
 }  // namespace campuswalk::scene

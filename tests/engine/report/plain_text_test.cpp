@@ -1,6 +1,9 @@
 #include "engine/report/plain_text.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace campuswalk::engine {
 namespace {
@@ -28,6 +31,32 @@ TEST(PlainText, ReplacesEveryByteThatIsNotUtf8) {
 TEST(PlainText, EscapesLineEndsAndControlCharacters) {
     EXPECT_EQ(printable("a\nb\r\t\x1b[31m\x7f\xc2\x9b\u2028" + std::string(1, '\0')),
               "a\\nb\\x0d\\x09\\x1b[31m\\x7f\\x9b\\u2028\\x00");
+}
+
+TEST(PlainText, EscapesWhatReordersText) {
+    EXPECT_EQ(printable("a\u202eb\u2066c\u061cd\ufeff\U000E0041"),
+              "a\\u202eb\\u2066c\\u061cd\\ufeff\\udb40\\udc41");
+    EXPECT_EQ(printable("שלום مرحبا \U0001F469\u200D\U0001F680"), "שלום مرحبا \U0001F469\u200D\U0001F680");
+}
+
+TEST(PlainText, KeepsTheValuesOfJson) {
+    const std::string name = "a\x1b\u009b\u202e##[x]##vso[y]\U000E0041\n\"";
+    const std::string json = nlohmann::json({{"name", name}}).dump(2);
+    const std::string safe = printable_json(json);
+    EXPECT_EQ(nlohmann::json::parse(safe)["name"], name);
+    EXPECT_EQ(safe.find_first_of("\x1b\xc2\xe2\xf3"), std::string::npos) << safe;
+    EXPECT_EQ(safe.find("##"), std::string::npos) << safe;
+    EXPECT_EQ(std::ranges::count(safe, '\n'), 2) << "its layout";
+}
+
+TEST(PlainText, LeavesNoCommandToCiMachines) {
+    EXPECT_EQ(without_ci_commands("::error::x"), "\\x3a:error::x");
+    EXPECT_EQ(without_ci_commands(" \t::error::x"), " \t\\x3a:error::x");
+    EXPECT_EQ(without_ci_commands("##[x]##[y]"), "\\x23#[x]\\x23#[y]");
+    EXPECT_EQ(without_ci_commands("a ##vso[x]"), "a \\x23#vso[x]");
+    EXPECT_EQ(without_ci_commands("# walk-log 1 a::b ##"), "# walk-log 1 a::b ##");
+    EXPECT_EQ(without_ci_commands("## a"), "\\x23# a");
+    EXPECT_EQ(without_ci_commands("   "), "   ");
 }
 
 TEST(PlainText, ReplacesCharactersThatXmlForbids) {

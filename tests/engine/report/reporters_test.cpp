@@ -221,7 +221,7 @@ TEST(GithubReporter, EscapesTextThatLooksLikeACommand) {
     result.failures[0].message = "50 %\nof it\r";
     const std::string text = written("github", {{result}});
     EXPECT_THAT(text, HasSubstr("file=walks/a%2Cb%3Ac.walk.yaml,line=12"));
-    EXPECT_THAT(text, HasSubstr("::50 %25%0Aof it%0D%0A"));
+    EXPECT_THAT(text, HasSubstr("::50 %25%0Aof it\\x0d%0A"));
 }
 
 TEST(JsonlReporter, PrintsAHeaderAndOneLinePerResult) {

@@ -9,12 +9,28 @@
 #include <spdlog/sinks/basic_file_sink.h>
 #include <spdlog/sinks/stdout_sinks.h>
 
+#include "engine/report/plain_text.h"
 #include "tools/campuswalk/base/standard_streams.h"
+#include "tools/campuswalk/base/text.h"
 
 namespace campuswalk::tools {
 
-LogOutput::LogOutput(bool to_terminal, const std::optional<std::filesystem::path>& file)
-    : to_terminal_(to_terminal) {
+namespace {
+
+std::string without_ci_commands(std::string_view text) {
+    std::string safe;
+    const char* between = "";
+    for (const std::string_view line : split(text, '\n')) {
+        safe += between + engine::without_ci_commands(line);
+        between = "\n";
+    }
+    return safe;
+}
+
+}  // namespace
+
+LogOutput::LogOutput(bool to_terminal, const std::optional<std::filesystem::path>& file, bool commands)
+    : to_terminal_(to_terminal), commands_(commands) {
     std::vector<spdlog::sink_ptr> sinks;
     if (to_terminal) {
         sinks.push_back(std::make_shared<spdlog::sinks::stdout_sink_st>());
@@ -30,7 +46,11 @@ LogOutput::LogOutput(bool to_terminal, const std::optional<std::filesystem::path
 }
 
 void LogOutput::write(std::string_view text) {
-    logger_->info(text);
+    if (to_terminal_ && !commands_) {
+        logger_->info(without_ci_commands(text));
+    } else {
+        logger_->info(text);
+    }
     if (to_terminal_) {
         check_standard_output();  // spdlog's terminal sink ignores failed writes
     }

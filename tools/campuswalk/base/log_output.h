@@ -15,8 +15,9 @@ namespace campuswalk::tools {
 /// Writes text to the terminal, to a file or to both, through spdlog, which nothing else uses.
 class LogOutput {
 public:
-    /// Truncates `file`. Throws std::runtime_error when it can't be opened.
-    LogOutput(bool to_terminal, const std::optional<std::filesystem::path>& file);
+    /// Truncates `file`. Throws std::runtime_error when it can't be opened. On a terminal no line is a
+    /// command to a CI machine, unless the text consists of such `commands`.
+    LogOutput(bool to_terminal, const std::optional<std::filesystem::path>& file, bool commands = false);
 
     /// Throws std::runtime_error when the text can't be written; for a file perhaps only at `flush`.
     void write(std::string_view text);
@@ -27,6 +28,7 @@ public:
 
 private:
     bool to_terminal_;
+    bool commands_;
     std::shared_ptr<spdlog::logger> logger_;
 };
 

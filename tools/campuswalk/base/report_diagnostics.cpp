@@ -1,9 +1,9 @@
 #include "tools/campuswalk/base/report_diagnostics.h"
 
-#include <cstdio>
 #include <exception>
 
 #include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/print.h"
 
 namespace campuswalk::tools {
 
@@ -14,12 +14,8 @@ scene::InputError error_about(const std::filesystem::path& subject, const std::s
 
 void diagnose(const std::vector<scene::Diagnostic>& diagnostics) {
     for (const scene::Diagnostic& diagnostic : diagnostics) {
-        diagnostic_line(scene::to_string(diagnostic));
+        print_error_line(scene::to_string(diagnostic));
     }
-}
-
-void diagnostic_line(const std::string& line) {
-    std::fprintf(stderr, "%s\n", line.c_str());
 }
 
 int report_exceptions(const std::function<int()>& command) {
@@ -29,7 +25,7 @@ int report_exceptions(const std::function<int()>& command) {
         diagnose(error.diagnostics());
         return kBadInput;
     } catch (const std::exception& error) {
-        diagnostic_line(std::string("error: ") + error.what());
+        print_error_line(std::string("error: ") + error.what());
         return kRunFailed;
     }
 }

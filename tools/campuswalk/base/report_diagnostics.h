@@ -15,7 +15,6 @@ scene::InputError error_about(const std::filesystem::path& subject, const std::s
 
 /// To standard error, one per line.
 void diagnose(const std::vector<scene::Diagnostic>& diagnostics);
-void diagnostic_line(const std::string& line);
 
 /// Returns the command's exit code, or that for what it throws, which is reported.
 int report_exceptions(const std::function<int()>& command);

@@ -9,6 +9,7 @@
 #include "scene/lint/wording.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/json_text.h"
+#include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/collide/overlaps.h"
 #include "tools/campuswalk/collide/parse_shape.h"
@@ -55,19 +56,19 @@ std::string verdict(const Overlaps& overlaps, bool first) {
 void print_overlaps_as_text(const Body& a, const Body& b, const Overlaps& overlaps,
                             const CollideOptions& options) {
     if (options.count) {
-        std::printf("%zu\n", overlaps.count());
+        print_line("%zu", overlaps.count());
         return;
     }
-    std::printf("# a %s, b %s\n", described(a).c_str(), described(b).c_str());
+    print_line("# a %s, b %s", described(a).c_str(), described(b).c_str());
     for (const collision::TrianglePair& pair : overlaps.pairs) {
-        std::printf("a %u b %u %s %s\n", pair.a, pair.b, json_text(a.node_of(pair.a)).c_str(),
-                    json_text(b.node_of(pair.b)).c_str());
+        print_line("a %u b %u %s %s", pair.a, pair.b, json_text(a.node_of(pair.a)).c_str(),
+                   json_text(b.node_of(pair.b)).c_str());
     }
     const bool of_a = a.mesh() != nullptr;
     for (const std::uint32_t t : overlaps.triangles) {
-        std::printf("%s %u %s\n", of_a ? "a" : "b", t, json_text((of_a ? a : b).node_of(t)).c_str());
+        print_line("%s %u %s", of_a ? "a" : "b", t, json_text((of_a ? a : b).node_of(t)).c_str());
     }
-    std::printf("%s\n", verdict(overlaps, options.first).c_str());
+    print_line("%s", verdict(overlaps, options.first).c_str());
 }
 
 Json json_of(const Body& body) {
@@ -107,7 +108,7 @@ void print_overlaps_as_json(const Body& a, const Body& b, const Overlaps& overla
     } else if (!options.count) {
         add_list(json, a, b, overlaps);
     }
-    std::printf("%s\n", json_text(json, 2).c_str());
+    print_lines(json_text(json, 2));
 }
 
 collision::Pose pose_of(const CollideOptions& options) {

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/completion/scripts.h"
 
@@ -23,7 +24,7 @@ void add_completion(Command program, CommandAction& chosen) {
         "  zsh:  source <(campuswalk completion zsh)      after compinit\n"
         "  fish: campuswalk completion fish | source");
     command.choose(chosen, [program, script] {
-        std::fputs((*script)(program.describe()).c_str(), stdout);
+        print_lines((*script)(program.describe()));
         return kPass;
     });
 }

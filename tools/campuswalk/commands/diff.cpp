@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/report/plain_text.h"
 #include "scene/base/diagnostic.h"
 #include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/read_lines.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/writable_path.h"
@@ -63,17 +63,17 @@ void check_image_options(const DiffOptions& options) {
     require_writable_folder(*options.images, "pictures can't be saved here");
 }
 
-void print_line(char side, std::size_t index, const std::string& text) {
-    std::printf("%c %6zu  %s\n", side, index + 1, engine::printable(as_text_line(text)).c_str());
+void print_log_line(char side, std::size_t index, const std::string& text) {
+    print_line("%c %6zu  %s", side, index + 1, as_text_line(text).c_str());
 }
 
 /// The lines from the divergence on.
 void print_side(char side, const Lines& lines, std::size_t at) {
     for (std::size_t i = at; i < std::min(at + kLinesAround, lines.size()); ++i) {
-        print_line(side, i, lines[i]);
+        print_log_line(side, i, lines[i]);
     }
     if (at >= lines.size()) {
-        std::printf("%c %6zu  (the log ends)\n", side, at + 1);
+        print_line("%c %6zu  (the log ends)", side, at + 1);
     }
 }
 
@@ -91,17 +91,18 @@ std::string what_differs(const Lines& a, const Lines& b, std::size_t at) {
     if (at >= a.size() || at >= b.size()) {
         return std::string(at >= a.size() ? "A" : "B") + " ends";
     }
-    return "in B " + engine::printable(difference(a[at], b[at]).value_or(""));
+    return "in B " + difference(a[at], b[at]).value_or("");
 }
 
 void print_divergence(const DiffOptions& options, const Lines& a, const Lines& b, std::size_t at) {
     const LogHeader header = walk_at(at < a.size() ? a : b, at);
-    std::printf("%s and %s part in line %zu, in the walk %s%s: %s\n\n", options.a.string().c_str(),
-                options.b.string().c_str(), at + 1, header.walk.c_str(),
-                header.project.empty() ? "" : (" (" + header.project + ")").c_str(),
-                what_differs(a, b, at).c_str());
+    print_line("%s and %s part in line %zu, in the walk %s%s: %s", options.a.string().c_str(),
+               options.b.string().c_str(), at + 1, header.walk.c_str(),
+               header.project.empty() ? "" : (" (" + header.project + ")").c_str(),
+               what_differs(a, b, at).c_str());
+    print_lines("\n");
     for (std::size_t i = at > kLinesAround ? at - kLinesAround : 0; i < at; ++i) {
-        print_line(' ', i, a[i]);
+        print_log_line(' ', i, a[i]);
     }
     print_side('A', a, at);
     print_side('B', b, at);
@@ -125,13 +126,13 @@ void draw_side(const scene::Campus& campus, const engine::Walk& walk, const Line
                const std::string& side, const DiffOptions& options) {
     const std::vector<Eigen::Vector3d> path = path_until(lines, at);
     if (path.empty()) {
-        std::printf("%s has no position up to there: no picture\n", side.c_str());
+        print_line("%s has no position up to there: no picture", side.c_str());
         return;
     }
     const fs::path file = *options.images / (side + ".png");
     draw_walked_path(campus, walk.avatar, path, side + " \u00b7 line " + std::to_string(at + 1), file,
                      options.backend);
-    std::printf("%s\n", file.generic_string().c_str());
+    print_line("%s", file.generic_string().c_str());
 }
 
 /// Prints the first divergence of two logs, both sides with some lines around it. Returns the exit code.
@@ -145,13 +146,13 @@ int compare_logs(const DiffOptions& options) {
     }
     const std::optional<std::size_t> at = first_divergence(a, b);
     if (!at) {
-        std::printf("%s and %s are the same: %zu lines\n", options.a.string().c_str(),
-                    options.b.string().c_str(), a.size());
+        print_line("%s and %s are the same: %zu lines", options.a.string().c_str(),
+                   options.b.string().c_str(), a.size());
         return kPass;
     }
     print_divergence(options, a, b, *at);
     if (loaded) {
-        std::printf("\n");
+        print_lines("\n");
         draw_side(*loaded->campus, loaded->walk, a, *at, "a", options);
         draw_side(*loaded->campus, loaded->walk, b, *at, "b", options);
     }

@@ -5,6 +5,7 @@
 
 #include "scene/base/diagnostic.h"
 #include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/text.h"
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/help/topics.h"
@@ -26,17 +27,17 @@ std::string list_of_topics() {
 /// topic is bad usage.
 int print_help(const std::string& word, const std::vector<std::string>& names) {
     if (word.empty()) {
-        std::fputs(list_of_topics().c_str(), stdout);
+        print_lines(list_of_topics());
         return kPass;
     }
     for (const help::Topic& topic : help::topics()) {
         if (topic.name == word) {
-            std::fputs(topic.text().c_str(), stdout);
+            print_lines(topic.text());
             return kPass;
         }
     }
-    std::fprintf(stderr, "error: unknown topic '%s'%s\nsee campuswalk help\n", word.c_str(),
-                 scene::did_you_mean(word, names).c_str());
+    print_error_line("error: unknown topic '" + word + "'" + scene::did_you_mean(word, names));
+    print_error_line("see campuswalk help");
     return kBadInput;
 }
 

@@ -13,6 +13,7 @@
 #include "scene/lint/model_report.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/json_text.h"
+#include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/images/images.h"
@@ -113,7 +114,7 @@ Json json_of(const ModelReport& report, const std::vector<scene::ModelLint>& war
 
 void print_omitted(std::size_t count, std::size_t shown) {
     if (count > shown) {
-        std::printf("  and %zu more: see --json\n", count - shown);
+        print_line("  and %zu more: see --json", count - shown);
     }
 }
 
@@ -126,34 +127,34 @@ std::string text_of(const scene::GeographicPlace& place) {
 
 void print_text(const ModelReport& report, const std::vector<scene::ModelLint>& warnings) {
     const Eigen::Vector3d size = report.bounds.max - report.bounds.min;
-    std::printf("%s\n", report.file.c_str());
-    std::printf("meshes     %zu, placed %zu times\n", report.meshes, report.placements);
-    std::printf("triangles  %zu\n", report.triangles);
+    print_line("%s", report.file.c_str());
+    print_line("meshes     %zu, placed %zu times", report.meshes, report.placements);
+    print_line("triangles  %zu", report.triangles);
     if (report.triangles > 0) {
-        std::printf("bounds     %s to %s m (%s x %s x %s m)\n", engine::fixed(report.bounds.min).c_str(),
-                    engine::fixed(report.bounds.max).c_str(), engine::fixed(size.x(), 3).c_str(),
-                    engine::fixed(size.y(), 3).c_str(), engine::fixed(size.z(), 3).c_str());
+        print_line("bounds     %s to %s m (%s x %s x %s m)", engine::fixed(report.bounds.min).c_str(),
+                   engine::fixed(report.bounds.max).c_str(), engine::fixed(size.x(), 3).c_str(),
+                   engine::fixed(size.y(), 3).c_str(), engine::fixed(size.z(), 3).c_str());
     }
     if (const Eigen::Vector3d origin = scene::origin_near(report.bounds); !origin.isZero(0.0)) {
-        std::printf("origin     %s m, with `origin: {at: near}`\n", engine::fixed(origin).c_str());
+        print_line("origin     %s m, with `origin: {at: near}`", engine::fixed(origin).c_str());
     }
     if (report.geographic) {
-        std::printf("on Earth   %s\n", text_of(*report.geographic).c_str());
+        print_line("on Earth   %s", text_of(*report.geographic).c_str());
     }
-    std::printf("materials  %zu\n", report.materials.size());
+    print_line("materials  %zu", report.materials.size());
     for (std::size_t i = 0; i < std::min(report.materials.size(), kMaxMaterials); ++i) {
         const scene::MaterialReport& m = report.materials[i];
-        std::printf("  %-28s %8zu triangles  %s\n", m.name.c_str(), m.triangles,
-                    m.texture.empty() ? "no texture" : m.texture.c_str());
+        print_line("  %-28s %8zu triangles  %s", m.name.c_str(), m.triangles,
+                   m.texture.empty() ? "no texture" : m.texture.c_str());
     }
     print_omitted(report.materials.size(), kMaxMaterials);
-    std::printf("nodes      %zu\n", report.nodes.size());
+    print_line("nodes      %zu", report.nodes.size());
     for (std::size_t i = 0; i < std::min(report.nodes.size(), kMaxNodes); ++i) {
         const scene::NodeReport& n = report.nodes[i];
-        std::printf("  %*s%s  %zu\n", 2 * n.depth, "", n.name.c_str(), n.triangles);
+        print_line("  %*s%s  %zu", 2 * n.depth, "", n.name.c_str(), n.triangles);
     }
     print_omitted(report.nodes.size(), kMaxNodes);
-    std::printf("warnings   %zu\n", warnings.size());
+    print_line("warnings   %zu", warnings.size());
     print_lints(warnings);
 }
 
@@ -176,7 +177,7 @@ scene::Model upright_for_map(const scene::SceneFile& scene, const ModelReport& r
     if (!has_lint(report, "z-up") || scene.up != scene::UpAxis::y) {
         return model;
     }
-    std::fprintf(stderr, "%s: the map is drawn with --up z\n", scene.file.c_str());
+    print_error_line(scene.file + ": the map is drawn with --up z");
     scene::SceneFile upright = scene;
     upright.up = scene::UpAxis::z;
     return read_model(upright, scene::EmptyModel::accept).model;
@@ -199,7 +200,7 @@ int print_info(const InfoOptions& options) {
     }
     warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
     if (options.json) {
-        std::printf("%s\n", json_text(json_of(report, warnings), 2).c_str());
+        print_lines(json_text(json_of(report, warnings), 2));
     } else {
         print_text(report, warnings);
     }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/commands/commands.h"
@@ -102,10 +103,10 @@ int make_project(const InitOptions& options) {
     }
     undo.finish();
     for (const init::NewFile& file : files) {
-        std::printf("%s\n", (options.folder / file.path).lexically_normal().generic_string().c_str());
+        print_line("%s", (options.folder / file.path).lexically_normal().generic_string().c_str());
     }
     const std::string folder = options.folder.lexically_normal().generic_string();
-    std::fprintf(stderr, "now: %scampuswalk run\n", folder == "." ? "" : ("cd " + folder + " && ").c_str());
+    print_error_line("now: " + (folder == "." ? "" : "cd " + folder + " && ") + "campuswalk run");
     return kPass;
 }
 

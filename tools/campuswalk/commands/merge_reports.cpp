@@ -16,6 +16,7 @@
 #include "engine/report/result_json.h"
 #include "scene/lint/wording.h"
 #include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/read_lines.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/text.h"
@@ -241,7 +242,7 @@ int merge_reports(const MergeOptions& options) {
     }
     reports.end(report);
     for (const std::string& problem : merge.problems()) {
-        diagnostic_line(problem);
+        print_error_line(problem);
     }
     const int code = exit_code_for(report.results);
     return code == kPass && !merge.problems().empty() ? kExpectationFailed : code;

@@ -17,6 +17,7 @@
 #include "scene/lint/wording.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/log_output.h"
+#include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/read_lines.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/commands/commands.h"
@@ -125,11 +126,11 @@ int print_logs(const std::vector<LoadedWalk>& walks) {
 bool has_same_hash(const RecordedWalk& recorded, const LoadedWalk& loaded) {
     const std::uint64_t hash = engine::run_walk(*loaded.campus, loaded.walk, {}).hash;
     if (hash == *recorded.hash) {
-        std::printf("same    %s\n", title_of(recorded).c_str());
+        print_line("same    %s", title_of(recorded).c_str());
         return true;
     }
-    std::printf("DIFFERS %s: hash %016" PRIx64 ", was %016" PRIx64 "\n", title_of(recorded).c_str(), hash,
-                *recorded.hash);
+    print_line("DIFFERS %s: hash %016" PRIx64 ", was %016" PRIx64, title_of(recorded).c_str(), hash,
+               *recorded.hash);
     return false;
 }
 
@@ -143,16 +144,16 @@ int verify(const Recording& recording, const std::vector<LoadedWalk>& loaded) {
         if (recorded.hash) {
             same += has_same_hash(recorded, loaded[i]) ? 1U : 0U;
         } else {
-            std::printf("no hash %s: %s\n", title_of(recorded).c_str(), recorded.why_no_hash.c_str());
+            print_line("no hash %s: %s", title_of(recorded).c_str(), recorded.why_no_hash.c_str());
             skipped += recorded.skipped ? 1U : 0U;
         }
     }
     if (recording.missing > 0) {
-        std::printf("MISSING the results of %s: the report was cut short or the run ended early\n",
-                    scene::plural(recording.missing, "walk").c_str());
+        print_line("MISSING the results of %s: the report was cut short or the run ended early",
+                   scene::plural(recording.missing, "walk").c_str());
     }
     const std::size_t all = recording.walks.size() + recording.missing;
-    std::printf("%zu of %zu walks went the same again\n", same, all);
+    print_line("%zu of %zu walks went the same again", same, all);
     return same + skipped == all ? kPass : kDifferent;
 }
 

@@ -4,6 +4,7 @@
 
 #include "config/loader/yaml/wording.h"
 #include "engine/report/make_reporter.h"
+#include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/loading/cache_choice.h"
@@ -80,7 +81,7 @@ void add_running(Command& command, const Options& options) {
                     .help = "Ignored: nothing draws random numbers; it will be removed in the next version",
                     .value = "N"},
                    [](const std::string&) {
-                       diagnostic_line(
+                       print_error_line(
                            "warning deprecated: --seed is ignored, nothing draws random numbers; "
                            "leave it out");
                    });

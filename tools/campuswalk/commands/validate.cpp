@@ -14,6 +14,7 @@
 
 #include "scene/lint/wording.h"
 #include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/loading/cache_choice.h"
@@ -145,7 +146,7 @@ public:
             checked.summary = check(loader_, file);
             checked.valid = true;
             if (prints_) {
-                std::printf("%s: ok: %s\n", checked.file.c_str(), checked.summary.c_str());
+                print_line("%s: ok: %s", checked.file.c_str(), checked.summary.c_str());
             }
         } catch (const scene::InputError& error) {
             report(error.diagnostics());
@@ -187,7 +188,8 @@ int validate_files(const ValidateOptions& options) {
     }
     const Findings& findings = validation.findings();
     if (options.format != nullptr) {
-        std::fputs(options.format(findings).c_str(), stdout);
+        const bool commands = options.format == as_github;
+        (commands ? print_commands : print_lines)(options.format(findings));
     }
     const bool has_errors = std::ranges::any_of(findings.diagnostics, [](const Diagnostic& diagnostic) {
         return diagnostic.severity == scene::Severity::error;

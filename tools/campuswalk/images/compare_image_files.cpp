@@ -8,6 +8,7 @@
 #include "engine/render/image/read_png.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/json_text.h"
+#include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/writable_path.h"
 
 namespace campuswalk::tools {
@@ -39,12 +40,12 @@ Verdict compare(const render::Image& a, const render::Image& b, const engine::Im
 void print_text(const ImgdiffOptions& options, const Verdict& verdict) {
     const std::string names = options.a.string() + " and " + options.b.string();
     if (!verdict.why.empty()) {
-        std::printf("%s differ: %s\n", names.c_str(), verdict.why.c_str());
+        print_line("%s differ: %s", names.c_str(), verdict.why.c_str());
         return;
     }
-    std::printf("%s are the same: %zu pixels differ, the least similar tile has %s\n", names.c_str(),
-                verdict.comparison->pixels.different,
-                engine::fixed(verdict.comparison->worst.ssim, 4).c_str());
+    print_line("%s are the same: %zu pixels differ, the least similar tile has %s", names.c_str(),
+               verdict.comparison->pixels.different,
+               engine::fixed(verdict.comparison->worst.ssim, 4).c_str());
 }
 
 void print_json(const ImgdiffOptions& options, const render::Image& a, const Verdict& verdict) {
@@ -62,7 +63,7 @@ void print_json(const ImgdiffOptions& options, const render::Image& a, const Ver
         json["tile_ssim"] = worst.ssim;
         json["worst_tile"] = {worst.box.x, worst.box.y, worst.box.width, worst.box.height};
     }
-    std::printf("%s\n", json_text(json, 2).c_str());
+    print_lines(json_text(json, 2));
 }
 
 }  // namespace

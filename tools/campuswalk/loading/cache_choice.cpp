@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "tools/campuswalk/base/environment.h"
+#include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 
 namespace campuswalk::tools {
@@ -68,8 +69,8 @@ std::atomic<bool>& warned() {
 /// A cache that can't be written isn't an error: only the time that the next start takes depends on it.
 void warn_once(const std::string& reason) {
     if (!warned().exchange(true)) {
-        diagnostic_line("warning cache-unwritable: models are imported again each time: " + reason +
-                        "; name another folder with CAMPUSWALK_CACHE_DIR, or use --no-cache");
+        print_error_line("warning cache-unwritable: models are imported again each time: " + reason +
+                         "; name another folder with CAMPUSWALK_CACHE_DIR, or use --no-cache");
     }
 }
 

@@ -13,6 +13,7 @@
 #include "scene/lint/wording.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/json_text.h"
+#include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/images/images.h"
@@ -147,8 +148,8 @@ private:
             const std::ofstream touched(shard.status_file, std::ios::app);
         }
         if (shard.from != "--shard") {
-            diagnostic_line("shard " + std::to_string(shard.index + 1) + " of " +
-                            std::to_string(shard.count) + " (" + shard.from + ")");
+            print_error_line("shard " + std::to_string(shard.index + 1) + " of " +
+                             std::to_string(shard.count) + " (" + shard.from + ")");
         }
     }
 
@@ -165,9 +166,9 @@ private:
         if (options_.pass_with_no_tests) {
             return kPass;
         }
-        diagnostic_line(plan.files == 0 ? "no *.walk.yaml was found here; name files or folders"
-                                        : scene::plural(plan.files, "walk") +
-                                              " found, none matches the filters; see --list");
+        print_error_line(plan.files == 0 ? "no *.walk.yaml was found here; name files or folders"
+                                         : scene::plural(plan.files, "walk") +
+                                               " found, none matches the filters; see --list");
         return kNothingSelected;
     }
 
@@ -230,13 +231,13 @@ private:
     int play(Plan plan) {
         if (!images_ && options_.backend == engine::render::RenderingBackend::automatic &&
             std::ranges::any_of(plan.cases, takes_snapshots)) {
-            diagnostic_line("this build has no rendering: snapshots are logged but not drawn");
+            print_error_line("this build has no rendering: snapshots are logged but not drawn");
         }
         if (const std::ptrdiff_t not_evaluated = images_ ? 0 : count_image_expectations(plan);
             not_evaluated > 0) {
-            diagnostic_line("no pictures are drawn: " + std::to_string(not_evaluated) +
-                            (not_evaluated == 1 ? " expectation about them isn't evaluated"
-                                                : " expectations about them aren't evaluated"));
+            print_error_line("no pictures are drawn: " + std::to_string(not_evaluated) +
+                             (not_evaluated == 1 ? " expectation about them isn't evaluated"
+                                                 : " expectations about them aren't evaluated"));
         }
         const std::unique_ptr<LastRunWriter> last_run = open_last_run(plan);
         const bool plays =
@@ -255,8 +256,8 @@ private:
         }
         const int exit_code = scheduler.run();
         if (left_out > 0) {
-            diagnostic_line(scene::plural(left_out, "walk") +
-                            " not run, because others are marked 'status: only'");
+            print_error_line(scene::plural(left_out, "walk") +
+                             " not run, because others are marked 'status: only'");
         }
         return exit_code;
     }
@@ -294,7 +295,7 @@ private:
 int run_walks(const RunOptions& options) {
     RunSettings settings = resolve_settings(options, environment_variable);
     if (options.print_config) {
-        std::printf("%s\n", to_json(settings, options).c_str());
+        print_lines(to_json(settings, options));
         return kPass;
     }
     if (options.watch) {

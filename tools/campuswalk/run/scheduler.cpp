@@ -10,6 +10,7 @@
 #include "engine/script/player.h"
 #include "scene/lint/wording.h"
 #include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/standard_streams.h"
 #include "tools/campuswalk/run/results/verdict.h"
@@ -158,7 +159,7 @@ void Scheduler::report(WalkResult result) {
     }
     if (settings_.print_verdicts) {
         for (const std::string& line : verdict_lines(result, settings_.play.output)) {
-            diagnostic_line(line);
+            print_error_line(line);
         }
     }
     const bool failed = !is_good(result) && result.outcome != Outcome::interrupted;
@@ -183,12 +184,12 @@ int Scheduler::finish(bool interrupted) {
         last_run_->close();
     }
     if (interrupted) {
-        diagnostic_line("interrupted");
+        print_error_line("interrupted");
         return kInterrupted;
     }
     if (const std::size_t left = over_.size() - reported_; left > 0) {
-        diagnostic_line("stopped after " + scene::plural(static_cast<std::size_t>(failures_), "failure") +
-                        ", " + std::to_string(left) + " not run");
+        print_error_line("stopped after " + scene::plural(static_cast<std::size_t>(failures_), "failure") +
+                         ", " + std::to_string(left) + " not run");
     }
     return exit_code_for(report_.results);
 }

@@ -21,6 +21,7 @@
 #include "scene/process/child_process.h"
 #include "scene/process/pipe.h"
 #include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/run/plan/dependencies.h"
 #include "tools/campuswalk/run/workers/interrupt.h"
@@ -117,7 +118,7 @@ int watch_and_run(const RunSettings& settings, const std::function<int(const std
         FileWatch watch(dependencies.folders());  // before the run: what changes during it counts
         run_in_child(run, changed);
         if (!interrupted()) {
-            diagnostic_line("watching; Ctrl-C ends it");
+            print_error_line("watching; Ctrl-C ends it");
         }
         const auto files = watch.wait();
         if (!files) {

@@ -21,6 +21,7 @@
 #include "scene/suggest/first_view.h"
 #include "scene/suggest/walkable_ground.h"
 #include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/text.h"
 #include "tools/campuswalk/loading/walk_loader.h"
@@ -264,14 +265,14 @@ int suggest_campus(const scene::SceneFile& model, const fs::path& campus_file, b
     const std::size_t visits = write_walk(campus, drafts.campus, drafts.walk, loader);
     scene::write_file_atomically(campus_file, campus_yaml(campus));
     scene::write_file_atomically(walk_file, walk_yaml(campus, campus_file.filename().string(), visits));
-    std::printf("%s: %s\n%s: %s, played\n", campus_file.string().c_str(),
-                scene::plural(campus.buildings.size(), "building").c_str(), walk_file.string().c_str(),
-                scene::plural(visits, "visit").c_str());
+    print_line("%s: %s", campus_file.string().c_str(),
+               scene::plural(campus.buildings.size(), "building").c_str());
+    print_line("%s: %s, played", walk_file.string().c_str(), scene::plural(visits, "visit").c_str());
     const RemainingLints left = remaining_lints(upright);
     if (left.opened > 0) {
-        std::printf("%s left out of what is solid\n", scene::plural(left.opened, "closed door").c_str());
+        print_line("%s left out of what is solid", scene::plural(left.opened, "closed door").c_str());
     }
-    std::printf("%s about the model\n", scene::plural(left.lints.size(), "warning").c_str());
+    print_line("%s about the model", scene::plural(left.lints.size(), "warning").c_str());
     print_lints(left.lints);
     return kPass;
 }

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "engine/report/plain_text.h"
 #include "tools/campuswalk/base/json_text.h"
 
 namespace campuswalk::tools {
@@ -59,33 +60,6 @@ std::vector<std::string> codes_of(const Findings& findings) {
     return codes;
 }
 
-/// With GitHub's escapes for the message of a command; its properties need two more.
-std::string escaped(std::string_view text, bool property) {
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-            case '%':
-                result += "%25";
-                break;
-            case '\r':
-                result += "%0D";
-                break;
-            case '\n':
-                result += "%0A";
-                break;
-            case ':':
-                result += property ? "%3A" : ":";
-                break;
-            case ',':
-                result += property ? "%2C" : ",";
-                break;
-            default:
-                result += c;
-        }
-    }
-    return result;
-}
-
 }  // namespace
 
 std::string as_json(const Findings& findings) {
@@ -136,13 +110,14 @@ std::string as_sarif(const Findings& findings) {
 std::string as_github(const Findings& findings) {
     std::string lines;
     for (const Diagnostic& diagnostic : findings.diagnostics) {
-        lines += std::string("::") + level_of(diagnostic) + " file=" + escaped(diagnostic.mark.file, true);
+        lines += std::string("::") + level_of(diagnostic) +
+                 " file=" + engine::github_escaped(diagnostic.mark.file, true);
         if (diagnostic.mark.line > 0) {
             lines += ",line=" + std::to_string(diagnostic.mark.line) +
                      ",col=" + std::to_string(diagnostic.mark.column);
         }
-        lines +=
-            ",title=" + escaped(diagnostic.code, true) + "::" + escaped(diagnostic.message, false) + "\n";
+        lines += ",title=" + engine::github_escaped(diagnostic.code, true) +
+                 "::" + engine::github_escaped(diagnostic.message, false) + "\n";
     }
     return lines;
 }

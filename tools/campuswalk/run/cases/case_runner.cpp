@@ -16,6 +16,7 @@
 #include "engine/simulation/simulation.h"
 #include "scene/base/atomic_file.h"
 #include "scene/base/diagnostic.h"
+#include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/run/cases/case_stream.h"
 #include "tools/campuswalk/run/cases/image_watch.h"
@@ -106,8 +107,8 @@ void write_goldens(const std::vector<GoldenUpdate>& updates, bool fails) {
         if (!fails) {
             scene::write_file_atomically(update.file, update.bytes);
         }
-        diagnostic_line((fails ? "not written, because the walk fails: " : "wrote ") +
-                        update.file.generic_string());
+        print_error_line((fails ? "not written, because the walk fails: " : "wrote ") +
+                         update.file.generic_string());
     }
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "config/loader/load_run.h"
+#include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/text.h"
 #include "tools/campuswalk/run/plan/find_walks.h"
@@ -245,7 +246,7 @@ private:
     void diagnose_once(const std::vector<std::string>& diagnostics) {
         for (const std::string& line : diagnostics) {
             if (reported_.insert(line).second) {
-                diagnostic_line(line);
+                print_error_line(line);
             }
         }
     }
@@ -294,7 +295,7 @@ void print_cases(const Plan& plan) {
         for (const std::string& tag : each.result.tags) {
             line += " @" + tag;
         }
-        std::printf("%s%s\n", line.c_str(), remark(each.result).c_str());
+        print_line("%s%s", line.c_str(), remark(each.result).c_str());
     }
 }
 

@@ -62,7 +62,9 @@ Reports::Reports(const std::vector<ReportTarget>& targets, const engine::ReportS
             continue;
         }
         LogOutput* output =
-            outputs_.emplace_back(std::make_unique<LogOutput>(!target.file, target.file)).get();
+            outputs_
+                .emplace_back(std::make_unique<LogOutput>(!target.file, target.file, target.name == "github"))
+                .get();
         if (is_log) {
             logs_.push_back(output);
             continue;
