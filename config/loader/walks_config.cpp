@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "config/loader/values/checked_map.h"
+#include "config/loader/values/folders_upwards.h"
 #include "config/loader/values/names.h"
 #include "config/loader/values/ranges.h"
 #include "config/loader/values/yaml_file.h"
@@ -37,7 +38,7 @@ public:
             }
         }
         if (const auto output = map.find("output")) {
-            config.output = path(*output);
+            config.output = MarkedPath{output->mark(), path(*output).value_or(folder_)};
         }
         if (const auto reporters = map.find("reporters")) {
             for (const CheckedNode& entry : reporters->items("a reporter")) {
@@ -150,16 +151,12 @@ WalksConfig load_walks_config(const fs::path& file) {
 
 std::optional<fs::path> find_walks_config(const fs::path& folder) {
     std::error_code ignored;
-    fs::path at = folder.empty() ? fs::path(".") : folder;
-    for (fs::path whole = fs::absolute(at, ignored);; whole = whole.parent_path()) {
-        if (fs::is_regular_file(at / kFileName, ignored)) {
-            return (at / kFileName).lexically_normal();
+    for (const fs::path& above : folders_upwards(folder)) {
+        if (fs::is_regular_file(above / kFileName, ignored)) {
+            return (above / kFileName).lexically_normal();
         }
-        if (whole == whole.parent_path()) {
-            return std::nullopt;
-        }
-        at /= "..";
     }
+    return std::nullopt;
 }
 
 }  // namespace campuswalk::config

@@ -43,7 +43,7 @@ struct ProjectConfig {
 struct WalksConfig {
     std::filesystem::path file;
     std::vector<MarkedPath> walks;  ///< files, or folders to search for *.walk.yaml
-    std::optional<std::filesystem::path> output;
+    std::optional<MarkedPath> output;
     std::vector<ConfiguredReporter> reporters;
     std::optional<int> workers;
     std::optional<int> max_failures;
@@ -59,7 +59,7 @@ struct WalksConfig {
 /// Throws scene::InputError with all errors; load_run.h lists their codes.
 WalksConfig load_walks_config(const std::filesystem::path& file);
 
-/// `walks.config.yaml` in the folder or in the nearest parent folder that has one.
+/// `walks.config.yaml` in the folder or in the nearest one above that has one (see folders_upwards.h).
 std::optional<std::filesystem::path> find_walks_config(const std::filesystem::path& folder);
 
 }  // namespace campuswalk::config

@@ -60,7 +60,7 @@ projects:
     EXPECT_EQ(read.walks[0].path, folder_.path("walks"));
     EXPECT_EQ(read.walks[1].path, folder_.path("more/one.walk.yaml"));
     EXPECT_EQ(std::pair(read.walks[1].mark.line, read.walks[1].mark.column), std::pair(2, 16));
-    EXPECT_EQ(read.output, folder_.path("results"));
+    EXPECT_EQ(read.output.value().path, folder_.path("results"));
     ASSERT_EQ(read.reporters.size(), 2U);
     EXPECT_EQ(read.reporters[0].name, "list");
     EXPECT_EQ(read.reporters[0].file, std::nullopt);

@@ -332,10 +332,10 @@ class Config(ProgramCase):
         self.assertIn(b"\nnot ok 1 ", self.read("out/one.tap"))
 
     def test_another_configuration_file(self):
-        self.write("ci/walks.config.yaml", "walks: ../walks\nworkers: 3\noutput: ../results\n")
+        self.write("ci/walks.config.yaml", "walks: ../walks\nworkers: 3\noutput: results\n")
         outcome = self.passes("run", "--config", "ci/walks.config.yaml", "--print-config", "-j", "1")
         found = json.loads(outcome.out)
-        self.assertEqual((found["walks"], found["workers"], found["output"]), (["walks"], 1, "results"))
+        self.assertEqual((found["walks"], found["workers"], found["output"]), (["walks"], 1, "ci/results"))
 
     def test_mistakes_are_reported_once_at_their_place(self):
         self.write("walks.config.yaml", "projects:\n  young: {avatar: chidl}\n")

@@ -3,6 +3,7 @@
 #include <set>
 #include <system_error>
 
+#include "config/loader/values/folders_upwards.h"
 #include "config/loader/yaml/wording.h"
 
 namespace campuswalk::config {
@@ -10,8 +11,6 @@ namespace campuswalk::config {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr int kMaxParents = 8;
 
 /// Names of the profiles in all the folders, sorted.
 std::vector<std::string> known_profiles(const ProfileKind& kind, const std::vector<fs::path>& folders) {
@@ -34,11 +33,9 @@ std::vector<std::string> known_profiles(const ProfileKind& kind, const std::vect
 std::vector<fs::path> profile_folders(const ProfileKind& kind, const fs::path& walk_folder,
                                       const std::vector<fs::path>& more) {
     std::vector<fs::path> folders;
-    fs::path parent = walk_folder.empty() ? fs::path(".") : walk_folder;
-    for (int i = 0; i <= kMaxParents; ++i) {
-        folders.push_back(parent / kind.folder);
-        folders.push_back(parent / "config" / kind.folder);
-        parent /= "..";
+    for (const fs::path& above : folders_upwards(walk_folder)) {
+        folders.push_back(above / kind.folder);
+        folders.push_back(above / "config" / kind.folder);
     }
     folders.insert(folders.end(), more.begin(), more.end());
     return folders;

@@ -28,6 +28,39 @@ fs::path nearest_existing(fs::path path) {
     return path.empty() ? fs::path(".") : path;
 }
 
+bool is_link(const fs::path& path) {
+    std::error_code ignored;
+    return fs::is_symlink(path, ignored);
+}
+
+/// Whether somebody else's files may be in the folder and below.
+bool begins_a_project(const fs::path& folder) {
+    std::error_code ignored;
+    return fs::exists(folder / ".git", ignored) || fs::exists(folder / "walks.config.yaml", ignored) ||
+           (folder == fs::current_path(ignored) && folder != folder.root_path());
+}
+
+/// The first link that the path leads through below a project; empty without one. From the root downwards: a
+/// link's target could begin a project of its own.
+fs::path link_in(const fs::path& path) {
+    std::error_code ignored;
+    fs::path prefix;
+    bool in_project = false;
+    for (const fs::path& part : fs::absolute(path, ignored).lexically_normal()) {
+        prefix /= part;
+        if (in_project && is_link(prefix)) {
+            return prefix;
+        }
+        in_project = in_project || begins_a_project(prefix);
+    }
+    return {};
+}
+
+std::string refusal_of_links(const fs::path& path) {
+    const fs::path link = link_in(path);
+    return link.empty() ? "" : "'" + link.filename().string() + "' is a symbolic link";
+}
+
 void throw_if_any(const std::string& obstacle, const fs::path& path, const std::string& message) {
     if (!obstacle.empty()) {
         throw error_about(path, "output-unwritable", message + ": " + obstacle);
@@ -37,6 +70,9 @@ void throw_if_any(const std::string& obstacle, const fs::path& path, const std::
 }  // namespace
 
 std::string why_folder_unwritable(const fs::path& folder) {
+    if (const std::string why = refusal_of_links(folder); !why.empty()) {
+        return why;
+    }
     const fs::path nearest = nearest_existing(folder);
     std::error_code ignored;
     return fs::is_directory(nearest, ignored) ? refusal(nearest, W_OK | X_OK)
@@ -44,6 +80,9 @@ std::string why_folder_unwritable(const fs::path& folder) {
 }
 
 std::string why_file_unwritable(const fs::path& file) {
+    if (const std::string why = refusal_of_links(file); !why.empty()) {
+        return why;
+    }
     std::error_code error;
     const fs::file_status status = fs::status(file, error);
     if (fs::is_directory(status)) {
@@ -73,6 +112,10 @@ void require_writable_png(const fs::path& file, const std::string& message) {
 
 void require_writable_folder(const fs::path& folder, const std::string& message) {
     throw_if_any(why_folder_unwritable(folder), folder, message);
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+        throw_if_any(refusal_of_links(entry.path()), entry.path(), message);
+    }
 }
 
 }  // namespace campuswalk::tools

@@ -6,6 +6,10 @@
 namespace campuswalk::tools {
 
 // Checked before a walk without touching anything, so that a run that is refused leaves no trace.
+//
+// A checkout may contain symbolic links, such as `out -> /etc`. Nothing is written through one: all functions
+// here refuse a path that leads through a link below a folder that has `.git` or walks.config.yaml, or below
+// the current folder.
 
 /// Why a file can't be created or replaced here, including the folders it needs; empty when it can.
 std::string why_file_unwritable(const std::filesystem::path& file);
@@ -13,7 +17,8 @@ std::string why_file_unwritable(const std::filesystem::path& file);
 /// The same for a folder and the files in it.
 std::string why_folder_unwritable(const std::filesystem::path& folder);
 
-/// Throw scene::InputError output-unwritable in these cases, with the reason after `message`.
+/// Throw scene::InputError output-unwritable in these cases, with the reason after `message`. Of a folder,
+/// the files in it may not be links either.
 void require_writable_file(const std::filesystem::path& file, const std::string& message);
 void require_writable_folder(const std::filesystem::path& folder, const std::string& message);
 /// Likewise for a picture, and file-name: a name with another ending than .png would lie about what is

@@ -17,6 +17,7 @@
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/images/images.h"
+#include "tools/campuswalk/logs/golden_log.h"
 #include "tools/campuswalk/run/cases/run_fingerprint.h"
 #include "tools/campuswalk/run/plan/plan.h"
 #include "tools/campuswalk/run/plan/run_settings.h"
@@ -64,6 +65,43 @@ Selector selector_for(const RunOptions& options) {
     }
     selector.require_tag(options.tags);
     return selector;
+}
+
+/// What the cases are read from, as far as they could be read.
+std::set<fs::path> inputs_of(const Plan& plan) {
+    std::set<fs::path> inputs;
+    std::error_code ignored;
+    for (const Case& each : plan.cases) {
+        inputs.insert(fs::weakly_canonical(each.result.file, ignored));
+        if (each.walk) {
+            inputs.insert(fs::weakly_canonical(each.walk->walk.campus, ignored));
+            for (const fs::path& file : each.walk->campus->files) {
+                inputs.insert(fs::weakly_canonical(file, ignored));
+            }
+        }
+    }
+    return inputs;
+}
+
+void refuse_inputs(const std::vector<ReportTarget>& targets, const std::set<fs::path>& inputs) {
+    std::error_code ignored;
+    for (const ReportTarget& target : targets) {
+        if (target.file && inputs.contains(fs::weakly_canonical(*target.file, ignored))) {
+            throw error_about(*target.file, "report-unwritable",
+                              "this would replace a file that the walks are read from; name another");
+        }
+    }
+}
+
+/// A snapshot there could have a texture's name.
+void refuse_inputs_below(const fs::path& folder, const std::set<fs::path>& inputs) {
+    std::error_code ignored;
+    const fs::path whole = fs::weakly_canonical(folder, ignored);
+    const auto first = inputs.lower_bound(whole);
+    if (first != inputs.end() && std::ranges::mismatch(whole, *first).in1 == whole.end()) {
+        throw error_about(folder, "output-unwritable",
+                          "the walks are read from files in this folder; choose another --output");
+    }
 }
 
 /// A run, from the options to the exit code.
@@ -180,7 +218,14 @@ private:
             targets.push_back({"jsonl-log", options_.jsonl});
         }
         check_targets(targets);
+        const std::set<fs::path> inputs = inputs_of(plan);
+        refuse_inputs(targets, inputs);
         for (const Case& each : plan.cases) {
+            refuse_inputs_below(settings_.output / each.folder, inputs);
+            if (settings_.update != UpdateSnapshots::none) {
+                require_writable_folder(golden_log_file(each.result.file, each.result.project).parent_path(),
+                                        "golden files can't be saved here");
+            }
             const bool draws = images_ && (takes_snapshots(each) || (each.walk && options_.sequence.any()));
             if (!draws && options_.records.empty()) {
                 continue;

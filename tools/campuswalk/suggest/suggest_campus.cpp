@@ -24,6 +24,7 @@
 #include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/text.h"
+#include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/loading/walk_loader.h"
 #include "tools/campuswalk/suggest/campus_text.h"
 #include "tools/campuswalk/suggest/lint_text.h"
@@ -257,6 +258,9 @@ private:
 
 int suggest_campus(const scene::SceneFile& model, const fs::path& campus_file, bool overwrite) {
     const fs::path walk_file = walk_beside(campus_file, overwrite);
+    for (const fs::path& file : {campus_file, walk_file}) {
+        require_writable_file(file, "the suggestion can't be written here");
+    }
     const UprightModel upright = load_upright(model);
     SuggestedCampus campus = without_visitor(upright, campus_file);
     WalkLoader loader = quiet_loader();

@@ -55,6 +55,22 @@ std::vector<ProjectConfig> projects_for(const RunOptions& options, const WalksCo
     return projects.empty() ? std::vector<ProjectConfig>(1) : projects;
 }
 
+/// A file or folder that walks.config.yaml says to write: in its folder or below. Only the command line may
+/// name others.
+fs::path inside_project(const WalksConfig& config, const config::MarkedPath& written) {
+    const fs::path folder = config.file.parent_path().lexically_normal();
+    const fs::path path = written.path.lexically_normal();
+    const fs::path relative = path.lexically_relative(folder.empty() ? fs::path(".") : folder);
+    if (path.is_absolute() != folder.is_absolute() || relative.empty() || *relative.begin() == "..") {
+        throw InputError(
+            written.mark, "outside-project",
+            "'" + path.generic_string() +
+                "' isn't below the folder of this file; write there with an option on the command "
+                "line");
+    }
+    return as_seen_from_here(path);
+}
+
 std::vector<ReportTarget> reports_for(const RunOptions& options, const WalksConfig& config, bool single) {
     std::vector<ReportTarget> reports;
     for (const std::string& text : options.reporters) {
@@ -69,8 +85,11 @@ std::vector<ReportTarget> reports_for(const RunOptions& options, const WalksConf
     if (options.reporters.empty()) {
         for (const config::ConfiguredReporter& reporter : config.reporters) {
             check_reporter(reporter.name, reporter.mark);
-            reports.push_back({reporter.name, reporter.file ? std::optional(as_seen_from_here(*reporter.file))
-                                                            : std::nullopt});
+            ReportTarget& target = reports.emplace_back(ReportTarget{reporter.name, std::nullopt});
+            if (reporter.file) {
+                target.file = inside_project(config, {reporter.mark, *reporter.file});
+                target.configured = reporter.mark;
+            }
         }
     }
     const auto printed = [](const ReportTarget& target) { return !target.file; };
@@ -165,7 +184,9 @@ RunSettings resolve_settings(const RunOptions& options, const Environment& envir
     settings.min_cases = options.min_cases.value_or(config.min_cases.value_or(0));
     settings.forbid_only = options.forbid_only || config.forbid_only || settings.strict || is_ci(environment);
     settings.tolerance = engine::changed({}, config.snapshots);
-    settings.output = as_seen_from_here(options.output.value_or(config.output.value_or("out")));
+    settings.output = options.output  ? as_seen_from_here(*options.output)
+                      : config.output ? inside_project(config, *config.output)
+                                      : fs::path("out");
     settings.reports = reports_for(options, config, settings.single);
     settings.update = updates_for(options, environment);
     settings.color = uses_color(options.color, environment);

@@ -18,6 +18,8 @@ namespace campuswalk::tools {
 struct ReportTarget {
     std::string name;                           ///< of a reporter, or "log"
     std::optional<std::filesystem::path> file;  ///< nullopt: standard output
+    /// Where walks.config.yaml names it. Then it replaces only a report of the same kind.
+    std::optional<scene::SourceMark> configured = {};
 };
 
 /// The settings of a run, from command line, walks.config.yaml and environment. Paths are as seen from the

@@ -1,5 +1,9 @@
 #include "tools/campuswalk/run/results/reports.h"
 
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <string>
 #include <system_error>
 
 #include "tools/campuswalk/base/report_diagnostics.h"
@@ -23,12 +27,48 @@ std::string noun(const ReportTarget& target) {
     return std::string(code_for(target)).starts_with("log") ? "log" : "report";
 }
 
+/// Whether a file begins like a report of this kind, or is empty.
+bool begins_like(std::string_view kind, const fs::path& file) {
+    const std::map<std::string_view, std::vector<std::string_view>> beginnings = {
+        {"list", {"pass  ", "FAIL  ", "skip  ", "xfail ", "STOP  ", "ERROR ", "\n"}},
+        {"junit", {"<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"campuswalk\""}},
+        {"tap", {"TAP version 14"}},
+        {"json", {"{\"campuswalk_report\":"}},
+        {"jsonl", {"{\"campuswalk_results\":"}},
+        {"github", {"::error ", "::notice title=campuswalk::"}},
+        {"log", {"# walk-log "}}};
+    constexpr std::size_t kEnough = 100;  // characters
+    std::ifstream stream(file, std::ios::binary);
+    std::string text(kEnough, '\0');
+    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(stream.gcount()));
+    const std::string line = text.substr(0, text.find('\n'));
+    if (kind == "list" || kind == "dot") {  // with --quiet they are a summary: "12 passed"
+        const std::size_t digits = line.find_first_not_of("0123456789");
+        if (digits != 0 && digits != std::string::npos && line.substr(digits).starts_with(" passed")) {
+            return true;
+        }
+    }
+    if (kind == "dot") {
+        return line.find_first_not_of(".xFsIE") == std::string::npos;
+    }
+    return text.empty() || std::ranges::any_of(beginnings.at(kind), [&](std::string_view beginning) {
+               return text.starts_with(beginning);
+           });
+}
+
 void check_target(const ReportTarget& target) {
     if (target.file->extension() == ".yaml") {  // as in `--log a.walk.yaml b.walk.yaml`
         throw about(target, "a " + noun(target) + " would overwrite this YAML file; name another");
     }
     if (const std::string why = why_file_unwritable(*target.file); !why.empty()) {
         throw about(target, "the " + noun(target) + " can't be written here: " + why);
+    }
+    std::error_code ignored;
+    if (target.configured && fs::exists(*target.file, ignored) && !begins_like(target.name, *target.file)) {
+        throw scene::InputError(*target.configured, code_for(target),
+                                "'" + target.file->generic_string() + "' isn't a " + noun(target) +
+                                    " of this kind and would be replaced; remove it, or name another file");
     }
 }
 

@@ -1,0 +1,36 @@
+#include "config/loader/values/folders_upwards.h"
+
+#include <sys/stat.h>
+
+#include <optional>
+#include <system_error>
+
+namespace campuswalk::config {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::optional<uid_t> owner_of(const fs::path& folder) {
+    struct stat status {};
+    return stat(folder.c_str(), &status) == 0 ? std::optional(status.st_uid) : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<fs::path> folders_upwards(const fs::path& folder) {
+    std::vector<fs::path> folders;
+    std::error_code ignored;
+    fs::path at = folder.empty() ? fs::path(".") : folder;
+    const std::optional<uid_t> owner = owner_of(at);
+    for (fs::path whole = fs::weakly_canonical(at, ignored); owner_of(at) == owner; whole = whole.parent_path()) {
+        folders.push_back(at);
+        if (fs::exists(at / ".git", ignored) || whole == whole.parent_path()) {
+            break;
+        }
+        at /= "..";
+    }
+    return folders;
+}
+
+}  // namespace campuswalk::config

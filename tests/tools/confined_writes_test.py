@@ -1,0 +1,171 @@
+#!/usr/bin/env python3
+"""What a checkout says or contains makes the program write nowhere but in the checkout, and replace nothing of others'."""
+
+import os
+
+from program import WALK, ProgramCase, main
+
+KINDS = ("list", "dot", "junit", "tap", "json", "jsonl", "github", "log")
+
+
+class ConfinedWrites(ProgramCase):
+    def setUp(self):
+        """The checkout is a folder of its own; beside it is what must stay untouched."""
+        super().setUp()
+        self.outer = self.folder
+        self.folder = os.path.join(self.outer, "checkout")
+        for name in os.listdir(self.outer):
+            if name != "checkout":
+                os.makedirs(self.folder, exist_ok=True)
+                os.rename(os.path.join(self.outer, name), os.path.join(self.folder, name))
+        self.write("../victim/precious.txt", "precious")
+        os.makedirs(self.path(".git"))
+        self.write("other.walk.yaml", WALK)
+
+    def config(self, text):
+        self.write("walks.config.yaml", text)
+
+    def assert_refused_and_untouched(self, expected, *arguments):
+        before = self.outer_contents()
+        outcome = self.run_program(*(arguments or ("run", "--rendering-backend", "none")))
+        self.assertEqual(outcome.code, 2, outcome.err)
+        self.assertIn(expected, outcome.err)
+        self.assertEqual(self.outer_contents(), before)
+
+    def outer_contents(self):
+        """Every file's bytes and every link's target."""
+        found = {}
+        for parent, _, files in os.walk(self.outer):
+            for path in (os.path.join(parent, name) for name in files):
+                if os.path.islink(path):
+                    found[path] = os.readlink(path)
+                else:
+                    with open(path, "rb") as file:
+                        found[path] = file.read()
+        return found
+
+    def test_a_configuration_names_places_in_its_folder_only(self):
+        for place in ("/tmp/campuswalk-elsewhere", "../victim", "a/../../victim", self.path("../victim")):
+            self.config("output: %s\n" % place)
+            self.assert_refused_and_untouched("walks.config.yaml:1:9: error outside-project: ")
+            self.config("reporters: [list, {junit: %s/junit.xml}]\n" % place)
+            self.assert_refused_and_untouched("walks.config.yaml:1:20: error outside-project: ")
+        for place in ("/dev/stderr", "/dev/null"):
+            self.config("reporters: [{tap: %s}]\n" % place)
+            self.assert_refused_and_untouched("error outside-project: ")
+        self.config("output: ./a/../results\nreporters: [{junit: results/junit.xml}]\n")
+        self.passes("run", "--rendering-backend", "none")
+        self.assertEqual(sorted(os.listdir(self.path("results"))), ["junit.xml", "last-run.jsonl"])
+
+    def test_the_command_line_names_any_place(self):
+        self.passes("run", "--rendering-backend", "none", "--output", "../elsewhere", "--reporter", "tap=/dev/null",
+                    "--reporter", "junit=../elsewhere/junit.xml")
+        self.assertIn("junit.xml", os.listdir(self.path("../elsewhere")))
+
+    def test_folders_that_are_links_are_refused(self):
+        os.symlink("../victim", self.path("out"))
+        self.assert_refused_and_untouched("'out' is a symbolic link")
+        self.assert_refused_and_untouched("'out' is a symbolic link", "run", "--rendering-backend", "none", "--output",
+                                          "out/deeper")
+        self.assert_refused_and_untouched("'out' is a symbolic link", "run", "short.walk.yaml", "--log", "out/a.log")
+        self.assert_refused_and_untouched("'out' is a symbolic link", "run", "short.walk.yaml", "--record", "csv")
+        self.assert_refused_and_untouched("'out' is a symbolic link", "info", "room.obj", "--suggest",
+                                          "out/new.campus.yaml")
+        self.write("../victim/.git/x", "")  # a link's target doesn't begin another project
+        self.assert_refused_and_untouched("'out' is a symbolic link")
+
+    def test_files_that_are_links_are_refused(self):
+        os.makedirs(self.path("out"))
+        for name, arguments in (("junit.xml", ("--reporter", "junit=out/junit.xml")), ("a.log", ("--log", "out/a.log")),
+                                ("a.jsonl", ("--jsonl", "out/a.jsonl")), ("last-run.jsonl", ())):
+            for target in ("../../victim/precious.txt", "../../victim/new.txt"):
+                os.symlink(target, self.path("out/" + name))
+                self.assert_refused_and_untouched("is a symbolic link", "run", "--rendering-backend", "none", *arguments)
+                os.remove(self.path("out/" + name))
+
+    def test_links_in_a_walks_own_folder_are_refused(self):
+        os.makedirs(self.path("out/short"))
+        os.symlink("../../../victim/precious.txt", self.path("out/short/trajectory.csv"))
+        self.assert_refused_and_untouched("is a symbolic link", "run", "short.walk.yaml", "--record", "csv")
+
+    def test_golden_files_are_not_written_through_links(self):
+        self.write("short.walk.yaml", WALK + "  - log: {golden: true}\n")
+        os.symlink("../victim", self.path("short.walk.yaml-snapshots"))
+        self.assert_refused_and_untouched("is a symbolic link", "run", "short.walk.yaml", "-u", "--rendering-backend",
+                                          "none")
+        os.remove(self.path("short.walk.yaml-snapshots"))
+        os.makedirs(self.path("short.walk.yaml-snapshots"))
+        os.symlink("../../victim/precious.txt", self.path("short.walk.yaml-snapshots/log.jsonl"))
+        self.assert_refused_and_untouched("is a symbolic link", "run", "short.walk.yaml", "-u", "--rendering-backend",
+                                          "none")
+
+    def test_a_configured_report_replaces_only_its_own_kind(self):
+        self.write("notes.txt", "my notes")
+        for name in ("room.obj", "notes.txt", "small.campus.yaml", ".git/config"):
+            self.write(".git/config", "[core]\n")
+            for kind in KINDS:
+                self.config("reporters: [{%s: %s}]\n" % (kind, name))
+                self.assert_refused_and_untouched("error ")
+        for kind in KINDS:
+            for quiet in ((), ("-q",)):
+                self.config("reporters: [{%s: report}]\n" % kind)
+                for _ in range(2):
+                    self.assertEqual(self.run_program("run", "--rendering-backend", "none", *quiet).code, 0, kind)
+                os.remove(self.path("report"))
+
+    def test_a_report_on_the_command_line_replaces_anything_but_inputs(self):
+        self.write("notes.txt", "my notes")
+        self.passes("run", "--rendering-backend", "none", "--reporter", "tap=notes.txt")
+        self.assertTrue(self.read("notes.txt").startswith(b"TAP"))
+        for name in ("room.obj", "./room.obj", self.path("room.obj")):
+            self.assert_refused_and_untouched("error report-unwritable: ", "run", "--rendering-backend", "none",
+                                              "--reporter", "tap=" + name)
+
+    def test_pictures_do_not_replace_textures(self):
+        self.write("short/view.txt", "")
+        self.write("room.mtl", "newmtl brick\nmap_Kd short/view.png\n")
+        self.write("room.obj", b"mtllib room.mtl\nusemtl brick\n" + self.read("room.obj"))
+        self.write("short/view.png", b"\x89PNG\r\n\x1a\n")
+        self.config("output: .\n")
+        self.assert_refused_and_untouched("error output-unwritable: ")
+
+
+class Search(ProgramCase):
+    """walks.config.yaml and profiles are looked for upwards to the root of the repository."""
+
+    def run_below(self):
+        return self.run_program("run", "--print-config", cwd=self.path("repository/deeper"))
+
+    def setUp(self):
+        super().setUp()
+        os.makedirs(self.path("repository/deeper"))
+
+    def test_ends_at_the_repositorys_root(self):
+        self.write("walks.config.yaml", "workers: 7\n")
+        self.assertIn('"workers": 7', self.run_below().out)
+        os.makedirs(self.path("repository/.git"))
+        self.assertNotIn('"workers": 7', self.run_below().out)
+        self.write("repository/walks.config.yaml", "workers: 8\n")
+        self.assertIn('"workers": 8', self.run_below().out)
+
+    def test_ends_where_the_owner_changes(self):
+        self.write("walks.config.yaml", "workers: 7\n")
+        try:
+            os.chown(self.folder, 65534, 65534)
+        except PermissionError:
+            self.skipTest("only root can give folders away")
+        self.assertNotIn('"workers": 7', self.run_below().out)
+
+    def test_profiles_come_from_the_repository(self):
+        self.write("repository/deeper/short.walk.yaml", WALK.replace("campus: ", "campus: ../../").replace("adult", "tall"))
+        self.write("avatars/tall.avatar.yaml", "height: 2.0\nradius: 0.3\n")
+        arguments = ("run", "--rendering-backend", "none", "repository/deeper/short.walk.yaml")
+        self.passes(*arguments)
+        os.makedirs(self.path("repository/.git"))
+        outcome = self.run_program(*arguments)
+        self.assertEqual(outcome.code, 2)
+        self.assertIn("error unknown-name: ", outcome.err)
+
+
+if __name__ == "__main__":
+    main()
