@@ -100,11 +100,21 @@ void ChildProcess::send_signal(int signal) const {
     }
 }
 
+void ChildProcess::kill_group() const {
+    if (running()) {
+        kill(-process_, SIGKILL);
+    }
+}
+
 bool ChildProcess::ends_within(std::chrono::milliseconds time) const {
     using Clock = std::chrono::steady_clock;
     // Debian 12's <sys/pidfd.h> declares it for C only.
     const Descriptor process(running() ? static_cast<int>(syscall(SYS_pidfd_open, process_, 0)) : -1);
     if (!process.open()) {
+        siginfo_t ignored{};
+        while (running() && waitid(P_PID, static_cast<id_t>(process_), &ignored, WEXITED | WNOWAIT) < 0 &&
+               errno == EINTR) {
+        }
         return true;
     }
     const Clock::time_point until = Clock::now() + time;

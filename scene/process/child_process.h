@@ -34,7 +34,9 @@ public:
     /// Whether it has been started and not yet been waited for.
     bool running() const { return process_ > 0; }
     void send_signal(int signal) const;
-    /// Whether it ends within this time; true at once on a kernel without pidfd (before 5.3).
+    /// Ends a detached process and those that it has started; to be called before wait().
+    void kill_group() const;
+    /// Whether it ends within this time; however long it takes on a kernel without pidfd (before 5.3).
     bool ends_within(std::chrono::milliseconds time) const;
     /// Waits until it has ended; does nothing if it isn't running.
     ExitStatus wait();

@@ -116,6 +116,8 @@ THIRD_PARTY = {
     "stb/": ["scene/import"],
     "xxhash.h": ["scene/base"],
     "nettle/": ["scene/cache"],
+    "seccomp.h": ["scene/import/helper"],
+    "linux/": ["scene/import/helper"],
     "draco/": ["scene/import/gltf", "tests/scene/import/gltf"],
     "meshoptimizer.h": ["scene/import/gltf", "tests/scene/import/gltf"],
     "webp/": ["scene/import", "tests/scene/import/gltf"],

@@ -23,7 +23,8 @@ std::vector<fs::path> folders_upwards(const fs::path& folder) {
     std::error_code ignored;
     fs::path at = folder.empty() ? fs::path(".") : folder;
     const std::optional<uid_t> owner = owner_of(at);
-    for (fs::path whole = fs::weakly_canonical(at, ignored); owner_of(at) == owner; whole = whole.parent_path()) {
+    for (fs::path whole = fs::weakly_canonical(at, ignored); owner_of(at) == owner;
+         whole = whole.parent_path()) {
         folders.push_back(at);
         if (fs::exists(at / ".git", ignored) || whole == whole.parent_path()) {
             break;

@@ -9,7 +9,7 @@
 namespace campuswalk::scene {
 namespace {
 
-constexpr FileKind kRequest = {{'c', 'w', ' ', 'i', 'm', 'p', 'o', 'r'}, 1};
+constexpr FileKind kRequest = {{'c', 'w', ' ', 'i', 'm', 'p', 'o', 'r'}, 2};
 
 bool is_error(const Diagnostic& diagnostic) {
     return diagnostic.severity == Severity::error;
@@ -37,6 +37,7 @@ std::vector<std::byte> write_request(const ImportRequest& request) {
     out.put(request.limits.cpu_per_megabyte);
     out.put(request.limits.waiting);
     out.put(request.limits.response);
+    out.put(static_cast<std::uint32_t>(request.sandbox));
     return concatenated(out.finish());
 }
 
@@ -61,6 +62,7 @@ ImportRequest read_request(std::span<const std::byte> bytes) {
     request.limits.cpu_per_megabyte = in.take<std::uint32_t>();
     request.limits.waiting = in.take<std::uint32_t>();
     request.limits.response = in.take<std::uint64_t>();
+    request.sandbox = static_cast<SandboxMode>(in.take_below(3, "sandbox"));
     in.finish();
     return request;
 }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "scene/import/helper/sandbox.h"
 #include "scene/import/import_model.h"
 #include "scene/model/scene_file.h"
 
@@ -30,6 +31,7 @@ struct ImportRequest {
     SceneFile file;
     EmptyModel if_empty = EmptyModel::refuse;
     ImportLimits limits;
+    SandboxMode sandbox = SandboxMode::automatic;
 };
 
 std::vector<std::byte> write_request(const ImportRequest& request);

@@ -9,6 +9,7 @@
 #include <csignal>
 #include <exception>
 
+#include "scene/import/source/scene_folder.h"
 #include "scene/model/model_file.h"
 #include "scene/process/pipe.h"
 
@@ -66,6 +67,8 @@ ImportedModel response_to(const ImportRequest& request) {
 void limit_process(const ImportLimits& limits) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);  // end with the parent
     limit(RLIMIT_CORE, 0, 0);
+    constexpr std::uint64_t kMaxFiles = 256;
+    limit(RLIMIT_NOFILE, kMaxFiles, kMaxFiles);
     limit(RLIMIT_CPU, limits.cpu, std::uint64_t{limits.cpu} + 1);  // a second between SIGXCPU and SIGKILL
     limit(RLIMIT_FSIZE, limits.response, limits.response);
     if (kMayLimitMemory) {
@@ -81,6 +84,8 @@ int serve_import() {
     try {
         const ImportRequest request = read_request(read_all(STDIN_FILENO));
         limit_process(request.limits);
+        close(STDIN_FILENO);
+        enter_sandbox(SceneFolder(request.file.path).readable_folders(), request.sandbox);
         _exit(write_response(STDOUT_FILENO, response_to(request)) ? 0 : 1);  // skips freeing the model
     } catch (const std::exception&) {
         return 1;

@@ -102,6 +102,18 @@ bool SceneFolder::may_read(const fs::path& resolved, bool image) const {
     return std::ranges::find(kImageSiblings, sibling) != kImageSiblings.end();
 }
 
+std::vector<fs::path> SceneFolder::readable_folders() const {
+    std::vector<fs::path> folders = {folder_};
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_.parent_path(), ignored)) {
+        const std::string name = lower_case(entry.path().filename().string());
+        if (std::ranges::find(kImageSiblings, name) != kImageSiblings.end()) {
+            folders.push_back(entry.path());
+        }
+    }
+    return folders;
+}
+
 std::optional<fs::path> SceneFolder::try_path(const std::string& relative, bool image) const {
     const fs::path path(relative);
     if (relative.empty() || path.is_absolute() || relative.find('\0') != std::string::npos) {

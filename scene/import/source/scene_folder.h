@@ -24,6 +24,9 @@ class SceneFolder {
 public:
     explicit SceneFolder(const std::filesystem::path& scene_file);
 
+    /// The folders that this allows to read from, as far as they exist.
+    std::vector<std::filesystem::path> readable_folders() const;
+
     /// Resolves a relative path; `\` means `/`, and if there is no such file, percent escapes are decoded.
     /// nullopt if the file is missing or outside, or the path is absolute.
     std::optional<std::filesystem::path> find_file(std::string_view uri) const;

@@ -16,6 +16,7 @@
 #include "tools/campuswalk/images/images.h"
 #include "tools/campuswalk/images/rendering_backend.h"
 #include "tools/campuswalk/loading/cache_choice.h"
+#include "tools/campuswalk/loading/model_importer.h"
 #include "tools/campuswalk/loading/walk_loader.h"
 #include "tools/campuswalk/logs/log_lines.h"
 
@@ -177,6 +178,7 @@ void add_diff(Command program, CommandAction& chosen) {
                    options->walk);
     add_rendering_backend(command, options->backend);
     add_cache_flag(command);
+    add_sandbox_option(command);
     command.footer("Exit code: 0 the same, 1 different, 2 bad usage or input, 3 something failed.");
     command.choose(chosen, [options] { return compare_logs(*options); });
 }

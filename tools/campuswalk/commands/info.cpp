@@ -237,6 +237,7 @@ void add_info(Command program, CommandAction& chosen) {
     command.option({.names = "--map", .help = "Draw it from above", .value = "FILE.png"}, options->map);
     add_rendering_backend(command, options->backend);
     add_cache_flag(command);
+    add_sandbox_option(command);
     command.choose(chosen, [options] { return print_info(*options); });
 }
 

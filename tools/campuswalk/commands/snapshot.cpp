@@ -17,6 +17,7 @@
 #include "tools/campuswalk/images/images.h"
 #include "tools/campuswalk/images/rendering_backend.h"
 #include "tools/campuswalk/loading/cache_choice.h"
+#include "tools/campuswalk/loading/model_importer.h"
 #include "tools/campuswalk/loading/walk_loader.h"
 
 namespace campuswalk::tools {
@@ -182,6 +183,7 @@ void add_snapshot(Command program, CommandAction& chosen) {
                    options->overlays.tree_level, Limits<int>{0, 40});
     add_rendering_backend(command, options->backend);
     add_cache_flag(command);
+    add_sandbox_option(command);
     command.choose(chosen, [options] { return draw_snapshot(*options); });
 }
 

@@ -1,14 +1,61 @@
 #include "tools/campuswalk/loading/model_importer.h"
 
+#include <map>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "scene/import/helper/import_process.h"
+#include "scene/import/helper/sandbox.h"
 #include "scene/import/helper/serve_import.h"
+#include "tools/campuswalk/base/print.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
+#include "tools/campuswalk/base/text.h"
 #include "tools/campuswalk/loading/cache_choice.h"
 
 namespace campuswalk::tools {
 
+namespace {
+
+scene::SandboxMode sandbox = scene::SandboxMode::automatic;
+
+/// Says what the kernel lacks, or refuses to do without it.
+void check_sandbox() {
+    const std::vector<std::string> missing = scene::missing_sandbox_features();
+    if (sandbox == scene::SandboxMode::off || missing.empty()) {
+        return;
+    }
+    const std::string lacks =
+        "this kernel lacks " + joined(missing, " and ") + " for the sandbox of model imports";
+    if (sandbox == scene::SandboxMode::require) {
+        throw error_about("--sandbox", "no-sandbox", lacks);
+    }
+    print_error_line("warning no-sandbox: " + lacks + "; --sandbox off accepts that");
+}
+
+}  // namespace
+
 scene::Importer model_importer() {
     // This program, even if its file has been replaced meanwhile.
-    return scene::import_in_process({"/proc/self/exe", {scene::kImportHelperArgument}});
+    scene::Importer importer =
+        scene::import_in_process({"/proc/self/exe", {scene::kImportHelperArgument}}, {}, sandbox);
+    return [importer = std::move(importer)](const scene::SceneFile& file, scene::EmptyModel if_empty) {
+        static std::once_flag checked;  // when the first model is imported: caches need none
+        std::call_once(checked, check_sandbox);
+        return importer(file, if_empty);
+    };
+}
+
+void add_sandbox_option(Command command) {
+    const std::map<std::string, scene::SandboxMode> modes = {{"auto", scene::SandboxMode::automatic},
+                                                             {"require", scene::SandboxMode::require},
+                                                             {"off", scene::SandboxMode::off}};
+    command.choice(
+        {.names = "--sandbox",
+         .help = "Whether processes that import models may only read the models' folders and compute; "
+                 "auto does what the kernel can"},
+        modes, sandbox);
 }
 
 scene::ImportedModel read_model(const scene::SceneFile& file, scene::EmptyModel empty) {

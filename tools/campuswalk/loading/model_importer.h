@@ -2,12 +2,16 @@
 
 #include "scene/cache/load_model.h"
 #include "scene/import/import_model.h"
+#include "tools/campuswalk/command_line/command.h"
 
 namespace campuswalk::tools {
 
 /// Imports each model in a process of its own, this program with another argument: a model from strangers can
 /// only crash, hang or bloat that, and the user gets a message.
 scene::Importer model_importer();
+
+/// `--sandbox`.
+void add_sandbox_option(Command command);
 
 /// The model of a file, from the cache where that holds it. Throws scene::InputError.
 scene::ImportedModel read_model(const scene::SceneFile& file, scene::EmptyModel empty);

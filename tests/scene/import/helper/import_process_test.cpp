@@ -1,6 +1,10 @@
 #include "scene/import/helper/import_process.h"
 
+#include <unistd.h>
+
+#include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <cstring>
 
 #include <gtest/gtest.h>
@@ -96,6 +100,72 @@ TEST_F(ImportProcess, LimitsTheMemory) {
     ImportLimits limits;
     limits.memory = std::uint64_t{2} << 30U;
     EXPECT_TRUE(contains(refusal("serve", "zeros.gltf", limits), "memory"));
+}
+
+/// What a helper can do that a model has taken over, from odd_helper.cpp.
+class Sandbox : public ImportProcess {
+protected:
+    bool can(const char* what, SandboxMode mode) {
+        const Importer importer = import_in_process({ODD_IMPORT_HELPER, {"attempt", what}}, {}, mode);
+        const std::string text = test::text_of(
+            test::errors_of([&] { importer(test::scene_file(folder_, "box.obj"), EmptyModel::refuse); }));
+        EXPECT_TRUE(contains(text, "exit code 77") || contains(text, "truncated")) << what << ": " << text;
+        folder_.write("box.obj", test::obj_box("box", {0, 0, 0}, {1, 2, 3}));
+        return contains(text, "exit code 77");
+    }
+    static bool kernel_has(const char* feature) {
+        const std::vector<std::string> missing = missing_sandbox_features();
+        return std::ranges::find(missing, feature) == missing.end();
+    }
+};
+
+TEST_F(Sandbox, LeavesReadingAndComputing) {
+    if (!kernel_has("seccomp")) {
+        GTEST_SKIP() << "this kernel has no seccomp";
+    }
+    for (const char* what : {"read-inside", "thread"}) {
+        EXPECT_TRUE(can(what, SandboxMode::automatic)) << what;
+    }
+}
+
+TEST_F(Sandbox, ForbidsFilesOutsideTheModelsFolders) {
+    if (!kernel_has("Landlock")) {
+        GTEST_SKIP() << "this kernel has no Landlock";
+    }
+    EXPECT_TRUE(can("read", SandboxMode::off));
+    EXPECT_FALSE(can("read", SandboxMode::automatic));
+}
+
+TEST_F(Sandbox, ForbidsWritesConnectionsAndProcesses) {
+    if (!kernel_has("seccomp")) {
+        GTEST_SKIP() << "this kernel has no seccomp";
+    }
+    for (const char* what : {"write", "create", "remove", "connect", "fork", "exec", "trace", "signal"}) {
+        EXPECT_TRUE(can(what, SandboxMode::off)) << what;
+        EXPECT_FALSE(can(what, SandboxMode::automatic)) << what;
+    }
+}
+
+TEST_F(Sandbox, HasNoSecretsOfOurs) {
+    constexpr int kLeaked = 50;
+    ASSERT_EQ(dup2(STDERR_FILENO, kLeaked), kLeaked);
+    ASSERT_EQ(setenv("HELPER_TEST_SECRET", "secret", 1), 0);
+    for (const SandboxMode mode : {SandboxMode::off, SandboxMode::automatic}) {
+        EXPECT_FALSE(can("descriptor", mode));
+        EXPECT_FALSE(can("environment", mode));
+    }
+    unsetenv("HELPER_TEST_SECRET");
+    close(kLeaked);
+}
+
+TEST_F(Sandbox, CanBeRequired) {
+    const Importer importer = import_in_process({ODD_IMPORT_HELPER, {"serve"}}, {}, SandboxMode::require);
+    const auto import = [&] { return importer(test::scene_file(folder_, "box.obj"), EmptyModel::refuse); };
+    if (missing_sandbox_features().empty()) {
+        EXPECT_EQ(import().model.meshes.size(), 1U);
+    } else {
+        EXPECT_EQ(test::errors_of(import).size(), 1U);
+    }
 }
 
 TEST_F(ImportProcess, ThrowsIfTheHelperCannotBeStarted) {

@@ -1,20 +1,118 @@
 // An import helper that misbehaves as its argument says, for import_process_test.cpp.
 
+#include <fcntl.h>
+#include <sys/ptrace.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
+#include <string>
 #include <string_view>
+#include <thread>
+#include <vector>
 
+#include "scene/import/helper/sandbox.h"
 #include "scene/import/helper/serve_import.h"
 
 using namespace campuswalk::scene;
+
+namespace {
+
+constexpr int kDone = 77;
+constexpr int kLeaked = 50;  // a descriptor that the test leaves open
+
+bool can_open(const std::string& file, int flags) {
+    const int descriptor = open(file.c_str(), flags, 0600);
+    if (descriptor >= 0) {
+        close(descriptor);
+    }
+    return descriptor >= 0;
+}
+
+bool ends_well(pid_t process) {
+    int status = 0;
+    return process > 0 && waitpid(process, &status, 0) == process && WIFEXITED(status) &&
+           WEXITSTATUS(status) == 0;
+}
+
+/// Whether a helper that a model has taken over can do this. `folder` is the model's.
+bool can_do(std::string_view what, const std::string& folder) {
+    if (what == "read-inside") {
+        return can_open(folder + "/box.obj", O_RDONLY);
+    }
+    if (what == "read") {
+        return can_open("/etc/passwd", O_RDONLY);
+    }
+    if (what == "write") {
+        return can_open(folder + "/box.obj", O_RDWR);
+    }
+    if (what == "create") {
+        return can_open(folder + "/created", O_WRONLY | O_CREAT);
+    }
+    if (what == "remove") {
+        return unlink((folder + "/box.obj").c_str()) == 0;
+    }
+    if (what == "connect") {
+        return socket(AF_INET, SOCK_STREAM, 0) >= 0 || socket(AF_UNIX, SOCK_STREAM, 0) >= 0;
+    }
+    if (what == "fork") {
+        const pid_t child = fork();
+        if (child == 0) {
+            _exit(0);
+        }
+        return ends_well(child);
+    }
+    if (what == "exec") {
+        execl("/bin/sh", "sh", "-c", "exit 77", nullptr);
+        return false;
+    }
+    if (what == "trace") {
+        return ptrace(PTRACE_TRACEME, 0, nullptr, nullptr) == 0;
+    }
+    if (what == "signal") {
+        return kill(getppid(), 0) == 0;
+    }
+    if (what == "thread") {
+        bool ran = false;
+        std::thread([&] { ran = true; }).join();
+        return ran;
+    }
+    if (what == "descriptor") {
+        return fcntl(kLeaked, F_GETFD) >= 0;
+    }
+    return what == "environment" && std::getenv("HELPER_TEST_SECRET") != nullptr;
+}
+
+std::vector<std::byte> standard_input() {
+    std::vector<std::byte> bytes;
+    std::byte byte{};
+    while (read(STDIN_FILENO, &byte, 1) == 1) {
+        bytes.push_back(byte);
+    }
+    return bytes;
+}
+
+/// Exit code 77 if it can be done in the sandbox that the request asks for, else 0.
+int attempt(std::string_view what) {
+    const ImportRequest request = read_request(standard_input());
+    const std::filesystem::path folder = request.file.path.parent_path();
+    enter_sandbox({folder}, request.sandbox);
+    return can_do(what, folder.string()) ? kDone : 0;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
     const std::string_view behaviour = argc > 1 ? argv[1] : "";
     if (behaviour == "serve") {
         return serve_import();
+    }
+    if (behaviour == "attempt" && argc > 2) {
+        return attempt(argv[2]);
     }
     if (behaviour == "crash") {
         std::raise(SIGSEGV);

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace campuswalk::scene {
+
+/// Whether an import helper gives up what reading a model doesn't need.
+enum class SandboxMode : std::uint32_t {
+    automatic,  ///< as far as the kernel can
+    require,    ///< or not at all
+    off,
+};
+
+/// What the kernel lacks for it, such as "Landlock"; empty if nothing.
+std::vector<std::string> missing_sandbox_features();
+
+/// From now on this process and its threads, and whatever takes them over, can do little but compute: they
+/// can read only files below `folders` (Landlock), and can't open files for writing, make connections, start
+/// or signal processes, or change the system (seccomp). Closes all descriptors but the standard ones. There
+/// is no way back. Throws std::runtime_error if SandboxMode::require asks for more than the kernel has.
+void enter_sandbox(const std::vector<std::filesystem::path>& folders, SandboxMode mode);
+
+}  // namespace campuswalk::scene
