@@ -57,8 +57,8 @@ bool restrict_files(const std::vector<std::filesystem::path>& folders) {
         landlock_path_beneath_attr rule{};
         rule.allowed_access = LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR;
         rule.parent_fd = root.number();
-        if (syscall(SYS_landlock_add_rule, rules.number(), LANDLOCK_RULE_PATH_BENEATH, &rule, std::uint32_t{0}) !=
-            0) {
+        if (syscall(SYS_landlock_add_rule, rules.number(), LANDLOCK_RULE_PATH_BENEATH, &rule,
+                    std::uint32_t{0}) != 0) {
             return false;
         }
     }
@@ -105,20 +105,37 @@ void forbid_writing_files(Filter& filter) {
         filter.forbid_if(name, {has_bits(flags, O_TRUNC, O_TRUNC)});
     }
     filter.forbid_if("openat2", {}, ENOSYS);  // its flags are in memory, which no filter sees
-    filter.forbid({"creat",     "truncate",  "rename",    "renameat", "renameat2",     "unlink",   "unlinkat",
-                   "mkdir",     "mkdirat",   "rmdir",     "link",     "linkat",        "symlink",  "symlinkat",
-                   "mknod",     "mknodat",   "chmod",     "fchmodat", "fchmodat2",     "chown",    "lchown",
-                   "fchownat",  "setxattr",  "lsetxattr", "utime",    "utimes",        "utimensat", "futimesat",
-                   "name_to_handle_at", "open_by_handle_at"});
+    filter.forbid({"creat",   "truncate",  "rename",    "renameat",          "renameat2",
+                   "unlink",  "unlinkat",  "mkdir",     "mkdirat",           "rmdir",
+                   "link",    "linkat",    "symlink",   "symlinkat",         "mknod",
+                   "mknodat", "chmod",     "fchmodat",  "fchmodat2",         "chown",
+                   "lchown",  "fchownat",  "setxattr",  "lsetxattr",         "utime",
+                   "utimes",  "utimensat", "futimesat", "name_to_handle_at", "open_by_handle_at"});
 }
 
 void forbid_processes(Filter& filter) {
     filter.forbid_if("clone", {has_bits(0, CLONE_THREAD, 0)});
     filter.forbid_if("clone3", {}, ENOSYS);  // likewise; the C library then starts threads by clone
-    filter.forbid({"fork", "vfork", "execve", "execveat", "ptrace", "process_vm_readv", "process_vm_writev",
-                   "pidfd_open", "pidfd_getfd", "pidfd_send_signal", "tkill", "rt_sigqueueinfo",
-                   "rt_tgsigqueueinfo", "kcmp", "setpriority", "sched_setscheduler", "sched_setparam",
-                   "sched_setattr", "setpgid", "setsid"});
+    filter.forbid({"fork",
+                   "vfork",
+                   "execve",
+                   "execveat",
+                   "ptrace",
+                   "process_vm_readv",
+                   "process_vm_writev",
+                   "pidfd_open",
+                   "pidfd_getfd",
+                   "pidfd_send_signal",
+                   "tkill",
+                   "rt_sigqueueinfo",
+                   "rt_tgsigqueueinfo",
+                   "kcmp",
+                   "setpriority",
+                   "sched_setscheduler",
+                   "sched_setparam",
+                   "sched_setattr",
+                   "setpgid",
+                   "setsid"});
     const auto self = static_cast<std::uint64_t>(getpid());
     for (const char* name : {"kill", "tgkill"}) {  // abort() signals itself
         filter.forbid_if(name, {{0, SCMP_CMP_NE, self, 0}});
@@ -127,20 +144,76 @@ void forbid_processes(Filter& filter) {
 }
 
 void forbid_the_rest(Filter& filter) {
-    filter.forbid({"socket",         "socketpair",     "connect",         "bind",          "listen",
-                   "accept",         "accept4",        "sendto",          "sendmsg",       "sendmmsg",
-                   "io_uring_setup", "io_uring_enter", "io_uring_register", "bpf",         "perf_event_open",
-                   "userfaultfd",    "keyctl",         "add_key",         "request_key",   "unshare",
-                   "setns",          "mount",          "umount2",         "move_mount",    "open_tree",
-                   "fsopen",         "fsmount",        "fsconfig",        "mount_setattr", "pivot_root",
-                   "chroot",         "quotactl",       "swapon",          "swapoff",       "reboot",
-                   "init_module",    "finit_module",   "delete_module",   "kexec_load",    "kexec_file_load",
-                   "acct",           "settimeofday",   "clock_settime",   "adjtimex",      "clock_adjtime",
-                   "sethostname",    "setdomainname",  "personality",     "setuid",        "setgid",
-                   "setreuid",       "setregid",       "setresuid",       "setresgid",     "setgroups",
-                   "capset",         "mq_open",        "mq_unlink",       "shmget",        "shmat",
-                   "msgget",         "msgsnd",         "semget",          "memfd_create",  "memfd_secret",
-                   "fanotify_init",  "inotify_init",   "inotify_init1",   "syslog",        "vhangup"});
+    filter.forbid({"socket",
+                   "socketpair",
+                   "connect",
+                   "bind",
+                   "listen",
+                   "accept",
+                   "accept4",
+                   "sendto",
+                   "sendmsg",
+                   "sendmmsg",
+                   "io_uring_setup",
+                   "io_uring_enter",
+                   "io_uring_register",
+                   "bpf",
+                   "perf_event_open",
+                   "userfaultfd",
+                   "keyctl",
+                   "add_key",
+                   "request_key",
+                   "unshare",
+                   "setns",
+                   "mount",
+                   "umount2",
+                   "move_mount",
+                   "open_tree",
+                   "fsopen",
+                   "fsmount",
+                   "fsconfig",
+                   "mount_setattr",
+                   "pivot_root",
+                   "chroot",
+                   "quotactl",
+                   "swapon",
+                   "swapoff",
+                   "reboot",
+                   "init_module",
+                   "finit_module",
+                   "delete_module",
+                   "kexec_load",
+                   "kexec_file_load",
+                   "acct",
+                   "settimeofday",
+                   "clock_settime",
+                   "adjtimex",
+                   "clock_adjtime",
+                   "sethostname",
+                   "setdomainname",
+                   "personality",
+                   "setuid",
+                   "setgid",
+                   "setreuid",
+                   "setregid",
+                   "setresuid",
+                   "setresgid",
+                   "setgroups",
+                   "capset",
+                   "mq_open",
+                   "mq_unlink",
+                   "shmget",
+                   "shmat",
+                   "msgget",
+                   "msgsnd",
+                   "semget",
+                   "memfd_create",
+                   "memfd_secret",
+                   "fanotify_init",
+                   "inotify_init",
+                   "inotify_init1",
+                   "syslog",
+                   "vhangup"});
 }
 
 bool restrict_calls() {
