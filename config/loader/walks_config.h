@@ -51,7 +51,7 @@ struct WalksConfig {
     std::optional<double> kill_after;  ///< wall-clock seconds that a walk may take
     bool forbid_only = false;
     bool strict = false;                  ///< nothing counts as passed that wasn't evaluated
-    std::optional<int> min_cases;         ///< a run of fewer is an error
+    std::optional<int> min_cases;         ///< a run of fewer walks is an error
     engine::ToleranceChanges snapshots;   ///< for images that are compared
     std::vector<ProjectConfig> projects;  ///< sorted by name
 };

@@ -32,6 +32,24 @@ std::string u_escape(char32_t code) {
     return "\\u" + hex_digits(code, 4);
 }
 
+/// Bytes of the white space that the line begins with, as GitHub's runner trims it (.NET's String.TrimStart).
+std::size_t size_of_spaces(std::string_view line) {
+    std::size_t at = 0;
+    while (at < line.size()) {
+        const std::size_t bytes = scene::utf8_length(line, at);
+        const char32_t code = bytes > 0 ? scene::code_point(line.substr(at, bytes)) : U'x';
+        const bool space = (code >= 0x09 && code <= 0x0D) || code == 0x20 || code == 0x85 || code == 0xA0 ||
+                           code == 0x1680 || (code >= 0x2000 && code <= 0x200B) || code == 0x2028 ||
+                           code == 0x2029 || code == 0x202F || code == 0x205F || code == 0x3000 ||
+                           code == 0xFEFF;
+        if (!space) {
+            break;
+        }
+        at += bytes;
+    }
+    return at;
+}
+
 /// Replaces each `#` that begins one of Azure's or GitHub's markers.
 std::string without_markers(std::string_view text, std::string_view escape) {
     std::string out;
@@ -87,7 +105,7 @@ std::string printable_json(std::string_view json) {
 }
 
 std::string without_ci_commands(std::string_view line) {
-    const std::size_t start = std::min(line.find_first_not_of(" \t"), line.size());
+    const std::size_t start = size_of_spaces(line);
     std::string out(line.substr(0, start));
     std::string_view rest = line.substr(start);
     if (rest.starts_with("::") || rest.starts_with("##")) {

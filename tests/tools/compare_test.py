@@ -165,14 +165,28 @@ class Replay(Compare):
         self.assertEqual(self.run_program("run", "short.walk.yaml", "--tree", "oak").code, 2)
 
     def test_a_report_is_verified(self):
-        self.report(self.result(), self.result(outcome="skipped", hash="0" * 16))
+        self.write("left-out.walk.yaml", self.read("short.walk.yaml") + b"status: skip\n")
+        skipped = self.result(id="left-out.walk.yaml", file="left-out.walk.yaml", name="left-out", outcome="skipped",
+                              hash="0" * 16)
+        self.report(self.result(), skipped)
         lines = self.passes("replay", "r.jsonl", "--verify").lines
-        self.assertEqual(lines[:2], ["same    short.walk.yaml", "no hash short.walk.yaml: skipped"])
+        self.assertEqual(lines[:2], ["same    short.walk.yaml", "no hash left-out.walk.yaml: skipped"])
         self.assertTrue(lines[2].startswith("1 of 2 "), lines)
-        self.report(self.result(), self.result(hash="00000000000000ab"))
+        self.write("left-out.walk.yaml", self.read("short.walk.yaml"))  # it isn't skipped any more
+        self.report(self.result(), skipped)
+        self.assertEqual(self.run_program("replay", "r.jsonl", "--verify").code, 1)
+        self.report(self.result(), self.result())  # one that stands for another
+        self.assertEqual(self.run_program("replay", "r.jsonl", "--verify").code, 1)
+        self.report(self.result(), self.result(id="short.walk.yaml #2", hash="00000000000000ab"))
         outcome = self.run_program("replay", "r.jsonl", "--verify")
         self.assertEqual(outcome.code, 1)
         self.assertRegex(outcome.lines[1], "^DIFFERS short.walk.yaml: .*[0-9a-f]{16}.* 00000000000000ab$")
+
+    def test_deep_nesting_is_no_log(self):
+        for text in ("[" * 200_000, '{"walk_log":1,"a":' + "[" * 200_000 + "]" * 200_000 + "}"):
+            self.write("deep.jsonl", text + "\n")
+            self.write("deeper.jsonl", text.replace("1", "2") + "\n")
+            self.assertIn(self.run_program("diff", "deep.jsonl", "deeper.jsonl").code, (0, 1, 2))
 
     def test_a_report_is_verified_only_if_every_walk_has_a_hash(self):
         for outcome in ("interrupted", "broken", "bad_input"):

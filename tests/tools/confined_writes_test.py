@@ -50,6 +50,9 @@ class ConfinedWrites(ProgramCase):
             self.assert_refused_and_untouched("walks.config.yaml:1:9: error outside-project: ")
             self.config("reporters: [list, {junit: %s/junit.xml}]\n" % place)
             self.assert_refused_and_untouched("walks.config.yaml:1:20: error outside-project: ")
+        for place in (".git", ".git/hooks", "a/.git"):
+            self.config("output: %s\n" % place)
+            self.assert_refused_and_untouched("error outside-project: ")
         for place in ("/dev/stderr", "/dev/null"):
             self.config("reporters: [{tap: %s}]\n" % place)
             self.assert_refused_and_untouched("error outside-project: ")
@@ -88,6 +91,26 @@ class ConfinedWrites(ProgramCase):
         os.symlink("../../../victim/precious.txt", self.path("out/short/trajectory.csv"))
         self.assert_refused_and_untouched("is a symbolic link", "run", "short.walk.yaml", "--record", "csv")
 
+    def test_pictures_of_failures_are_not_written_through_links(self):
+        self.write("short.walk.yaml", WALK.replace("  - never:", "  - never: popup.open hut\n  - never:"))
+        os.makedirs(self.path("out"))
+        os.symlink("../../victim", self.path("out/short"))
+        outcome = self.run_program("run", "short.walk.yaml", "-q")
+        self.assertIn(outcome.code, (1, 2))  # a build without rendering draws none
+        self.assertEqual(os.listdir(self.path("../victim")), ["precious.txt"])
+
+    def test_pictures_do_not_replace_golden_images(self):
+        for name in ("w.walk.yaml-snapshots.walk.yaml", "w.walk.yaml"):
+            self.write("z/" + name, WALK.replace("campus: ", "campus: ../"))
+        self.config("output: z\nwalks: z\n")
+        self.assert_refused_and_untouched("error output-unwritable: ")
+
+    def test_golden_files_are_written_in_the_project_only(self):
+        self.write("../other/short.walk.yaml", WALK.replace("campus: ", "campus: ../checkout/"))
+        self.config("walks: ../other\n")
+        self.passes("run", "--rendering-backend", "none")
+        self.assert_refused_and_untouched("error outside-project: ", "run", "-u", "--rendering-backend", "none")
+
     def test_golden_files_are_not_written_through_links(self):
         self.write("short.walk.yaml", WALK + "  - log: {golden: true}\n")
         os.symlink("../victim", self.path("short.walk.yaml-snapshots"))
@@ -101,7 +124,8 @@ class ConfinedWrites(ProgramCase):
 
     def test_a_configured_report_replaces_only_its_own_kind(self):
         self.write("notes.txt", "my notes")
-        for name in ("room.obj", "notes.txt", "small.campus.yaml", ".git/config"):
+        self.write("source.py", "\nimport os\n")
+        for name in ("room.obj", "notes.txt", "source.py", "small.campus.yaml", ".git/config"):
             self.write(".git/config", "[core]\n")
             for kind in KINDS:
                 self.config("reporters: [{%s: %s}]\n" % (kind, name))

@@ -169,7 +169,8 @@ class Again(ManyWalks):
 
     def test_logs_cannot_be_resumed(self):
         self.run_walks()
-        for arguments in (("--log", "a.log"), ("--jsonl", "a.jsonl"), ("--reporter", "log"), ("a.walk.yaml",)):
+        for arguments in (("--log", "a.log"), ("--jsonl", "a.jsonl"), ("--reporter", "log"), ("a.walk.yaml",),
+                          ("a.walk.yaml", "--reporter", "list")):
             outcome = self.run_walks("--resume", *arguments)
             self.assertEqual((outcome.code, outcome.out), (2, ""))
             self.assertIn("--resume: error bad-value: ", outcome.err)
@@ -245,6 +246,7 @@ class Again(ManyWalks):
         self.write("out/last-run.jsonl", genuine.replace(b'"outcome":"failed"', b'"outcome":"passed"'))
         self.assertEqual(resumed(), (2, ["foreign-results"]))
         self.assertIn(self.run_walks("--last-failed", "--list").code, (0, 5), "it only selects")
+        self.assertIn("error foreign-results: ", self.run_walks("--last-failed", "--strict").err)
         self.write("out/last-run.jsonl", genuine)
         self.assertEqual(resumed(CAMPUSWALK_RUN_KEY=secret), (2, ["foreign-results"]))
         self.assertEqual(resumed(XDG_STATE_HOME=self.path("elsewhere")), (2, ["foreign-results"]))

@@ -212,6 +212,9 @@ class Strict(ProgramCase):
         self.assert_refused(self.run_walks("--min-cases", "2", "-g", "other"),
                             "--min-cases: error too-few-cases: 1 2")
         self.assertEqual(self.run_walks("--min-cases", "1", "-g", "nothing").code, 2)
+        self.write("walks.config.yaml", "projects: {a: , b: }\n")
+        self.assert_refused(self.run_walks("--min-cases", "3", "--repeat-each", "2"),
+                            "--min-cases: error too-few-cases: 2 3")
 
 
 class GoldenLog(ProgramCase):

@@ -5,6 +5,7 @@
 #include <linux/sched.h>
 #include <seccomp.h>
 #include <sys/prctl.h>
+#include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -32,35 +33,51 @@ bool has_seccomp() {
     return prctl(PR_SET_SECCOMP, 2 /* SECCOMP_MODE_FILTER */, nullptr) != 0 && errno == EFAULT;
 }
 
-/// All kinds of access that this version can restrict.
-std::uint64_t restricted_access(int version) {
+/// As in the kernel's interface; this version of its header may lack the later fields.
+struct Restricted {
+    std::uint64_t file_access = 0;
+    std::uint64_t network_access = 0;  ///< since version 4
+    std::uint64_t scopes = 0;          ///< since version 6: abstract sockets, signals
+};
+
+/// Everything that this version can restrict.
+Restricted restricted_by(int version) {
     const unsigned kinds = version >= 5 ? 16 : version >= 3 ? 15 : version == 2 ? 14 : 13;
-    return (std::uint64_t{1} << kinds) - 1;
+    constexpr std::uint64_t kBoth = 3;
+    return {(std::uint64_t{1} << kinds) - 1, version >= 4 ? kBoth : 0, version >= 6 ? kBoth : 0};
 }
 
-bool restrict_files(const std::vector<std::filesystem::path>& folders) {
-    const int version = landlock_version();
-    if (version == 0) {
-        return false;
+std::size_t size_for(int version) {
+    return version >= 6   ? sizeof(Restricted)
+           : version >= 4 ? 2 * sizeof(std::uint64_t)
+                          : sizeof(std::uint64_t);
+}
+
+/// Lets a file be read, or all files below a folder. A symbolic link lets nothing be read: what it leads to
+/// has a rule of its own, or none.
+void allow_reading(const Descriptor& rules, const std::filesystem::path& path) {
+    const Descriptor root(open(path.c_str(), O_PATH | O_CLOEXEC | O_NOFOLLOW));
+    struct stat status {};
+    if (!root.open() || fstat(root.number(), &status) != 0 || S_ISLNK(status.st_mode)) {
+        return;
     }
-    const std::uint64_t access = restricted_access(version);
-    const Descriptor rules(
-        static_cast<int>(syscall(SYS_landlock_create_ruleset, &access, sizeof access, std::uint32_t{0})));
+    landlock_path_beneath_attr rule{};
+    rule.allowed_access =
+        LANDLOCK_ACCESS_FS_READ_FILE | (S_ISDIR(status.st_mode) ? LANDLOCK_ACCESS_FS_READ_DIR : 0U);
+    rule.parent_fd = root.number();
+    syscall(SYS_landlock_add_rule, rules.number(), LANDLOCK_RULE_PATH_BENEATH, &rule, std::uint32_t{0});
+}
+
+bool restrict_files(const std::vector<std::filesystem::path>& readable) {
+    const int version = landlock_version();
+    const Restricted restricted = restricted_by(version);
+    const Descriptor rules(static_cast<int>(
+        syscall(SYS_landlock_create_ruleset, &restricted, size_for(version), std::uint32_t{0})));
     if (!rules.open()) {
         return false;
     }
-    for (const std::filesystem::path& folder : folders) {
-        const Descriptor root(open(folder.c_str(), O_PATH | O_CLOEXEC));
-        if (!root.open()) {
-            continue;  // it doesn't exist
-        }
-        landlock_path_beneath_attr rule{};
-        rule.allowed_access = LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR;
-        rule.parent_fd = root.number();
-        if (syscall(SYS_landlock_add_rule, rules.number(), LANDLOCK_RULE_PATH_BENEATH, &rule,
-                    std::uint32_t{0}) != 0) {
-            return false;
-        }
+    for (const std::filesystem::path& path : readable) {
+        allow_reading(rules, path);
     }
     return syscall(SYS_landlock_restrict_self, rules.number(), std::uint32_t{0}) == 0;
 }
@@ -69,28 +86,43 @@ struct ReleaseFilter {
     void operator()(void* filter) const { seccomp_release(filter); }
 };
 
-/// System calls that fail from now on. Adding a call that the processor's architecture lacks is no error.
+/// System calls that fail from now on.
 class Filter {
 public:
-    Filter() : filter_(seccomp_init(SCMP_ACT_ALLOW)) {}
+    Filter() : filter_(seccomp_init(SCMP_ACT_ALLOW)), complete_(filter_ != nullptr) {}
 
     void forbid(std::initializer_list<const char*> names) {
         for (const char* name : names) {
             forbid_if(name, {});
         }
     }
+    /// A name that the library doesn't know is of a call with a high number; see forbid_unknown().
     void forbid_if(const char* name, const std::vector<scmp_arg_cmp>& conditions, int error = EPERM) {
-        const int number = seccomp_syscall_resolve_name(name);
-        if (filter_ && number != __NR_SCMP_ERROR) {
-            seccomp_rule_add_array(filter_.get(), SCMP_ACT_ERRNO(static_cast<std::uint32_t>(error)), number,
-                                   static_cast<unsigned>(conditions.size()), conditions.data());
+        if (const int number = seccomp_syscall_resolve_name(name); number >= 0) {
+            add(number, conditions, error);
+        }
+    }
+    /// Those that are newer than the lists here.
+    void forbid_unknown() {
+        constexpr int kFirst = 451;  // cachestat; the numbers are the same on all processors
+        constexpr int kLast = 1023;
+        for (int number = kFirst; number <= kLast; ++number) {
+            add(number, {}, ENOSYS);
         }
     }
 
-    bool apply() const { return filter_ && seccomp_load(filter_.get()) == 0; }
+    bool apply() const { return complete_ && seccomp_load(filter_.get()) == 0; }
 
 private:
+    void add(int number, const std::vector<scmp_arg_cmp>& conditions, int error) {
+        const int failure =
+            seccomp_rule_add_array(filter_.get(), SCMP_ACT_ERRNO(static_cast<std::uint32_t>(error)), number,
+                                   static_cast<unsigned>(conditions.size()), conditions.data());
+        complete_ = complete_ && (failure == 0 || failure == -EEXIST);
+    }
+
     std::unique_ptr<void, ReleaseFilter> filter_;
+    bool complete_;
 };
 
 scmp_arg_cmp has_bits(unsigned argument, std::uint64_t mask, std::uint64_t bits) {
@@ -101,16 +133,46 @@ void forbid_writing_files(Filter& filter) {
     for (const auto& [name, flags] : {std::pair{"open", 1U}, std::pair{"openat", 2U}}) {
         filter.forbid_if(name, {has_bits(flags, O_ACCMODE, O_WRONLY)});
         filter.forbid_if(name, {has_bits(flags, O_ACCMODE, O_RDWR)});
+        filter.forbid_if(name, {has_bits(flags, O_ACCMODE, O_ACCMODE)});
         filter.forbid_if(name, {has_bits(flags, O_CREAT, O_CREAT)});
         filter.forbid_if(name, {has_bits(flags, O_TRUNC, O_TRUNC)});
     }
     filter.forbid_if("openat2", {}, ENOSYS);  // its flags are in memory, which no filter sees
-    filter.forbid({"creat",   "truncate",  "rename",    "renameat",          "renameat2",
-                   "unlink",  "unlinkat",  "mkdir",     "mkdirat",           "rmdir",
-                   "link",    "linkat",    "symlink",   "symlinkat",         "mknod",
-                   "mknodat", "chmod",     "fchmodat",  "fchmodat2",         "chown",
-                   "lchown",  "fchownat",  "setxattr",  "lsetxattr",         "utime",
-                   "utimes",  "utimensat", "futimesat", "name_to_handle_at", "open_by_handle_at"});
+    filter.forbid({"creat",
+                   "fchmod",
+                   "fchown",
+                   "fsetxattr",
+                   "removexattr",
+                   "lremovexattr",
+                   "fremovexattr",
+                   "truncate",
+                   "rename",
+                   "renameat",
+                   "renameat2",
+                   "unlink",
+                   "unlinkat",
+                   "mkdir",
+                   "mkdirat",
+                   "rmdir",
+                   "link",
+                   "linkat",
+                   "symlink",
+                   "symlinkat",
+                   "mknod",
+                   "mknodat",
+                   "chmod",
+                   "fchmodat",
+                   "chown",
+                   "lchown",
+                   "fchownat",
+                   "setxattr",
+                   "lsetxattr",
+                   "utime",
+                   "utimes",
+                   "utimensat",
+                   "futimesat",
+                   "name_to_handle_at",
+                   "open_by_handle_at"});
 }
 
 void forbid_processes(Filter& filter) {
@@ -127,6 +189,8 @@ void forbid_processes(Filter& filter) {
                    "pidfd_getfd",
                    "pidfd_send_signal",
                    "tkill",
+                   "sched_setaffinity",
+                   "ioprio_set",
                    "rt_sigqueueinfo",
                    "rt_tgsigqueueinfo",
                    "kcmp",
@@ -141,6 +205,12 @@ void forbid_processes(Filter& filter) {
         filter.forbid_if(name, {{0, SCMP_CMP_NE, self, 0}});
     }
     filter.forbid_if("prlimit64", {{0, SCMP_CMP_NE, 0, 0}});
+    // A descriptor can be made to send a signal to any process.
+    constexpr int kSetOwnEx = 15;  // F_SETOWN_EX and F_SETSIG are extensions of GNU
+    constexpr int kSetSignal = 10;
+    for (const int command : {F_SETOWN, kSetOwnEx, kSetSignal}) {
+        filter.forbid_if("fcntl", {{1, SCMP_CMP_EQ, static_cast<std::uint64_t>(command), 0}});
+    }
 }
 
 void forbid_the_rest(Filter& filter) {
@@ -203,6 +273,14 @@ void forbid_the_rest(Filter& filter) {
                    "mq_open",
                    "mq_unlink",
                    "shmget",
+                   "shmctl",
+                   "shmdt",
+                   "msgctl",
+                   "msgrcv",
+                   "semctl",
+                   "semop",
+                   "semtimedop",
+                   "ioctl",
                    "shmat",
                    "msgget",
                    "msgsnd",
@@ -221,6 +299,7 @@ bool restrict_calls() {
     forbid_writing_files(filter);
     forbid_processes(filter);
     forbid_the_rest(filter);
+    filter.forbid_unknown();
     return filter.apply();
 }
 
@@ -237,16 +316,20 @@ std::vector<std::string> missing_sandbox_features() {
     return missing;
 }
 
-void enter_sandbox(const std::vector<std::filesystem::path>& folders, SandboxMode mode) {
+void enter_sandbox(const std::vector<std::filesystem::path>& readable, SandboxMode mode) {
     syscall(SYS_close_range, STDERR_FILENO + 1, std::numeric_limits<unsigned>::max(), 0);
     if (mode == SandboxMode::off) {
         return;
     }
     prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
-    const bool files = restrict_files(folders);
-    const bool calls = restrict_calls();
-    if (mode == SandboxMode::require && !(files && calls)) {
+    const bool has_landlock = landlock_version() > 0;
+    const bool has_filters = has_seccomp();
+    if (mode == SandboxMode::require && !(has_landlock && has_filters)) {
         throw std::runtime_error("the kernel lacks what the sandbox needs");
+    }
+    // What the kernel has must work, whatever is in the model's folder.
+    if ((has_landlock && !restrict_files(readable)) || (has_filters && !restrict_calls())) {
+        throw std::runtime_error("the sandbox can't be entered");
     }
 }
 

@@ -17,6 +17,11 @@ constexpr std::array<std::string_view, 4> kImageSiblings = {"textures", "materia
 constexpr std::array<std::string_view, 6> kImageFolders = {
     "", "textures/", "images/", "../textures/", "../materials/textures/", "../images/"};
 
+/// Such folders hold no models but secrets: `.git/config` may have a token.
+bool is_hidden(const fs::path& name) {
+    return name.native().starts_with('.');
+}
+
 int hex_digit(char c) {
     if (c >= '0' && c <= '9') {
         return c - '0';
@@ -85,11 +90,11 @@ bool SceneFolder::may_read(const fs::path& resolved, bool image) const {
         return false;
     }
     if (folder_ == folder_.root_path()) {  // else all files would be below it
-        return resolved.parent_path() == folder_;
+        return resolved.parent_path() == folder_ && !is_hidden(resolved.filename());
     }
     const auto below = [](const fs::path& path, const fs::path& base) {
         const auto [in_base, in_path] = std::mismatch(base.begin(), base.end(), path.begin(), path.end());
-        return in_base == base.end() && in_path != path.end();
+        return in_base == base.end() && in_path != path.end() && std::none_of(in_path, path.end(), is_hidden);
     };
     if (below(resolved, folder_)) {
         return true;
@@ -102,16 +107,23 @@ bool SceneFolder::may_read(const fs::path& resolved, bool image) const {
     return std::ranges::find(kImageSiblings, sibling) != kImageSiblings.end();
 }
 
-std::vector<fs::path> SceneFolder::readable_folders() const {
-    std::vector<fs::path> folders = {folder_};
+std::vector<fs::path> SceneFolder::readable_paths() const {
+    std::vector<fs::path> paths;
     std::error_code ignored;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder_.parent_path(), ignored)) {
-        const std::string name = lower_case(entry.path().filename().string());
-        if (std::ranges::find(kImageSiblings, name) != kImageSiblings.end()) {
-            folders.push_back(entry.path());
+    const bool is_root = folder_ == folder_.root_path();
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_, ignored)) {
+        const bool folder = entry.is_directory(ignored);
+        if (!is_hidden(entry.path().filename()) && !(is_root && folder)) {
+            paths.push_back(entry.path());
         }
     }
-    return folders;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_.parent_path(), ignored)) {
+        const std::string name = lower_case(entry.path().filename().string());
+        if (std::ranges::find(kImageSiblings, name) != kImageSiblings.end() && entry.is_directory(ignored)) {
+            paths.push_back(entry.path());
+        }
+    }
+    return paths;
 }
 
 std::optional<fs::path> SceneFolder::try_path(const std::string& relative, bool image) const {

@@ -14,7 +14,7 @@ namespace campuswalk::scene {
 
 /// Which files a scene file may refer to. Models are untrusted: a URI such as `/etc/passwd` or `../../secret`
 /// must not be read, nor a symbolic link that leads outside.
-///   - any file in the scene file's folder or below;
+///   - any file in the scene file's folder or below, but for those in folders like `.git`;
 ///   - images also below a sibling of that folder named `textures`, `materials`, `images` or `maps` (in any
 ///     case), since the usual layout of simulators is `meshes/x.dae` and `materials/textures/x.png`.
 /// Paths are compared after resolving symbolic links; only regular files are opened.
@@ -24,8 +24,8 @@ class SceneFolder {
 public:
     explicit SceneFolder(const std::filesystem::path& scene_file);
 
-    /// The folders that this allows to read from, as far as they exist.
-    std::vector<std::filesystem::path> readable_folders() const;
+    /// The files and folders, with all below, that this allows to read, as far as they exist.
+    std::vector<std::filesystem::path> readable_paths() const;
 
     /// Resolves a relative path; `\` means `/`, and if there is no such file, percent escapes are decoded.
     /// nullopt if the file is missing or outside, or the path is absolute.

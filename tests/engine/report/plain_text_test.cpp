@@ -57,6 +57,9 @@ TEST(PlainText, LeavesNoCommandToCiMachines) {
     EXPECT_EQ(without_ci_commands("# walk-log 1 a::b ##"), "# walk-log 1 a::b ##");
     EXPECT_EQ(without_ci_commands("## a"), "\\x23# a");
     EXPECT_EQ(without_ci_commands("   "), "   ");
+    for (const char* space : {"\u00a0", "\u1680", "\u2003", "\u202f", "\u205f", "\u3000"}) {
+        EXPECT_EQ(without_ci_commands(space + std::string("::x")), space + std::string("\\x3a:x"));
+    }
 }
 
 TEST(PlainText, ReplacesCharactersThatXmlForbids) {

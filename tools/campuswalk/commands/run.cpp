@@ -58,7 +58,7 @@ void add_selection(Command& command, const Options& options) {
                           "tolerances than the defaults; pictures that can't be evaluated are failures"},
                  options->strict);
     command.option({.names = "--min-cases",
-                    .help = "A run of fewer cases, in all shards together, is an error",
+                    .help = "A run of fewer walks, in all shards together, is an error",
                     .value = "N"},
                    options->min_cases, kTimes);
     command.flag({.names = "--pass-with-no-tests", .help = "Exit code 0 when nothing is selected"},

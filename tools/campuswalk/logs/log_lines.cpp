@@ -16,8 +16,20 @@ bool is_header(const Json& json) {
 }
 
 /// Headers without the seed, which logs contained while walks had one.
+/// Nor lines that are nested more deeply than those of logs: comparing them would overflow the stack.
 Json parsed(std::string_view line) {
-    Json json = Json::parse(line, nullptr, false);
+    constexpr int kMaxDepth = 16;
+    bool too_deep = false;
+    Json json = Json::parse(
+        line,
+        [&](int depth, Json::parse_event_t, Json&) {
+            too_deep = too_deep || depth > kMaxDepth;
+            return !too_deep;
+        },
+        false);
+    if (too_deep) {
+        return Json(Json::value_t::discarded);
+    }
     if (is_header(json)) {
         json.erase("seed");
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -58,8 +59,8 @@ std::vector<RecordedWalk> walks_of_report(const fs::path& source, const std::vec
             const engine::WalkResult result = engine::result_from_json_line(lines[i]);
             const bool ended =
                 result.outcome == engine::Outcome::passed || result.outcome == engine::Outcome::failed;
-            walks.push_back({result.name, result.project, result.config, result.file, result.timeout,
-                             ended ? std::optional(result.hash) : std::nullopt,
+            walks.push_back({result.id, result.name, result.project, result.config, result.file,
+                             result.timeout, ended ? std::optional(result.hash) : std::nullopt,
                              std::string(engine::name_of(result.outcome)),
                              result.outcome == engine::Outcome::skipped, i + 1});
         } catch (const std::runtime_error& error) {
@@ -81,7 +82,7 @@ std::vector<RecordedWalk> walks_of_log(const fs::path& source, const std::vector
                                  "a log doesn't say where its walk is: add --walk .../" + header->walk +
                                      std::string(config::kWalkSuffix));
             }
-            walks.push_back({header->walk, header->project, fs::path(), file->second, header->timeout,
+            walks.push_back({"", header->walk, header->project, fs::path(), file->second, header->timeout,
                              std::nullopt, "cut short", false, i + 1});
         } else if (const std::optional<LoggedEvent> event = logged_event(lines[i]);
                    event && event->kind == "walk.end") {
@@ -108,7 +109,11 @@ Recording recorded_walks(const fs::path& source, const std::vector<std::string>&
         throw error_about("--walk", "bad-value", "a report names its walks itself");
     }
     std::vector<RecordedWalk> walks = walks_of_report(source, lines);
-    const std::size_t missing = plan->cases - std::min(plan->cases, walks.size());
+    std::set<std::string> ids;
+    for (const RecordedWalk& walk : walks) {
+        ids.insert(walk.id);
+    }
+    const std::size_t missing = plan->cases - std::min(plan->cases, ids.size());
     return {std::move(walks), missing};
 }
 

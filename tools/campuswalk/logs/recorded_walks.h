@@ -12,6 +12,7 @@ namespace campuswalk::tools {
 
 /// A walk that was run, as a log or a report records it.
 struct RecordedWalk {
+    std::string id;  ///< in a report
     std::string name;
     std::string project;
     std::filesystem::path config;       ///< the walks.config.yaml with the project; empty if unknown

@@ -93,10 +93,16 @@ void refuse_inputs(const std::vector<ReportTarget>& targets, const std::set<fs::
     }
 }
 
-/// A snapshot there could have a texture's name.
+/// A snapshot there could have a texture's name, or a golden image's.
 void refuse_inputs_below(const fs::path& folder, const std::set<fs::path>& inputs) {
     std::error_code ignored;
     const fs::path whole = fs::weakly_canonical(folder, ignored);
+    for (const fs::path& part : whole) {
+        if (part.native().ends_with(".walk.yaml-snapshots")) {
+            throw error_about(folder, "output-unwritable",
+                              "this is a folder of golden files; choose another");
+        }
+    }
     const auto first = inputs.lower_bound(whole);
     if (first != inputs.end() && std::ranges::mismatch(whole, *first).in1 == whole.end()) {
         throw error_about(folder, "output-unwritable",
@@ -160,10 +166,13 @@ private:
                 file, "missing-file",
                 "there are no results of a previous run; run without --last-failed and --resume first");
         }
-        if (options_.resume && !last_run_->authentic) {
+        if ((options_.resume || settings_.strict) && !last_run_->authentic) {
             throw error_about(file, "foreign-results",
                               "these results weren't saved on this machine, nor with the same "
-                              "CAMPUSWALK_RUN_KEY; run without --resume");
+                              "CAMPUSWALK_RUN_KEY; run without --resume and --last-failed");
+        }
+        if (options_.resume && settings_.single) {
+            throw error_about("--resume", "bad-value", "a run of one walk saves no results; name none");
         }
         if (options_.resume && (options_.jsonl || std::ranges::any_of(settings_.reports, is_log))) {
             throw error_about(
@@ -192,10 +201,10 @@ private:
     }
 
     void check_number_of_cases(const Plan& plan) const {
-        if (plan.summary.all_cases < static_cast<std::size_t>(settings_.min_cases)) {
+        if (plan.walks < static_cast<std::size_t>(settings_.min_cases)) {
             throw error_about("--min-cases", "too-few-cases",
-                              "only " + std::to_string(plan.summary.all_cases) + " of at least " +
-                                  scene::plural(static_cast<std::size_t>(settings_.min_cases), "case") +
+                              "only " + std::to_string(plan.walks) + " of at least " +
+                                  scene::plural(static_cast<std::size_t>(settings_.min_cases), "walk") +
                                   " would be run; see --list");
         }
     }
@@ -226,12 +235,11 @@ private:
                 require_writable_folder(golden_log_file(each.result.file, each.result.project).parent_path(),
                                         "golden files can't be saved here");
             }
-            const bool draws = images_ && (takes_snapshots(each) || (each.walk && options_.sequence.any()));
-            if (!draws && options_.records.empty()) {
-                continue;
+            if (each.walk && (images_ || !options_.records.empty())) {  // a failure is drawn, too
+                require_writable_folder(
+                    settings_.output / each.folder,
+                    std::string(images_ ? "pictures" : "records") + " can't be saved here");
             }
-            require_writable_folder(settings_.output / each.folder,
-                                    std::string(draws ? "pictures" : "records") + " can't be saved here");
         }
         if (!settings_.single) {
             require_writable_file(last_run_file(settings_.output), "results can't be saved here");

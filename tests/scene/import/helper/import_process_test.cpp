@@ -132,15 +132,40 @@ TEST_F(Sandbox, ForbidsFilesOutsideTheModelsFolders) {
     if (!kernel_has("Landlock")) {
         GTEST_SKIP() << "this kernel has no Landlock";
     }
-    EXPECT_TRUE(can("read", SandboxMode::off));
-    EXPECT_FALSE(can("read", SandboxMode::automatic));
+    folder_.write(".git/config", "token");
+    for (const char* what : {"read", "read-repository"}) {
+        EXPECT_TRUE(can(what, SandboxMode::off)) << what;
+        EXPECT_FALSE(can(what, SandboxMode::automatic)) << what;
+    }
+}
+
+/// What a checkout may contain beside a model to get more than its folders.
+TEST_F(Sandbox, ForbidsFilesOutsideWhateverIsBesideTheModel) {
+    if (!kernel_has("Landlock")) {
+        GTEST_SKIP() << "this kernel has no Landlock";
+    }
+    folder_.write("models/box.obj", test::obj_box("box", {0, 0, 0}, {1, 2, 3}));
+    const auto can_read = [&] {
+        const Importer importer = import_in_process({ODD_IMPORT_HELPER, {"attempt", "read"}});
+        return contains(test::text_of(test::errors_of([&] {
+                            importer(test::scene_file(folder_, "models/box.obj"), EmptyModel::refuse);
+                        })),
+                        "exit code 77");
+    };
+    folder_.write("textures", "a file, not a folder");
+    EXPECT_FALSE(can_read());
+    std::filesystem::remove(folder_.path() / "textures");
+    std::filesystem::create_directory_symlink("/", folder_.path() / "textures");
+    std::filesystem::create_directory_symlink("/", folder_.path() / "models" / "maps");
+    EXPECT_FALSE(can_read());
 }
 
 TEST_F(Sandbox, ForbidsWritesConnectionsAndProcesses) {
     if (!kernel_has("seccomp")) {
         GTEST_SKIP() << "this kernel has no seccomp";
     }
-    for (const char* what : {"write", "create", "remove", "connect", "fork", "exec", "trace", "signal"}) {
+    for (const char* what : {"write", "create", "remove", "change-mode", "connect", "fork", "exec", "trace",
+                             "signal", "signal-by-descriptor", "affinity"}) {
         EXPECT_TRUE(can(what, SandboxMode::off)) << what;
         EXPECT_FALSE(can(what, SandboxMode::automatic)) << what;
     }

@@ -1,8 +1,10 @@
 // An import helper that misbehaves as its argument says, for import_process_test.cpp.
 
 #include <fcntl.h>
+#include <sched.h>
 #include <sys/ptrace.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,6 +19,7 @@
 
 #include "scene/import/helper/sandbox.h"
 #include "scene/import/helper/serve_import.h"
+#include "scene/import/source/scene_folder.h"
 
 using namespace campuswalk::scene;
 
@@ -76,6 +79,21 @@ bool can_do(std::string_view what, const std::string& folder) {
     if (what == "signal") {
         return kill(getppid(), 0) == 0;
     }
+    if (what == "signal-by-descriptor") {
+        return fcntl(STDOUT_FILENO, F_SETOWN, getppid()) == 0;
+    }
+    if (what == "change-mode") {
+        const int descriptor = open((folder + "/box.obj").c_str(), O_RDONLY);
+        return fchmod(descriptor, 0700) == 0;
+    }
+    if (what == "affinity") {
+        cpu_set_t processors;
+        return sched_getaffinity(0, sizeof processors, &processors) == 0 &&
+               sched_setaffinity(getppid(), sizeof processors, &processors) == 0;
+    }
+    if (what == "read-repository") {
+        return can_open(folder + "/.git/config", O_RDONLY);
+    }
     if (what == "thread") {
         bool ran = false;
         std::thread([&] { ran = true; }).join();
@@ -100,7 +118,7 @@ std::vector<std::byte> standard_input() {
 int attempt(std::string_view what) {
     const ImportRequest request = read_request(standard_input());
     const std::filesystem::path folder = request.file.path.parent_path();
-    enter_sandbox({folder}, request.sandbox);
+    enter_sandbox(SceneFolder(request.file.path).readable_paths(), request.sandbox);
     return can_do(what, folder.string()) ? kDone : 0;
 }
 

@@ -49,6 +49,11 @@ public:
                           [&](const Candidate& candidate) { return !has_selected_id(candidate); });
         }
         plan.summary = summarized();
+        std::set<std::string> walks;
+        for (const Candidate& candidate : candidates_) {
+            walks.insert(candidate.result.file);
+        }
+        plan.walks = walks.size();
         keep_shard();
         for (Candidate& candidate : candidates_) {
             add_cases(candidate, plan.cases);

@@ -28,6 +28,7 @@ struct Plan {
     std::vector<Case> cases;
     engine::RunPlan summary;   ///< for reports
     std::size_t files = 0;     ///< number of walk files found
+    std::size_t walks = 0;     ///< number of selected walk files, of all shards
     std::size_t left_out = 0;  ///< number of selected walks that aren't marked `only` where others are
 };
 

@@ -61,12 +61,13 @@ fs::path inside_project(const WalksConfig& config, const config::MarkedPath& wri
     const fs::path folder = config.file.parent_path().lexically_normal();
     const fs::path path = written.path.lexically_normal();
     const fs::path relative = path.lexically_relative(folder.empty() ? fs::path(".") : folder);
-    if (path.is_absolute() != folder.is_absolute() || relative.empty() || *relative.begin() == "..") {
-        throw InputError(
-            written.mark, "outside-project",
-            "'" + path.generic_string() +
-                "' isn't below the folder of this file; write there with an option on the command "
-                "line");
+    const bool in_repository = std::ranges::find(relative, fs::path(".git")) != relative.end();
+    if (path.is_absolute() != folder.is_absolute() || relative.empty() || *relative.begin() == ".." ||
+        in_repository) {
+        throw InputError(written.mark, "outside-project",
+                         "'" + path.generic_string() + "' is " +
+                             (in_repository ? "Git's own" : "not below the folder of this file") +
+                             "; write there with an option on the command line");
     }
     return as_seen_from_here(path);
 }
@@ -145,6 +146,11 @@ UpdateSnapshots updates_for(const RunOptions& options, const Environment& enviro
 std::vector<fs::path> paths_for(const RunOptions& options, const WalksConfig& config) {
     std::vector<fs::path> paths = options.paths;
     if (paths.empty()) {
+        for (const config::MarkedPath& walks : config.walks) {
+            if (options.update.value_or(UpdateSnapshots::none) != UpdateSnapshots::none) {
+                inside_project(config, walks);  // golden files are written beside them
+            }
+        }
         std::ranges::transform(config.walks, std::back_inserter(paths), &config::MarkedPath::path);
     }
     std::ranges::transform(paths, paths.begin(), as_seen_from_here);

@@ -36,7 +36,7 @@ struct RunSettings {
     std::optional<double> kill_after;
     bool forbid_only = false;
     bool strict = false;  ///< see strict_rules.h; images that can't be evaluated are failures
-    int min_cases = 0;    ///< a run of fewer is an error
+    int min_cases = 0;    ///< a run of fewer walks is an error
     std::filesystem::path output;
     std::vector<ReportTarget> reports;  ///< that to standard output first, if there is one
     UpdateSnapshots update = UpdateSnapshots::none;

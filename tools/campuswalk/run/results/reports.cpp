@@ -30,7 +30,7 @@ std::string noun(const ReportTarget& target) {
 /// Whether a file begins like a report of this kind, or is empty.
 bool begins_like(std::string_view kind, const fs::path& file) {
     const std::map<std::string_view, std::vector<std::string_view>> beginnings = {
-        {"list", {"pass  ", "FAIL  ", "skip  ", "xfail ", "STOP  ", "ERROR ", "\n"}},
+        {"list", {"pass  ", "FAIL  ", "skip  ", "xfail ", "STOP  ", "ERROR "}},
         {"junit", {"<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"campuswalk\""}},
         {"tap", {"TAP version 14"}},
         {"json", {"{\"campuswalk_report\":"}},
@@ -45,12 +45,13 @@ bool begins_like(std::string_view kind, const fs::path& file) {
     const std::string line = text.substr(0, text.find('\n'));
     if (kind == "list" || kind == "dot") {  // with --quiet they are a summary: "12 passed"
         const std::size_t digits = line.find_first_not_of("0123456789");
-        if (digits != 0 && digits != std::string::npos && line.substr(digits).starts_with(" passed")) {
+        if (text.starts_with("\n1) ") ||
+            (digits != 0 && digits != std::string::npos && line.substr(digits).starts_with(" passed"))) {
             return true;
         }
     }
-    if (kind == "dot") {
-        return line.find_first_not_of(".xFsIE") == std::string::npos;
+    if (kind == "dot" && !text.empty()) {
+        return !line.empty() && line.find_first_not_of(".xFsIE") == std::string::npos;
     }
     return text.empty() || std::ranges::any_of(beginnings.at(kind), [&](std::string_view beginning) {
                return text.starts_with(beginning);
