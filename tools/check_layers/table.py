@@ -146,6 +146,7 @@ THIRD_PARTY = {
                  "tests"],
     "fcntl.h": ["scene/cache", "scene/import", "scene/process", "tools/campuswalk", "tests"],
     "sys/mman.h": ["collision/base", "scene/cache", "scene/import/helper", "tools/campuswalk/loading"],
+    "sched.h": ["tests"],
     "sys/stat.h": ["config/loader/values", "scene/cache", "scene/import", "tests"],
     "sys/": ["scene/cache", "scene/import", "scene/process", "tools/campuswalk", "tools/campuswalk_bench", "tests"],
     "gtest/": ["tests"],
