@@ -70,7 +70,7 @@ void throw_if_any(const std::string& obstacle, const fs::path& path, const std::
 }  // namespace
 
 std::string why_folder_unwritable(const fs::path& folder) {
-    if (const std::string why = refusal_of_links(folder); !why.empty()) {
+    if (std::string why = refusal_of_links(folder); !why.empty()) {
         return why;
     }
     const fs::path nearest = nearest_existing(folder);
@@ -80,7 +80,7 @@ std::string why_folder_unwritable(const fs::path& folder) {
 }
 
 std::string why_file_unwritable(const fs::path& file) {
-    if (const std::string why = refusal_of_links(file); !why.empty()) {
+    if (std::string why = refusal_of_links(file); !why.empty()) {
         return why;
     }
     std::error_code error;

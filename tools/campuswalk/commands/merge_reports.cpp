@@ -118,10 +118,10 @@ std::vector<ShardReport> read_input(const fs::path& input) {
 /// The shards of a run, put together again, and what is missing to it.
 class Merge {
 public:
-    explicit Merge(std::vector<ShardReport> reports)
+    explicit Merge(const std::vector<ShardReport>& reports)
         : run_(reports.front().plan), run_file_(reports.front().file) {
-        for (ShardReport& report : reports) {
-            add(std::move(report));
+        for (const ShardReport& report : reports) {
+            add(report);
         }
         note_missing_shards();
         if (problems_.empty() && !has_planned_cases()) {
@@ -163,7 +163,7 @@ private:
             scene::to_string({scene::Severity::error, {subject.generic_string(), 0, 0}, code, message}));
     }
 
-    void add(ShardReport report) {
+    void add(const ShardReport& report) {
         const RunPlan& plan = report.plan;
         const bool same_run = plan.shards == run_.shards && plan.all_cases == run_.all_cases &&
                               plan.contents == run_.contents && plan.division == run_.division;
@@ -178,7 +178,7 @@ private:
                  "it has " + std::to_string(report.results.size()) + " of " +
                      scene::plural(plan.cases, "result") + "; run " + shard + " again");
         }
-        const auto [there, is_new] = shards_.try_emplace(plan.shard, std::move(report));
+        const auto [there, is_new] = shards_.try_emplace(plan.shard, report);
         if (!is_new) {
             note(report.file, "duplicate-shard",
                  there->second.file.generic_string() + " is a report of " + shard + ", too");
@@ -227,7 +227,7 @@ int merge_reports(const MergeOptions& options) {
     for (const fs::path& input : options.inputs) {
         std::ranges::move(read_input(input), std::back_inserter(inputs));
     }
-    const Merge merge(std::move(inputs));
+    const Merge merge(inputs);
     RunOptions run;
     run.reporters = options.reporters;
     run.color = options.color;
