@@ -117,8 +117,7 @@ void append_case(pugi::xml_node suite, const WalkResult& result) {
     std::string remarks =
         failed_as_expected(result) ? "failed as expected: " + printable(result.status_reason) : "";
     if (result.not_evaluated > 0) {
-        remarks += (remarks.empty() ? "" : "\n") +
-                   not_evaluated_in_words(static_cast<std::size_t>(result.not_evaluated)) +
+        remarks += (remarks.empty() ? "" : "\n") + not_evaluated_in_words(result.not_evaluated) +
                    ": nothing draws pictures";
     }
     append_text(test, "system-err", remarks);

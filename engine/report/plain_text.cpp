@@ -50,6 +50,17 @@ std::size_t size_of_spaces(std::string_view line) {
     return at;
 }
 
+/// `change` gets each line without its end and returns it as it shall be.
+template <typename Change>
+std::string map_lines(std::string_view text, const Change& change) {
+    std::string out;
+    std::size_t start = 0;
+    for (std::size_t end = 0; (end = text.find('\n', start)) != std::string_view::npos; start = end + 1) {
+        out += change(text.substr(start, end - start)) + '\n';
+    }
+    return out + change(text.substr(start));
+}
+
 /// Replaces each `#` that begins one of Azure's or GitHub's markers.
 std::string without_markers(std::string_view text, std::string_view escape) {
     std::string out;
@@ -104,27 +115,28 @@ std::string printable_json(std::string_view json) {
     return without_markers(escaped, "\\u0023");
 }
 
-std::string without_ci_commands(std::string_view line) {
-    const std::size_t start = size_of_spaces(line);
-    std::string out(line.substr(0, start));
-    std::string_view rest = line.substr(start);
-    if (rest.starts_with("::") || rest.starts_with("##")) {
-        out += rest.front() == ':' ? "\\x3a" : "\\x23";
-        rest.remove_prefix(1);
-    }
-    return out + without_markers(rest, "\\x23");
+std::string without_ci_commands(std::string_view text) {
+    return map_lines(text, [](std::string_view line) {
+        const std::size_t start = size_of_spaces(line);
+        std::string out(line.substr(0, start));
+        std::string_view rest = line.substr(start);
+        if (rest.starts_with("::") || rest.starts_with("##")) {
+            out += rest.front() == ':' ? "\\x3a" : "\\x23";
+            rest.remove_prefix(1);
+        }
+        return out + without_markers(rest, "\\x23");
+    });
 }
 
 std::string github_escaped(std::string_view text, bool in_property) {
     std::string out;
-    if (const std::size_t end = text.find('\n'); end != std::string_view::npos) {
-        return github_escaped(text.substr(0, end), in_property) + "%0A" +
-               github_escaped(text.substr(end + 1), in_property);
-    }
-    for (const char c : without_ci_commands(printable(text))) {
+    for (const char c : without_ci_commands(map_lines(text, printable))) {
         switch (c) {
             case '%':
                 out += "%25";
+                break;
+            case '\n':
+                out += "%0A";
                 break;
             case ':':
                 out += in_property ? "%3A" : ":";

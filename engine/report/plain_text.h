@@ -16,9 +16,10 @@ std::string printable(std::string_view text);
 /// line is a command to a CI machine.
 std::string printable_json(std::string_view json);
 
-/// A line that no CI machine takes for a command: GitHub obeys those that begin with `::` after any spaces,
-/// and `##[`, Azure `##vso[`, wherever they are. A character of these is written as `\x3a`, `\x23`.
-std::string without_ci_commands(std::string_view line);
+/// Text of which no line is taken for a command by a CI machine: GitHub obeys lines that begin with `::`
+/// after any spaces, and `##[`, Azure `##vso[`, wherever they are. A character of these is written as `\x3a`,
+/// `\x23`.
+std::string without_ci_commands(std::string_view text);
 
 /// The message of a command to GitHub; in its properties, colons and commas are escaped too. Lines stay
 /// apart.

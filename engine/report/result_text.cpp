@@ -1,6 +1,5 @@
 #include "engine/report/result_text.h"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -86,7 +85,7 @@ std::string place_of(const FailureScene& scene) {
 void Tally::add(const WalkResult& result) {
     ++count_of(*this, result.outcome);
     expected_failures += failed_as_expected(result) ? 1U : 0U;
-    not_evaluated += static_cast<std::size_t>(std::max(result.not_evaluated, 0));
+    not_evaluated += result.not_evaluated;
     seconds += seconds_of(result);
     distance += result.distance;
 }

@@ -48,7 +48,7 @@ public:
         }
         write(line);
         if (result.not_evaluated > 0) {
-            write("# " + not_evaluated_in_words(static_cast<std::size_t>(result.not_evaluated)));
+            write("# " + not_evaluated_in_words(result.not_evaluated));
         }
         if (!ok) {
             explain(result);

@@ -148,7 +148,7 @@ private:
         std::string line = colored(padded(mark.word, kWordWidth), mark.color) + title_of(result);
         std::string details = details_of(result);
         if (result.not_evaluated > 0) {
-            details += "  " + not_evaluated_in_words(static_cast<std::size_t>(result.not_evaluated));
+            details += "  " + not_evaluated_in_words(result.not_evaluated);
         }
         if (!details.empty()) {
             line += std::string(kTitleWidth - std::min(kTitleWidth, title_of(result).size()), ' ') + "  " +

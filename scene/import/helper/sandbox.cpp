@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <linux/landlock.h>
 #include <linux/sched.h>
+#include <linux/seccomp.h>
 #include <seccomp.h>
 #include <sys/prctl.h>
 #include <sys/stat.h>
@@ -10,10 +11,11 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <initializer_list>
 #include <limits>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "scene/process/pipe.h"
 
@@ -30,7 +32,7 @@ int landlock_version() {
 
 bool has_seccomp() {
     // Without it, EINVAL; with it, EFAULT because of the null pointer.
-    return prctl(PR_SET_SECCOMP, 2 /* SECCOMP_MODE_FILTER */, nullptr) != 0 && errno == EFAULT;
+    return prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, nullptr) != 0 && errno == EFAULT;
 }
 
 /// As in the kernel's interface; this version of its header may lack the later fields.
@@ -91,14 +93,16 @@ class Filter {
 public:
     Filter() : filter_(seccomp_init(SCMP_ACT_ALLOW)), complete_(filter_ != nullptr) {}
 
-    void forbid(std::initializer_list<const char*> names) {
-        for (const char* name : names) {
+    /// Calls by their names, with spaces between.
+    void forbid(const char* names) {
+        std::istringstream words(names);
+        for (std::string name; words >> name;) {
             forbid_if(name, {});
         }
     }
     /// A name that the library doesn't know is of a call with a high number; see forbid_unknown().
-    void forbid_if(const char* name, const std::vector<scmp_arg_cmp>& conditions, int error = EPERM) {
-        if (const int number = seccomp_syscall_resolve_name(name); number >= 0) {
+    void forbid_if(const std::string& name, const std::vector<scmp_arg_cmp>& conditions, int error = EPERM) {
+        if (const int number = seccomp_syscall_resolve_name(name.c_str()); number >= 0) {
             add(number, conditions, error);
         }
     }
@@ -138,68 +142,21 @@ void forbid_writing_files(Filter& filter) {
         filter.forbid_if(name, {has_bits(flags, O_TRUNC, O_TRUNC)});
     }
     filter.forbid_if("openat2", {}, ENOSYS);  // its flags are in memory, which no filter sees
-    filter.forbid({"creat",
-                   "fchmod",
-                   "fchown",
-                   "fsetxattr",
-                   "removexattr",
-                   "lremovexattr",
-                   "fremovexattr",
-                   "truncate",
-                   "rename",
-                   "renameat",
-                   "renameat2",
-                   "unlink",
-                   "unlinkat",
-                   "mkdir",
-                   "mkdirat",
-                   "rmdir",
-                   "link",
-                   "linkat",
-                   "symlink",
-                   "symlinkat",
-                   "mknod",
-                   "mknodat",
-                   "chmod",
-                   "fchmodat",
-                   "chown",
-                   "lchown",
-                   "fchownat",
-                   "setxattr",
-                   "lsetxattr",
-                   "utime",
-                   "utimes",
-                   "utimensat",
-                   "futimesat",
-                   "name_to_handle_at",
-                   "open_by_handle_at"});
+    filter.forbid(
+        "creat fchmod fchown fsetxattr removexattr lremovexattr fremovexattr truncate rename "
+        "renameat renameat2 unlink unlinkat mkdir mkdirat rmdir link linkat symlink symlinkat "
+        "mknod mknodat chmod fchmodat chown lchown fchownat setxattr lsetxattr utime utimes "
+        "utimensat futimesat name_to_handle_at open_by_handle_at");
 }
 
 void forbid_processes(Filter& filter) {
     filter.forbid_if("clone", {has_bits(0, CLONE_THREAD, 0)});
     filter.forbid_if("clone3", {}, ENOSYS);  // likewise; the C library then starts threads by clone
-    filter.forbid({"fork",
-                   "vfork",
-                   "execve",
-                   "execveat",
-                   "ptrace",
-                   "process_vm_readv",
-                   "process_vm_writev",
-                   "pidfd_open",
-                   "pidfd_getfd",
-                   "pidfd_send_signal",
-                   "tkill",
-                   "sched_setaffinity",
-                   "ioprio_set",
-                   "rt_sigqueueinfo",
-                   "rt_tgsigqueueinfo",
-                   "kcmp",
-                   "setpriority",
-                   "sched_setscheduler",
-                   "sched_setparam",
-                   "sched_setattr",
-                   "setpgid",
-                   "setsid"});
+    filter.forbid(
+        "fork vfork execve execveat ptrace process_vm_readv process_vm_writev pidfd_open "
+        "pidfd_getfd pidfd_send_signal tkill sched_setaffinity ioprio_set rt_sigqueueinfo "
+        "rt_tgsigqueueinfo kcmp setpriority sched_setscheduler sched_setparam sched_setattr "
+        "setpgid setsid");
     const auto self = static_cast<std::uint64_t>(getpid());
     for (const char* name : {"kill", "tgkill"}) {  // abort() signals itself
         filter.forbid_if(name, {{0, SCMP_CMP_NE, self, 0}});
@@ -214,84 +171,16 @@ void forbid_processes(Filter& filter) {
 }
 
 void forbid_the_rest(Filter& filter) {
-    filter.forbid({"socket",
-                   "socketpair",
-                   "connect",
-                   "bind",
-                   "listen",
-                   "accept",
-                   "accept4",
-                   "sendto",
-                   "sendmsg",
-                   "sendmmsg",
-                   "io_uring_setup",
-                   "io_uring_enter",
-                   "io_uring_register",
-                   "bpf",
-                   "perf_event_open",
-                   "userfaultfd",
-                   "keyctl",
-                   "add_key",
-                   "request_key",
-                   "unshare",
-                   "setns",
-                   "mount",
-                   "umount2",
-                   "move_mount",
-                   "open_tree",
-                   "fsopen",
-                   "fsmount",
-                   "fsconfig",
-                   "mount_setattr",
-                   "pivot_root",
-                   "chroot",
-                   "quotactl",
-                   "swapon",
-                   "swapoff",
-                   "reboot",
-                   "init_module",
-                   "finit_module",
-                   "delete_module",
-                   "kexec_load",
-                   "kexec_file_load",
-                   "acct",
-                   "settimeofday",
-                   "clock_settime",
-                   "adjtimex",
-                   "clock_adjtime",
-                   "sethostname",
-                   "setdomainname",
-                   "personality",
-                   "setuid",
-                   "setgid",
-                   "setreuid",
-                   "setregid",
-                   "setresuid",
-                   "setresgid",
-                   "setgroups",
-                   "capset",
-                   "mq_open",
-                   "mq_unlink",
-                   "shmget",
-                   "shmctl",
-                   "shmdt",
-                   "msgctl",
-                   "msgrcv",
-                   "semctl",
-                   "semop",
-                   "semtimedop",
-                   "ioctl",
-                   "shmat",
-                   "msgget",
-                   "msgsnd",
-                   "semget",
-                   "memfd_create",
-                   "memfd_secret",
-                   "fanotify_init",
-                   "inotify_init",
-                   "inotify_init1",
-                   "syslog",
-                   "vhangup"});
+    filter.forbid(
+        "socket socketpair connect bind listen accept accept4 sendto sendmsg sendmmsg "
+        "io_uring_setup io_uring_enter io_uring_register bpf perf_event_open userfaultfd keyctl "
+        "add_key request_key unshare setns mount umount2 move_mount open_tree fsopen fsmount "
+        "fsconfig mount_setattr pivot_root chroot quotactl swapon swapoff reboot init_module "
+        "finit_module delete_module kexec_load kexec_file_load acct settimeofday clock_settime "
+        "adjtimex clock_adjtime sethostname setdomainname personality setuid setgid setreuid "
+        "setregid setresuid setresgid setgroups capset mq_open mq_unlink shmget shmctl shmdt "
+        "msgctl msgrcv semctl semop semtimedop ioctl shmat msgget msgsnd semget memfd_create "
+        "memfd_secret fanotify_init inotify_init inotify_init1 syslog vhangup");
 }
 
 bool restrict_calls() {

@@ -62,6 +62,12 @@ TEST(PlainText, LeavesNoCommandToCiMachines) {
     }
 }
 
+TEST(PlainText, EscapesEachLineOfAMessageToGitHub) {
+    EXPECT_EQ(github_escaped("a%\n::b\x1b,\n", true), "a%25%0A\\x3a%3Ab\\x1b%2C%0A");
+    EXPECT_EQ(github_escaped(std::string(1'000'000, '\n'), false).size(), 3'000'000U)
+        << "one call for each overflows";
+}
+
 TEST(PlainText, ReplacesCharactersThatXmlForbids) {
     EXPECT_EQ(xml_characters("a\tb\n\x01\x0b\x1f" + std::string(1, '\0') + "\xef\xbf\xbe"),
               "a\tb\n" + kReplacement + kReplacement + kReplacement + kReplacement + kReplacement);

@@ -11,23 +11,8 @@
 
 #include "engine/report/plain_text.h"
 #include "tools/campuswalk/base/standard_streams.h"
-#include "tools/campuswalk/base/text.h"
 
 namespace campuswalk::tools {
-
-namespace {
-
-std::string without_ci_commands(std::string_view text) {
-    std::string safe;
-    const char* between = "";
-    for (const std::string_view line : split(text, '\n')) {
-        safe += between + engine::without_ci_commands(line);
-        between = "\n";
-    }
-    return safe;
-}
-
-}  // namespace
 
 LogOutput::LogOutput(bool to_terminal, const std::optional<std::filesystem::path>& file, bool commands)
     : to_terminal_(to_terminal), commands_(commands) {
@@ -47,7 +32,7 @@ LogOutput::LogOutput(bool to_terminal, const std::optional<std::filesystem::path
 
 void LogOutput::write(std::string_view text) {
     if (to_terminal_ && !commands_) {
-        logger_->info(without_ci_commands(text));
+        logger_->info(engine::without_ci_commands(text));
     } else {
         logger_->info(text);
     }

@@ -14,7 +14,6 @@
 #include "tools/campuswalk/collide/overlaps.h"
 #include "tools/campuswalk/collide/parse_shape.h"
 #include "tools/campuswalk/commands/commands.h"
-#include "tools/campuswalk/loading/cache_choice.h"
 #include "tools/campuswalk/loading/model_importer.h"
 
 namespace campuswalk::tools {
@@ -155,8 +154,7 @@ void add_collide(Command program, CommandAction& chosen) {
     command.flag({.names = "--count", .help = "Only print how many there are", .excludes = "--first"},
                  options->count);
     command.flag({.names = "--json", .help = "Print JSON"}, options->json);
-    add_cache_flag(command);
-    add_sandbox_option(command);
+    add_import_options(command);
     command.footer(
         "Shapes, about the origin: box:WIDTH,HEIGHT,DEPTH, sphere:RADIUS, capsule:RADIUS,HEIGHT (upright,\n"
         "caps included), wheel:RADIUS,WIDTH (its axle along X). Metres and degrees, +Y up; roll is about Z,\n"

@@ -15,7 +15,6 @@
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/images/images.h"
 #include "tools/campuswalk/images/rendering_backend.h"
-#include "tools/campuswalk/loading/cache_choice.h"
 #include "tools/campuswalk/loading/model_importer.h"
 #include "tools/campuswalk/loading/walk_loader.h"
 #include "tools/campuswalk/logs/log_lines.h"
@@ -177,8 +176,7 @@ void add_diff(Command program, CommandAction& chosen) {
     command.option({.names = "--walk", .help = "The walk of these logs, for --pictures", .value = "FILE"},
                    options->walk);
     add_rendering_backend(command, options->backend);
-    add_cache_flag(command);
-    add_sandbox_option(command);
+    add_import_options(command);
     command.footer("Exit code: 0 the same, 1 different, 2 bad usage or input, 3 something failed.");
     command.choose(chosen, [options] { return compare_logs(*options); });
 }

@@ -18,7 +18,6 @@
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/images/images.h"
 #include "tools/campuswalk/images/rendering_backend.h"
-#include "tools/campuswalk/loading/cache_choice.h"
 #include "tools/campuswalk/loading/model_importer.h"
 #include "tools/campuswalk/suggest/lint_text.h"
 #include "tools/campuswalk/suggest/suggest_campus.h"
@@ -236,8 +235,7 @@ void add_info(Command program, CommandAction& chosen) {
                  options->overwrite);
     command.option({.names = "--map", .help = "Draw it from above", .value = "FILE.png"}, options->map);
     add_rendering_backend(command, options->backend);
-    add_cache_flag(command);
-    add_sandbox_option(command);
+    add_import_options(command);
     command.choose(chosen, [options] { return print_info(*options); });
 }
 

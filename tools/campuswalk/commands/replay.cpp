@@ -21,7 +21,6 @@
 #include "tools/campuswalk/base/read_lines.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/commands/commands.h"
-#include "tools/campuswalk/loading/cache_choice.h"
 #include "tools/campuswalk/loading/model_importer.h"
 #include "tools/campuswalk/loading/walk_loader.h"
 #include "tools/campuswalk/logs/recorded_walks.h"
@@ -192,8 +191,7 @@ void add_replay(Command program, CommandAction& chosen) {
     command.flag({.names = "--verify", .help = "Compare the hashes instead of printing the log"},
                  options->verify);
     add_tree(command, options->tree);
-    add_cache_flag(command);
-    add_sandbox_option(command);
+    add_import_options(command);
     command.footer(
         "Exit code: 0 all the same, 1 something differs or has no hash, 2 bad usage or input, 3 something "
         "failed.");

@@ -7,7 +7,6 @@
 #include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/commands/commands.h"
-#include "tools/campuswalk/loading/cache_choice.h"
 #include "tools/campuswalk/loading/model_importer.h"
 #include "tools/campuswalk/run/cases/records.h"
 #include "tools/campuswalk/run/run_walks.h"
@@ -186,8 +185,7 @@ void add_run(Command program, CommandAction& chosen) {
     add_selection(command, options);
     add_running(command, options);
     add_output(command, options);
-    add_cache_flag(command);
-    add_sandbox_option(command);
+    add_import_options(command);
     command.footer(
         "Exit code: 0 all passed, 1 an expectation failed, 2 bad usage or input (nothing of that walk was "
         "run),\n"

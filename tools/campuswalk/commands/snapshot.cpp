@@ -16,7 +16,6 @@
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/images/images.h"
 #include "tools/campuswalk/images/rendering_backend.h"
-#include "tools/campuswalk/loading/cache_choice.h"
 #include "tools/campuswalk/loading/model_importer.h"
 #include "tools/campuswalk/loading/walk_loader.h"
 
@@ -182,8 +181,7 @@ void add_snapshot(Command program, CommandAction& chosen) {
                     .value = "N"},
                    options->overlays.tree_level, Limits<int>{0, 40});
     add_rendering_backend(command, options->backend);
-    add_cache_flag(command);
-    add_sandbox_option(command);
+    add_import_options(command);
     command.choose(chosen, [options] { return draw_snapshot(*options); });
 }
 

@@ -17,7 +17,6 @@
 #include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/commands/commands.h"
-#include "tools/campuswalk/loading/cache_choice.h"
 #include "tools/campuswalk/loading/model_importer.h"
 #include "tools/campuswalk/loading/walk_loader.h"
 #include "tools/campuswalk/validate/check_config.h"
@@ -215,8 +214,7 @@ void add_validate(Command program, CommandAction& chosen) {
         {"text", nullptr}, {"json", as_json}, {"sarif", as_sarif}, {"github", as_github}};
     command.choice({.names = "--format", .help = "For people, programs, code scanning or a GitHub workflow"},
                    formats, options->format);
-    add_cache_flag(command);
-    add_sandbox_option(command);
+    add_import_options(command);
     command.footer("Exit code: 0 all files are valid, 2 some aren't, or bad usage.");
     command.choose(chosen, [options] { return validate_files(*options); });
 }

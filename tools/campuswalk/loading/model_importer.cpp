@@ -47,7 +47,8 @@ scene::Importer model_importer() {
     };
 }
 
-void add_sandbox_option(Command command) {
+void add_import_options(Command command) {
+    add_cache_flag(command);
     const std::map<std::string, scene::SandboxMode> modes = {{"auto", scene::SandboxMode::automatic},
                                                              {"require", scene::SandboxMode::require},
                                                              {"off", scene::SandboxMode::off}};

@@ -10,8 +10,8 @@ namespace campuswalk::tools {
 /// only crash, hang or bloat that, and the user gets a message.
 scene::Importer model_importer();
 
-/// `--sandbox`.
-void add_sandbox_option(Command command);
+/// `--no-cache` and `--sandbox`.
+void add_import_options(Command command);
 
 /// The model of a file, from the cache where that holds it. Throws scene::InputError.
 scene::ImportedModel read_model(const scene::SceneFile& file, scene::EmptyModel empty);

@@ -15,8 +15,8 @@ bool is_header(const Json& json) {
     return json.is_object() && json.value("walk_log", Json()) == 1;
 }
 
-/// Headers without the seed, which logs contained while walks had one.
-/// Nor lines that are nested more deeply than those of logs: comparing them would overflow the stack.
+/// Headers without the seed, which logs contained while walks had one. Discarded if it isn't JSON, or is
+/// nested more deeply than a log's lines are: comparing it would overflow the stack.
 Json parsed(std::string_view line) {
     constexpr int kMaxDepth = 16;
     bool too_deep = false;

@@ -248,18 +248,12 @@ private:
 
     /// Besides files and cases, what results depend on.
     std::string settings_of_results() const {
-        const engine::ImageTolerance& tolerance = settings_.tolerance;
         const SequenceRequest& sequence = options_.sequence;
-        Json masks = Json::array();
-        for (const engine::PixelBox& mask : tolerance.masks) {
-            masks.push_back({mask.x, mask.y, mask.width, mask.height});
-        }
-        return json_text(
-            Json{images_, settings_.strict, static_cast<int>(settings_.update), options_.require_identical,
-                 options_.records, tolerance.threshold, tolerance.max_diff_pixels.value_or(-1),
-                 tolerance.max_diff_pixel_ratio.value_or(-1.0), tolerance.min_tile_ssim, masks,
-                 sequence.every.value_or(0.0), sequence.contact_sheet, sequence.animations, sequence.video,
-                 sequence.view ? static_cast<int>(sequence.view->index()) : -1, sequence.width.value_or(0)});
+        return json_text(Json{images_, settings_.strict, static_cast<int>(settings_.update),
+                              options_.require_identical, options_.records, json_of(settings_.tolerance),
+                              sequence.every.value_or(0.0), sequence.contact_sheet, sequence.animations,
+                              sequence.video, sequence.view ? static_cast<int>(sequence.view->index()) : -1,
+                              sequence.width.value_or(0)});
     }
 
     std::unique_ptr<LastRunWriter> open_last_run(const Plan& plan) const {

@@ -1,14 +1,13 @@
 #include "tools/campuswalk/run/cases/run_fingerprint.h"
 
 #include <filesystem>
-#include <map>
 #include <set>
 #include <system_error>
 
 #include "scene/cache/content_hash.h"
-#include "scene/cache/file_contents.h"
 #include "scene/cache/program_hash.h"
 #include "tools/campuswalk/logs/golden_log.h"
+#include "tools/campuswalk/run/plan/plan_hash.h"
 
 namespace campuswalk::tools {
 
@@ -56,16 +55,12 @@ private:
     }
 
     void add_file(const fs::path& file) {
-        const auto [known, is_new] = known_.try_emplace(file);
-        if (is_new) {
-            known->second = scene::hash_of_file(file).value_or(scene::ContentHash());
-        }
         hasher_.add_text(file.filename().string());
-        hasher_.add_hash(known->second);
+        hasher_.add_hash(files_.of(file));
     }
 
     scene::ContentHasher hasher_;
-    std::map<fs::path, scene::ContentHash> known_;
+    FileHashes files_;
 };
 
 }  // namespace

@@ -10,6 +10,14 @@ namespace campuswalk::tools {
 
 namespace fs = std::filesystem;
 
+const scene::ContentHash& FileHashes::of(const fs::path& file) {
+    const auto [known, is_new] = known_.try_emplace(file);
+    if (is_new) {
+        known->second = scene::hash_of_file(file).value_or(scene::ContentHash());
+    }
+    return known->second;
+}
+
 void PlanContents::add(const engine::WalkResult& planned, const config::SharedRun* run) {
     hasher_.add_text(planned.id);
     // In an order that doesn't depend on the paths: those of the program's own profiles are another
@@ -17,7 +25,7 @@ void PlanContents::add(const engine::WalkResult& planned, const config::SharedRu
     std::set<fs::path> added;
     const auto add_once = [&](const fs::path& file) {
         if (!file.empty() && added.insert(file).second) {
-            add_file(file);
+            hasher_.add_hash(files_.of(file));
         }
     };
     add_once(planned.file);
@@ -31,14 +39,6 @@ void PlanContents::add(const engine::WalkResult& planned, const config::SharedRu
             add_once(std::visit([](const auto& any) { return any.mark.file; }, step));
         }
     }
-}
-
-void PlanContents::add_file(const fs::path& file) {
-    const auto [known, is_new] = known_.try_emplace(file);
-    if (is_new) {
-        known->second = scene::hash_of_file(file).value_or(scene::ContentHash());
-    }
-    hasher_.add_hash(known->second);
 }
 
 void Division::add(int shard, std::string_view case_id) {

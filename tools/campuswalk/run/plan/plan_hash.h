@@ -11,6 +11,15 @@
 
 namespace campuswalk::tools {
 
+/// Hashes of files, each read once. All zero for one that can't be read.
+class FileHashes {
+public:
+    const scene::ContentHash& of(const std::filesystem::path& file);
+
+private:
+    std::map<std::filesystem::path, scene::ContentHash> known_;
+};
+
 /// Identifies the cases of a run by their names and by the contents of the YAML files that they consist of.
 class PlanContents {
 public:
@@ -19,10 +28,8 @@ public:
     std::string hash() const { return to_string(hasher_.result()); }
 
 private:
-    void add_file(const std::filesystem::path& file);
-
     scene::ContentHasher hasher_;
-    std::map<std::filesystem::path, scene::ContentHash> known_;  ///< hashes of files
+    FileHashes files_;
 };
 
 /// Identifies which case is in which shard.

@@ -31,6 +31,18 @@ Json projects_of(const RunSettings& settings) {
 
 }  // namespace
 
+Json json_of(const engine::ImageTolerance& tolerance) {
+    Json json = {{"threshold", tolerance.threshold},
+                 {"max_diff_pixels", or_null(tolerance.max_diff_pixels)},
+                 {"max_diff_pixel_ratio", or_null(tolerance.max_diff_pixel_ratio)},
+                 {"min_tile_ssim", tolerance.min_tile_ssim},
+                 {"masks", Json::array()}};
+    for (const engine::PixelBox& mask : tolerance.masks) {
+        json["masks"].push_back({mask.x, mask.y, mask.width, mask.height});
+    }
+    return json;
+}
+
 std::string to_json(const RunSettings& settings, const RunOptions& options) {
     Json json;
     json["config"] = settings.config.empty() ? Json() : Json(settings.config.generic_string());
@@ -62,15 +74,7 @@ std::string to_json(const RunSettings& settings, const RunOptions& options) {
             json["update_snapshots"] = name;
         }
     }
-    const engine::ImageTolerance& tolerance = settings.tolerance;
-    json["snapshots"] = {{"threshold", tolerance.threshold},
-                         {"max_diff_pixels", or_null(tolerance.max_diff_pixels)},
-                         {"max_diff_pixel_ratio", or_null(tolerance.max_diff_pixel_ratio)},
-                         {"min_tile_ssim", tolerance.min_tile_ssim},
-                         {"masks", Json::array()}};
-    for (const engine::PixelBox& mask : tolerance.masks) {
-        json["snapshots"]["masks"].push_back({mask.x, mask.y, mask.width, mask.height});
-    }
+    json["snapshots"] = json_of(settings.tolerance);
     json["color"] = settings.color;
     return json_text(json, 2);
 }

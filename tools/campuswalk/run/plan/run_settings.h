@@ -9,6 +9,7 @@
 #include "config/loader/walks_config.h"
 #include "engine/script/image_tolerance.h"
 #include "scene/base/diagnostic.h"
+#include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/run/plan/run_options.h"
 #include "tools/campuswalk/run/plan/shard.h"
 
@@ -52,6 +53,8 @@ void check_reporter(const std::string& name, const scene::SourceMark& mark);
 
 /// Only the settings of reports.
 RunSettings resolve_report_settings(const RunOptions& options, const Environment& environment);
+
+Json json_of(const engine::ImageTolerance& tolerance);
 
 /// As JSON, for `--print-config`.
 std::string to_json(const RunSettings& settings, const RunOptions& options);
