@@ -43,7 +43,8 @@ public:
         const bool ok = (result.outcome == Outcome::passed && !todo) || result.outcome == Outcome::skipped;
         std::string line = (ok ? "ok " : "not ok ") + std::to_string(++number_) + " - " + escaped(result.id);
         if (todo || result.outcome == Outcome::skipped) {
-            line += todo ? " # TODO" : " # SKIP";
+            line += todo ? " # TODO"
+                         : " # SKIP";  // TAP's directives: a failure that was expected, a test not run
             line += result.status_reason.empty() ? "" : " " + printable(result.status_reason);
         }
         write(line);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -70,8 +69,8 @@ struct WalkResult {
     std::optional<double> timeout;  ///< simulated seconds for the whole walk, wherever it was set
     Tick ticks = 0;
     std::int64_t events = 0;
-    double distance = 0.0;          ///< metres
-    std::size_t not_evaluated = 0;  ///< expectations about images where none are drawn
+    double distance = 0.0;            ///< metres
+    std::uint32_t not_evaluated = 0;  ///< expectations about images where none are drawn
     std::uint64_t hash = 0;
     std::vector<Artifact> artifacts;
 };

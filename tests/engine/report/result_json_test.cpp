@@ -232,6 +232,9 @@ TEST(ResultJson, RejectsNumbersOutOfRange) {
     EXPECT_THAT(with("repetition", 2147483648), AllOf(HasSubstr("repetition"), HasSubstr("2147483648")));
     EXPECT_THAT(with("ticks", 9223372036854775808U),
                 AllOf(HasSubstr("ticks"), HasSubstr("9223372036854775808")));
+    EXPECT_THAT(with("not_evaluated", 4294967296), AllOf(HasSubstr("not_evaluated"), HasSubstr("4294967296")))
+        << "the sum of some must not overflow to 0";
+    EXPECT_THAT(with("not_evaluated", -1), AllOf(HasSubstr("not_evaluated"), HasSubstr("-1")));
     EXPECT_THAT(with("hash", "0x00000000000000"),
                 AllOf(HasSubstr("hash"), HasSubstr("\"0x00000000000000\"")));
     EXPECT_THAT(with("hash", "abc"), AllOf(HasSubstr("hash"), HasSubstr("\"abc\"")));

@@ -146,7 +146,7 @@ WalkResult CaseRunner::run(const Case& played, const Send& send) {
         std::exchange(may_fork_, false) ? frame_helpers_for(played) : nullptr;
     WalkResult result = played.result;
     if (!settings_.images) {
-        result.not_evaluated = static_cast<std::size_t>(
+        result.not_evaluated = static_cast<std::uint32_t>(
             std::ranges::count_if(played.walk->walk.expectations, engine::is_about_images));
     }
     if (!settings_.images && !settings_.strict && must_fail_in_images(played.walk->walk)) {
