@@ -5,8 +5,6 @@
 #include <optional>
 #include <span>
 
-#include "scene/cache/content_hash.h"
-
 namespace campuswalk::scene {
 
 /// The bytes of a regular file, copied: unlike a mapping they don't change, and can't raise SIGBUS, when
@@ -28,9 +26,6 @@ private:
     void* start_ = nullptr;  ///< null for an empty file
     std::size_t size_ = 0;
 };
-
-/// nullopt if it isn't a regular file or can't be read.
-std::optional<ContentHash> hash_of_file(const std::filesystem::path& file);
 
 /// Whether the folder belongs to this user and nobody else may write to it.
 bool is_own_folder(const std::filesystem::path& folder);

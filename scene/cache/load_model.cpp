@@ -4,8 +4,7 @@
 #include <utility>
 
 #include "scene/base/binary_archive.h"
-#include "scene/cache/file_contents.h"
-#include "scene/cache/program_hash.h"
+#include "scene/cache/file_hash.h"
 #include "scene/import/source/scene_folder.h"
 #include "scene/model/model_file.h"
 
@@ -40,9 +39,10 @@ std::vector<FileRequest> read_requests(std::span<const std::byte> bytes) {
 }
 
 /// The hash of the scene file, its settings and the program.
-ContentHash key_of(const SceneFile& file, EmptyModel if_empty, const ContentHash& contents) {
+ContentHash key_of(const SceneFile& file, EmptyModel if_empty, const ContentHash& contents,
+                   const CacheFolder& cache) {
     ContentHasher hasher;
-    hasher.add_hash(program_hash());
+    hasher.add_hash(program_hash(&cache));
     hasher.add_number(std::uint64_t{kModelFile.version});
     hasher.add_text(file.file);  // part of the model and its warnings
     hasher.add_text(file.path.filename().string());
@@ -57,31 +57,42 @@ ContentHash key_of(const SceneFile& file, EmptyModel if_empty, const ContentHash
     return hasher.result();
 }
 
+/// What the lookups of an import find now, in their order.
+using FoundFiles = std::vector<std::optional<std::filesystem::path>>;
+
+FoundFiles find_files(const SceneFile& file, const std::vector<FileRequest>& requests) {
+    const SceneFolder folder(file);
+    FoundFiles found;
+    found.reserve(requests.size());
+    for (const FileRequest& request : requests) {
+        found.push_back(folder.find(request));
+    }
+    return found;
+}
+
 /// Adds the current results of the lookups: an import with the same results gives the same model.
 ContentHash key_with_files(const ContentHash& key, const SceneFile& file, const ContentHash& contents,
-                           const std::vector<FileRequest>& requests) {
+                           const std::vector<FileRequest>& requests, const FoundFiles& files,
+                           const CacheFolder& cache) {
     ContentHasher hasher;
     hasher.add_hash(key);
-    const SceneFolder folder(file.path);
     std::error_code ignored;
-    for (const FileRequest& request : requests) {
-        hasher.add_text(request.uri);
-        hasher.add_number(std::uint64_t{request.image});
-        const std::optional<std::filesystem::path> found = folder.find(request);
-        const bool itself = found && std::filesystem::equivalent(*found, file.path, ignored);
-        const auto hash = itself ? contents : found ? hash_of_file(*found) : std::nullopt;
+    for (std::size_t i = 0; i < requests.size(); ++i) {
+        hasher.add_text(requests[i].uri);
+        hasher.add_number(std::uint64_t{requests[i].image});
+        const bool itself = files[i] && std::filesystem::equivalent(*files[i], file.path, ignored);
+        const auto hash = itself ? contents : files[i] ? hash_of_file(*files[i], &cache) : std::nullopt;
         hasher.add_number(std::uint64_t{hash.has_value()});
         hasher.add_hash(hash.value_or(ContentHash{}));
     }
     return hasher.result();
 }
 
-std::vector<std::filesystem::path> files_of(const SceneFile& file, const std::vector<FileRequest>& requests) {
+std::vector<std::filesystem::path> with_scene(const SceneFile& file, const FoundFiles& found) {
     std::vector<std::filesystem::path> files = {file.path};
-    const SceneFolder folder(file.path);
-    for (const FileRequest& request : requests) {
-        if (const std::optional<std::filesystem::path> found = folder.find(request)) {
-            files.push_back(*found);
+    for (const std::optional<std::filesystem::path>& each : found) {
+        if (each) {
+            files.push_back(*each);
         }
     }
     return files;
@@ -95,12 +106,13 @@ std::optional<LoadedModel> find_model(const SceneFile& file, const ContentHash& 
             return std::nullopt;
         }
         const std::vector<FileRequest> requests = read_requests(requests_file->bytes());
-        const ContentHash model_key = key_with_files(key, file, contents, requests);
+        const FoundFiles found = find_files(file, requests);
+        const ContentHash model_key = key_with_files(key, file, contents, requests, found, cache);
         const auto cached = cache.find(model_key, kModelKind);
         if (!cached) {
             return std::nullopt;
         }
-        LoadedModel loaded{read_model_file(cached->bytes(), cached), model_key, files_of(file, requests)};
+        LoadedModel loaded{read_model_file(cached->bytes(), cached), model_key, with_scene(file, found)};
         for (Diagnostic& warning : loaded.imported.warnings) {
             warning.mark = file.mark;  // the file may be named on another line now
         }
@@ -110,22 +122,19 @@ std::optional<LoadedModel> find_model(const SceneFile& file, const ContentHash& 
     }
 }
 
-LoadedModel imported(const SceneFile& file, EmptyModel if_empty, const Importer& importer) {
-    ImportedModel model = importer(file, if_empty);
-    std::vector<std::filesystem::path> files = files_of(file, model.requests);
-    return {std::move(model), std::nullopt, std::move(files)};
-}
-
 LoadedModel import_and_cache(const SceneFile& file, EmptyModel if_empty, const Importer& importer,
-                             const CacheFolder& cache, const ContentHash& contents) {
-    LoadedModel loaded = imported(file, if_empty, importer);
-    const ContentHash key = key_of(file, if_empty, contents);
-    if (hash_of_file(file.path) == contents) {  // it didn't change meanwhile
-        loaded.contents = key_with_files(key, file, contents, loaded.imported.requests);
-        ArchiveWriter model = archive_model(loaded.imported);
-        cache.store(*loaded.contents, kModelKind, model.finish());
-        ArchiveWriter requests = archive_requests(loaded.imported.requests);
-        cache.store(key, kRequestsKind, requests.finish());
+                             const CacheFolder* cache, const std::optional<ContentHash>& contents) {
+    ImportedModel model = importer(file, if_empty);
+    const FoundFiles found = find_files(file, model.requests);
+    LoadedModel loaded{std::move(model), std::nullopt, with_scene(file, found)};
+    if (cache != nullptr && contents && hash_of_file(file.path, nullptr) == contents) {  // it didn't change
+        const ContentHash key = key_of(file, if_empty, *contents, *cache);
+        const std::vector<FileRequest>& requests = loaded.imported.requests;
+        loaded.contents = key_with_files(key, file, *contents, requests, found, *cache);
+        ArchiveWriter archive = archive_model(loaded.imported);
+        cache->store(*loaded.contents, kModelKind, archive.finish());
+        ArchiveWriter lookups = archive_requests(requests);
+        cache->store(key, kRequestsKind, lookups.finish());
     }
     return loaded;
 }
@@ -134,15 +143,18 @@ LoadedModel import_and_cache(const SceneFile& file, EmptyModel if_empty, const I
 
 LoadedModel load_model(const SceneFile& file, EmptyModel if_empty, const Importer& importer,
                        const CacheFolder* cache) {
-    const std::optional<ContentHash> contents = cache != nullptr ? hash_of_file(file.path) : std::nullopt;
-    if (!contents) {
-        return imported(file, if_empty, importer);  // an unreadable file is its error
+    std::optional<ContentHash> contents;
+    if (cache != nullptr) {
+        contents =
+            hash_of_file(file.path, cache);  // none of an unreadable file, which is the importer's error
     }
-    const ContentHash key = key_of(file, if_empty, *contents);
-    if (std::optional<LoadedModel> cached = find_model(file, key, *contents, *cache)) {
-        return std::move(*cached);
+    if (contents) {
+        const ContentHash key = key_of(file, if_empty, *contents, *cache);
+        if (std::optional<LoadedModel> cached = find_model(file, key, *contents, *cache)) {
+            return std::move(*cached);
+        }
     }
-    return import_and_cache(file, if_empty, importer, *cache, *contents);
+    return import_and_cache(file, if_empty, importer, cache, contents);
 }
 
 }  // namespace campuswalk::scene

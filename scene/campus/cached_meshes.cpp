@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "scene/cache/program_hash.h"
+#include "scene/cache/file_hash.h"
 #include "scene/campus/collider_globs.h"
 
 namespace campuswalk::scene {
@@ -21,10 +21,10 @@ void add_globs(const std::vector<NodeGlob>& globs, ContentHasher& hasher) {
 }
 
 /// The hash of everything that the meshes depend on.
-ContentHash key_of(const CampusDescription& campus, const Eigen::Vector3d& origin,
+ContentHash key_of(const CacheFolder& cache, const CampusDescription& campus, const Eigen::Vector3d& origin,
                    std::span<const ContentHash> models) {
     ContentHasher hasher;
-    hasher.add_hash(program_hash());
+    hasher.add_hash(program_hash(&cache));
     hasher.add_number(std::uint64_t{kTreeFile.version});
     hasher.add_number(std::uint64_t{models.size()});
     for (const ContentHash& model : models) {
@@ -48,7 +48,7 @@ ContentHash key_of(const CampusDescription& campus, const Eigen::Vector3d& origi
 
 CachedMeshes::CachedMeshes(const CacheFolder& cache, const CampusDescription& campus,
                            const Eigen::Vector3d& origin, std::span<const ContentHash> models)
-    : cache_(&cache), key_(key_of(campus, origin, models)) {
+    : cache_(&cache), key_(key_of(cache, campus, origin, models)) {
     if (const auto file = cache.find(key_, kTreesKind)) {
         try {
             for (PlacedMesh& mesh : read_tree_file(file->bytes(), file)) {

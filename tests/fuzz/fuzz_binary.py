@@ -53,7 +53,7 @@ class School:
         self.cache = os.path.join(folder, "intact-cache")
         self.log = self.walk(None, "--no-cache")[1]
         self.walk(self.cache)
-        self.files = sorted(glob.glob(os.path.join(self.cache, "*.campuswalk")))
+        self.files = sorted(name for name in glob.glob(os.path.join(self.cache, "*.campuswalk")) if ".stamp." not in name)
         if len(self.files) != 3 or self.walk(self.cache)[1] != self.log:
             sys.exit("the cache of the school isn't complete")
 

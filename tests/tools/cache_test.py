@@ -2,7 +2,9 @@
 """The cache of models: it never changes what a run prints."""
 
 import os
+import shutil
 import subprocess
+import time
 
 from program import ProgramCase, main
 
@@ -18,9 +20,13 @@ class Cache(ProgramCase):
         outcome = self.passes("run", "short.walk.yaml", *arguments, env=dict(self.environment, **variables))
         return outcome.out, outcome.err
 
-    def cached_files(self):
+    def cached_files(self, stamps=False):
+        """Of models; whether there is a stamp, too, depends on how long ago the program was built."""
         names = sorted(os.listdir(self.cache)) if os.path.isdir(self.cache) else []
-        return [os.path.join(self.cache, name) for name in names]
+        return [os.path.join(self.cache, name) for name in names if name.endswith(".stamp.campuswalk") == stamps]
+
+    def models_in(self, folder):
+        return len([name for name in os.listdir(self.path(folder)) if ".stamp." not in name])
 
     def kinds(self):
         return sorted(name.split(".", 1)[1] for name in self.cached_files())
@@ -82,10 +88,10 @@ class Cache(ProgramCase):
         os.mkdir(self.cache)
         script = """mount -t tmpfs -o size=4k,mode=700 full cache || exit 77
             "$0" run short.walk.yaml >full.log 2>full.err || exit 1
-            ls cache >full.names
+            ls cache | grep -v stamp >full.names
             mount -o remount,size=1m cache
             "$0" run short.walk.yaml >roomy.log 2>roomy.err || exit 1
-            ls cache >roomy.names"""
+            ls cache | grep -v stamp >roomy.names"""
         log, err = self.walk("--no-cache")
         done = subprocess.run(["unshare", "--user", "--map-root-user", "--mount", "sh", "-c", script, self.program],
                               cwd=self.folder, env=self.environment, stdin=subprocess.DEVNULL, capture_output=True,
@@ -110,9 +116,57 @@ class Cache(ProgramCase):
     def test_the_folder_comes_from_the_environment(self):
         self.environment.pop("CAMPUSWALK_CACHE_DIR")
         self.walk(XDG_CACHE_HOME=self.path("xdg"))
-        self.assertEqual(len(os.listdir(self.path("xdg/campuswalk"))), 3)
+        self.assertEqual(self.models_in("xdg/campuswalk"), 3)
         self.walk(XDG_CACHE_HOME="", HOME=self.path("home"))
-        self.assertEqual(len(os.listdir(self.path("home/.cache/campuswalk"))), 3)
+        self.assertEqual(self.models_in("home/.cache/campuswalk"), 3)
+
+    def test_a_cache_in_a_checkout_is_not_used(self):
+        """A pull request could bring along its own, with other models."""
+        log = self.walk("--no-cache")
+        for mark in (".git/HEAD", "walks.config.yaml"):
+            self.write("project/" + mark, "workers: 1\n")
+            os.makedirs(self.path("project/below"))
+            os.symlink(self.path("project/below"), self.path("linked"))
+            for folder in (self.path("project/.cache"), self.path("linked/cache")):
+                out, err = self.walk(CAMPUSWALK_CACHE_DIR=folder)
+                self.assertEqual(out, log[0])
+                self.assertRegex(err, "^warning cache-unwritable: .*'project'")
+                self.assertFalse(os.path.exists(folder))
+            out, err = self.walk(CAMPUSWALK_CACHE_DIR=self.path("project/.cache"), HOME=self.path("project"))
+            self.assertEqual((out, err), log, "a home may be a repository")
+            shutil.rmtree(self.path("project"))
+            os.remove(self.path("linked"))
+
+    def test_a_large_file_is_hashed_once(self):
+        """Until it changes, even if its time of modification is set back."""
+        self.write("room.obj", self.read("room.obj").decode() + "# padding\n" * 200_000)
+        times = (1_000_000_000, 1_000_000_000)
+        os.utime(self.path("room.obj"), times)
+        log = self.walk()
+        before = len(self.cached_files(stamps=True))
+        self.assertLessEqual(before, 1, "that of the program: the model has just been written")
+        time.sleep(3.1)  # stamps of files that are still being changed would lie
+        self.assertEqual(self.walk(), log)
+        stamps = self.cached_files(stamps=True)
+        self.assertIn(len(stamps), (before + 1, 2))
+        self.assertEqual(self.walk(), log)
+        self.assertEqual(self.cached_files(stamps=True), stamps)
+        self.write("room.obj", self.read("room.obj").decode().replace("o wall", "o fall"))
+        os.utime(self.path("room.obj"), times)
+        self.assertRegex(self.run_program("run", "short.walk.yaml", env=self.environment).err,
+                         "error no-node: .*'wall'")
+
+    def test_a_stamp_that_is_damaged_is_written_again(self):
+        self.write("room.obj", self.read("room.obj").decode() + "# padding\n" * 200_000)
+        time.sleep(3.1)
+        log = self.walk()
+        for stamp in self.cached_files(stamps=True):
+            whole = self.bytes_of(stamp)
+            for damaged in (b"", whole[:-1], whole[:-1] + bytes([whole[-1] ^ 1]), whole + b"x"):
+                with open(stamp, "wb") as file:
+                    file.write(damaged)
+                self.assertEqual(self.walk(), log)
+                self.assertEqual(self.bytes_of(stamp), whole)
 
     def test_the_size_comes_from_the_environment(self):
         self.walk(CAMPUSWALK_CACHE_SIZE="0")

@@ -162,7 +162,8 @@ OPTIONAL_PREFIXES = ("bullet/", "eigen3/")
 
 # Places whose results go into a walk's hash: no libm but sqrt and the exact functions, no clock, no random numbers.
 SAME_EVERYWHERE = ["collision", "scene", "engine", "config/loader"]
-MAY_DIFFER = ["scene/import", "scene/process", "engine/render"]
+# Of the cache, times decide whether a file is hashed again, never what is read.
+MAY_DIFFER = ["scene/cache", "scene/import", "scene/process", "engine/render"]
 REFUSED_STANDARD = {
     "chrono": "a walk knows no clock but its ticks",
     "ctime": "a walk knows no clock but its ticks",

@@ -249,11 +249,13 @@ TEST_F(CachedCampus, LeavesNoPartialFilesOnAFullDisk) {
     for (const rlim_t bytes : {rlim_t{0}, rlim_t{200}}) {
         const campuswalk::test::FullDisk full(bytes);
         EXPECT_EQ(campus(warnings, &cache).world.size(), 4U);
-        EXPECT_EQ(diagnostics.size(),
-                  bytes == 0 ? 3U : 5U);  // the file of requests fits into 200 bytes
+        // Small files fit into 200 bytes: the requests and the hash of this program.
+        std::erase_if(diagnostics, [](const std::string& line) { return line.find(".stamp.") != line.npos; });
+        EXPECT_EQ(diagnostics.size(), bytes == 0 ? 3U : 5U);
     }
     for (const auto& entry : fs::directory_iterator(where_)) {
-        EXPECT_TRUE(entry.path().string().ends_with(".requests.campuswalk")) << entry.path();
+        const std::string name = entry.path().string();
+        EXPECT_TRUE(name.ends_with(".requests.campuswalk") || name.ends_with(".stamp.campuswalk")) << name;
     }
     EXPECT_EQ(imports_, 2);
     EXPECT_EQ(campus(warnings, &cache).world.size(), 4U);

@@ -55,6 +55,22 @@ std::uint64_t max_bytes() {
     return count << *shift;
 }
 
+/// The folder of a checkout that could contain this one; empty if there is none. A pull request could bring a
+/// cache along there, whose models would decide what walks see.
+fs::path checkout_above(const fs::path& folder) {
+    std::error_code ignored;
+    const fs::path home = fs::weakly_canonical(environment_variable("HOME").value_or("/"), ignored);
+    for (fs::path at = fs::weakly_canonical(fs::absolute(folder), ignored); at != at.parent_path();
+         at = at.parent_path()) {
+        const bool is_checkout =
+            fs::exists(at / ".git", ignored) || fs::exists(at / "walks.config.yaml", ignored);
+        if (is_checkout && at != home) {
+            return at;
+        }
+    }
+    return {};
+}
+
 /// Shared with the processes that this one forks, so that only one of them warns.
 std::atomic<bool>& warned() {
     static_assert(std::atomic<bool>::is_always_lock_free);
@@ -80,7 +96,15 @@ const scene::CacheFolder* model_cache() {
     static const std::optional<scene::CacheFolder> cache = [] {
         const fs::path where = folder();
         const std::uint64_t size = disabled || where.empty() ? 0 : max_bytes();
-        return size > 0 ? std::optional(scene::CacheFolder(where, size, warn_once)) : std::nullopt;
+        if (size == 0) {
+            return std::optional<scene::CacheFolder>();
+        }
+        if (const fs::path checkout = checkout_above(where); !checkout.empty()) {
+            warn_once("'" + where.string() + "' is in the project '" + checkout.filename().string() +
+                      "', whose files could replace it");
+            return std::optional<scene::CacheFolder>();
+        }
+        return std::optional(scene::CacheFolder(where, size, warn_once));
     }();
     return cache ? &*cache : nullptr;
 }

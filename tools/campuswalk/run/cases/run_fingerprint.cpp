@@ -5,7 +5,8 @@
 #include <system_error>
 
 #include "scene/cache/content_hash.h"
-#include "scene/cache/program_hash.h"
+#include "scene/cache/file_hash.h"
+#include "tools/campuswalk/loading/cache_choice.h"
 #include "tools/campuswalk/logs/golden_log.h"
 #include "tools/campuswalk/run/plan/plan_hash.h"
 
@@ -19,7 +20,7 @@ namespace {
 class FingerprintHasher {
 public:
     explicit FingerprintHasher(std::string_view settings) {
-        hasher_.add_hash(scene::program_hash());
+        hasher_.add_hash(scene::program_hash(model_cache()));
         hasher_.add_text(settings);
     }
 

@@ -4,7 +4,8 @@
 #include <set>
 #include <variant>
 
-#include "scene/cache/file_contents.h"
+#include "scene/cache/file_hash.h"
+#include "tools/campuswalk/loading/cache_choice.h"
 
 namespace campuswalk::tools {
 
@@ -13,7 +14,7 @@ namespace fs = std::filesystem;
 const scene::ContentHash& FileHashes::of(const fs::path& file) {
     const auto [known, is_new] = known_.try_emplace(file);
     if (is_new) {
-        known->second = scene::hash_of_file(file).value_or(scene::ContentHash());
+        known->second = scene::hash_of_file(file, model_cache()).value_or(scene::ContentHash());
     }
     return known->second;
 }
