@@ -207,6 +207,29 @@ class Visible(ImageCase):
         self.assert_refused(outcome, "short.walk.yaml:10:25: error unknown-name: 'hat' 'hut'")
 
 
+class PicturesOfFailures(ImageCase):
+    def failures(self):
+        return sorted(name for name in self.contents() if os.path.basename(name).startswith("failure-"))
+
+    def test_go_when_the_walk_passes(self):
+        for arguments in ((), ("--rendering-backend", "none")):
+            self.write("short.walk.yaml", WALK + "  - never: trigger.enter\n  - never: ray.enter\n")
+            self.run_program("run", "short.walk.yaml")
+            self.assertGreaterEqual(len(self.failures()), 0 if WITHOUT_RENDERING else 4)
+            self.write("out/short/failure-3-eyes.png", "of a run before that")
+            self.write("out/short/failure.txt", "mine")
+            self.write("short.walk.yaml", WALK)
+            self.passes("run", "short.walk.yaml", *arguments)
+            self.assertEqual(self.failures(), [])
+            self.assertEqual(self.read("out/short/failure.txt"), b"mine")
+
+    def test_are_not_removed_through_a_link(self):
+        self.write("precious/short/failure-eyes.png", "precious")
+        os.symlink("precious", self.path("out"))
+        self.passes("run", "short.walk.yaml", "--rendering-backend", "none")
+        self.assertEqual(self.read("precious/short/failure-eyes.png"), b"precious")
+
+
 @unittest.skipIf(WITHOUT_RENDERING, "this build draws nothing")
 class Examples(ImageCase):
     def test_walks_about_images_end_as_their_status_says(self):

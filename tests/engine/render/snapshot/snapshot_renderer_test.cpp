@@ -169,6 +169,17 @@ TEST(SnapshotRenderer, AddsAMinimapToAvatarViewsOnly) {
     }
 }
 
+TEST(SnapshotRenderer, LabelsBuildingsInAnyView) {
+    const scene::Campus campus = tower_campus();
+    SnapshotRenderer snapshot_renderer(campus, settings());
+    for (const View& view : {View(FirstPersonView{}), View(TopView{}), View(OrbitView{})}) {
+        SnapshotRequest camera = request(view, 480, 270);
+        const Image nameless = snapshot_renderer.draw(camera);
+        camera.overlays.labels = true;
+        EXPECT_GT(differing_pixels(snapshot_renderer.draw(camera), nameless), 50U) << view.index();
+    }
+}
+
 TEST(SnapshotRenderer, PlanShowsTheWholeCampusWithLabels) {
     const scene::Campus campus = tower_campus();
     SnapshotRenderer snapshot_renderer(campus, settings());

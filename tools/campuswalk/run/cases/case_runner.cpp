@@ -18,6 +18,7 @@
 #include "scene/base/diagnostic.h"
 #include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
+#include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/run/cases/case_stream.h"
 #include "tools/campuswalk/run/cases/image_watch.h"
 #include "tools/campuswalk/run/cases/records.h"
@@ -112,6 +113,20 @@ void write_goldens(const std::vector<GoldenUpdate>& updates, bool fails) {
     }
 }
 
+/// Those of an earlier run would be mistaken for this one's.
+void remove_failure_images(const std::filesystem::path& folder) {
+    if (!why_folder_unwritable(folder).empty()) {
+        return;  // a link may lead anywhere
+    }
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+        const std::string name = entry.path().filename().string();
+        if (name.starts_with("failure-") && (name.ends_with("-eyes.png") || name.ends_with("-above.png"))) {
+            std::filesystem::remove(entry.path(), ignored);
+        }
+    }
+}
+
 /// Plays a case only for its frames and draws one part of them; used as FrameHelpers::Draw.
 void draw_frames(const Case& played, const PlaySettings& settings, std::size_t part, std::size_t parts,
                  const Send& send) {
@@ -145,6 +160,7 @@ WalkResult CaseRunner::run(const Case& played, const Send& send) {
     const std::unique_ptr<FrameHelpers> helpers =
         std::exchange(may_fork_, false) ? frame_helpers_for(played) : nullptr;
     WalkResult result = played.result;
+    remove_failure_images(settings_.output / played.folder);
     if (!settings_.images) {
         result.not_evaluated = static_cast<std::uint32_t>(
             std::ranges::count_if(played.walk->walk.expectations, engine::is_about_images));
