@@ -35,21 +35,22 @@ SourceMark whole_file(const fs::path& file) {
 }
 
 /// `named_at` is where the file is named: in another file, or the file itself if the user named it.
-std::optional<CampusDescription> open_campus(const fs::path& path, const SourceMark& named_at,
-                                             DiagnosticList& diagnostics) {
-    const auto file = YamlFile::open(path, ".campus.yaml", named_at, diagnostics);
+std::optional<CampusDescription> open_campus(const fs::path& path, const ReadRoots& roots,
+                                             const SourceMark& named_at, DiagnosticList& diagnostics) {
+    const auto file = YamlFile::open(path, ".campus.yaml", roots, named_at, diagnostics);
     if (!file) {
         return std::nullopt;
     }
-    CampusDescription campus = read_campus(file->root(), path.parent_path());
+    CampusDescription campus = read_campus(file->root(), path.parent_path(), roots);
     campus.name = file->name();
     campus.mark = file->mark();
     return campus;
 }
 
-AvatarProfile open_avatar(const fs::path& path, const SourceMark& named_at, DiagnosticList& diagnostics) {
+AvatarProfile open_avatar(const fs::path& path, const ReadRoots& roots, const SourceMark& named_at,
+                          DiagnosticList& diagnostics) {
     AvatarProfile profile;
-    if (const auto file = YamlFile::open(path, ".avatar.yaml", named_at, diagnostics)) {
+    if (const auto file = YamlFile::open(path, ".avatar.yaml", roots, named_at, diagnostics)) {
         CheckedMap map(file->root(), "an avatar");
         read_avatar_fields(map, profile);
         map.refuse_other_keys();
@@ -57,10 +58,10 @@ AvatarProfile open_avatar(const fs::path& path, const SourceMark& named_at, Diag
     return profile;
 }
 
-engine::LightSettings open_light(const fs::path& path, const SourceMark& named_at,
+engine::LightSettings open_light(const fs::path& path, const ReadRoots& roots, const SourceMark& named_at,
                                  DiagnosticList& diagnostics) {
     engine::LightSettings light;
-    if (const auto file = YamlFile::open(path, ".light.yaml", named_at, diagnostics)) {
+    if (const auto file = YamlFile::open(path, ".light.yaml", roots, named_at, diagnostics)) {
         CheckedMap map(file->root(), "a light");
         read_light_fields(map, light);
         map.refuse_other_keys();
@@ -69,23 +70,25 @@ engine::LightSettings open_light(const fs::path& path, const SourceMark& named_a
 }
 
 /// Adds the profile's file to `profiles`.
-engine::LightSettings named_light(const CheckedNode& node, const fs::path& folder,
-                                  const std::vector<fs::path>& more, std::vector<fs::path>& profiles) {
+engine::LightSettings named_light(const CheckedNode& node, const fs::path& folder, const SearchPaths& search,
+                                  const ReadRoots& roots, std::vector<fs::path>& profiles) {
     const std::optional<std::string> name = kebab_name(node);
     const auto file =
-        name ? find_profile(kLights, node, *name, profile_folders(kLights, folder, more)) : std::nullopt;
+        name ? find_profile(kLights, node, *name, profile_folders(kLights, folder, search.lights))
+             : std::nullopt;
     if (!file) {
         return {};
     }
     profiles.push_back(*file);
-    return open_light(*file, node.mark(), node.diagnostics());
+    return open_light(*file, roots, node.mark(), node.diagnostics());
 }
 
 /// A profile's name, or a map that overrides keys of a profile (without one, of the default light).
 engine::LightSettings read_light_of(const CheckedNode& node, const fs::path& folder,
-                                    const std::vector<fs::path>& more, std::vector<fs::path>& profiles) {
+                                    const SearchPaths& search, const ReadRoots& roots,
+                                    std::vector<fs::path>& profiles) {
     if (node.is_scalar()) {
-        return named_light(node, folder, more, profiles);
+        return named_light(node, folder, search, roots, profiles);
     }
     if (!node.is_map()) {
         node.diagnose("wrong-type", "'light' must be a profile's name or {profile: NAME, …}");
@@ -93,7 +96,8 @@ engine::LightSettings read_light_of(const CheckedNode& node, const fs::path& fol
     }
     CheckedMap map(node, "'light'");
     const auto name = map.find("profile");
-    engine::LightSettings light = name ? named_light(*name, folder, more, profiles) : engine::LightSettings{};
+    engine::LightSettings light =
+        name ? named_light(*name, folder, search, roots, profiles) : engine::LightSettings{};
     read_light_fields(map, light);
     map.refuse_other_keys();
     return light;
@@ -102,11 +106,12 @@ engine::LightSettings read_light_of(const CheckedNode& node, const fs::path& fol
 /// Reads a walk and the files that it names.
 class RunReader {
 public:
-    RunReader(const fs::path& walk_file, const SearchPaths& search, const Overrides& overrides,
-              CampusDescriptions& campuses, DiagnosticList& diagnostics)
+    RunReader(const fs::path& walk_file, const SearchPaths& search, const ReadRoots& roots,
+              const Overrides& overrides, CampusDescriptions& campuses, DiagnosticList& diagnostics)
         : walk_file_(walk_file),
           folder_(walk_file.parent_path()),
           search_(search),
+          roots_(roots),
           overrides_(overrides),
           campuses_(campuses),
           diagnostics_(diagnostics) {}
@@ -124,9 +129,9 @@ public:
             run.walk.avatar = read_avatar_of(*avatar, folder_, names);
         }
         if (const auto light = map.find("light")) {
-            run.walk.light = read_light_of(*light, folder_, search_.lights, profiles_);
+            run.walk.light = read_light_of(*light, folder_, search_, roots_, profiles_);
         }
-        read_walk(map, names, walk_file_, run.walk);
+        read_walk(map, names, walk_file_, roots_, run.walk);
         map.refuse_other_keys();
         replace_spawn(names, run.walk);
         run.profiles = std::move(profiles_);
@@ -176,12 +181,12 @@ private:
     /// Only campuses without errors are cached: the errors of the others are reported for each walk.
     std::shared_ptr<const CampusDescription> description_of(const fs::path& path,
                                                             const SourceMark& named_at) {
-        const std::string key = shown_path(path);
+        const std::pair key(shown_path(path), roots_.project().string());
         if (const auto cached = campuses_.find(key); cached != campuses_.end()) {
             return cached->second;
         }
         DiagnosticList campus_diagnostics;
-        std::optional<CampusDescription> campus = open_campus(path, named_at, campus_diagnostics);
+        std::optional<CampusDescription> campus = open_campus(path, roots_, named_at, campus_diagnostics);
         diagnostics_.append(campus_diagnostics.all());
         if (!campus) {
             return nullptr;
@@ -221,7 +226,7 @@ private:
             return {};
         }
         profiles_.push_back(*file);
-        return open_avatar(*file, node.mark(), diagnostics_);
+        return open_avatar(*file, roots_, node.mark(), diagnostics_);
     }
 
     void replace_spawn(const CampusNames& names, engine::Walk& walk) {
@@ -238,6 +243,7 @@ private:
     fs::path folder_;
     std::vector<fs::path> profiles_;
     const SearchPaths& search_;
+    const ReadRoots& roots_;
     const Overrides& overrides_;
     CampusDescriptions& campuses_;
     DiagnosticList& diagnostics_;
@@ -249,8 +255,9 @@ SharedRun RunLoader::load(const fs::path& walk_file, const Overrides& overrides)
     DiagnosticList diagnostics;
     SharedRun run;
     const SourceMark mark = whole_file(walk_file);
-    if (const auto file = YamlFile::open(walk_file, ".walk.yaml", mark, diagnostics)) {
-        run = RunReader(walk_file, search_, overrides, campuses_, diagnostics).read(*file);
+    const ReadRoots roots = read_roots(walk_file, search_);
+    if (const auto file = YamlFile::open(walk_file, ".walk.yaml", roots, mark, diagnostics)) {
+        run = RunReader(walk_file, search_, roots, overrides, campuses_, diagnostics).read(*file);
         run.walk.name = file->name();
     }
     run.walk.mark = mark;
@@ -266,7 +273,8 @@ SharedRun RunLoader::load(const fs::path& walk_file, const Overrides& overrides)
 
 void RunLoader::check(const Overrides& overrides) {
     DiagnosticList diagnostics;
-    RunReader({}, search_, overrides, campuses_, diagnostics).check();
+    const fs::path config = overrides.campus ? overrides.campus.file : overrides.avatar.file;
+    RunReader({}, search_, read_roots(config, search_), overrides, campuses_, diagnostics).check();
     throw_in_order(diagnostics, {});
 }
 
@@ -275,20 +283,29 @@ Run load_run(const fs::path& walk_file, const SearchPaths& search) {
     return {std::move(run.walk), *run.campus};
 }
 
-CampusDescription load_campus_description(const fs::path& campus_file) {
+ReadRoots read_roots(const fs::path& file, const SearchPaths& search) {
+    std::vector<fs::path> more = search.roots;
+    more.insert(more.end(), search.avatars.begin(), search.avatars.end());
+    more.insert(more.end(), search.lights.begin(), search.lights.end());
+    return {file, more};
+}
+
+CampusDescription load_campus_description(const fs::path& campus_file, const SearchPaths& search) {
     DiagnosticList diagnostics;
     const SourceMark mark = whole_file(campus_file);
-    std::optional<CampusDescription> campus = open_campus(campus_file, mark, diagnostics);
+    std::optional<CampusDescription> campus =
+        open_campus(campus_file, read_roots(campus_file, search), mark, diagnostics);
     throw_in_order(diagnostics, mark);
     return std::move(*campus);
 }
 
-std::vector<engine::Step> load_steps(const fs::path& steps_file) {
+std::vector<engine::Step> load_steps(const fs::path& steps_file, const SearchPaths& search) {
     DiagnosticList diagnostics;
     std::vector<engine::Step> steps;
     const SourceMark mark = whole_file(steps_file);
-    if (const auto file = YamlFile::open(steps_file, ".steps.yaml", mark, diagnostics)) {
-        steps = read_standalone_steps(file->root(), steps_file);
+    const ReadRoots roots = read_roots(steps_file, search);
+    if (const auto file = YamlFile::open(steps_file, ".steps.yaml", roots, mark, diagnostics)) {
+        steps = read_standalone_steps(file->root(), steps_file, roots);
     }
     throw_in_order(diagnostics, mark);
     return steps;
@@ -310,18 +327,18 @@ engine::CameraSettings read_camera_text(const std::string& text, const std::stri
     return read.settings();
 }
 
-AvatarProfile load_avatar(const fs::path& avatar_file) {
+AvatarProfile load_avatar(const fs::path& avatar_file, const SearchPaths& search) {
     DiagnosticList diagnostics;
     const SourceMark mark = whole_file(avatar_file);
-    AvatarProfile profile = open_avatar(avatar_file, mark, diagnostics);
+    AvatarProfile profile = open_avatar(avatar_file, read_roots(avatar_file, search), mark, diagnostics);
     throw_in_order(diagnostics, mark);
     return profile;
 }
 
-engine::LightSettings load_light(const fs::path& light_file) {
+engine::LightSettings load_light(const fs::path& light_file, const SearchPaths& search) {
     DiagnosticList diagnostics;
     const SourceMark mark = whole_file(light_file);
-    engine::LightSettings light = open_light(light_file, mark, diagnostics);
+    engine::LightSettings light = open_light(light_file, read_roots(light_file, search), mark, diagnostics);
     throw_in_order(diagnostics, mark);
     return light;
 }
@@ -332,8 +349,8 @@ engine::LightSettings read_light_text(const std::string& text, const std::string
     engine::LightSettings light;
     if (const auto root = parse_yaml(text, source, diagnostics)) {
         std::vector<fs::path> profiles;
-        light = read_light_of(CheckedNode(*root, "'light'", source, diagnostics), folder, search.lights,
-                              profiles);
+        light = read_light_of(CheckedNode(*root, "'light'", source, diagnostics), folder, search,
+                              read_roots(folder / "", search), profiles);
     }
     throw_in_order(diagnostics, {source, 0, 0});
     return light;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "config/loader/overrides.h"
+#include "config/loader/values/read_roots.h"
 #include "engine/script/walk.h"
 #include "scene/campus/campus_description.h"
 
@@ -21,6 +22,7 @@ inline constexpr std::string_view kWalkSuffix = ".walk.yaml";
 struct SearchPaths {
     std::vector<std::filesystem::path> avatars;  ///< folders with NAME.avatar.yaml, after those near the walk
     std::vector<std::filesystem::path> lights;   ///< likewise with NAME.light.yaml
+    std::vector<std::filesystem::path> roots = {};  ///< folders that files may be in besides the project
 };
 
 /// A walk and the campus it names, both read and checked as far as that is possible without the models.
@@ -37,10 +39,13 @@ struct SharedRun {
     std::vector<scene::Diagnostic> warnings;
 };
 
-using CampusDescriptions = std::map<std::string, std::shared_ptr<const scene::CampusDescription>>;
+/// By path, as diagnostics show it, and by project, on which it depends what a campus may name.
+using CampusDescriptions =
+    std::map<std::pair<std::string, std::string>, std::shared_ptr<const scene::CampusDescription>>;
 
 // All functions throw one scene::InputError with all errors of the file and of the files it names. Codes:
 //   missing-file, file-name, too-large, empty-file, yaml-syntax   the file as a whole
+//   outside-project                                               files beyond ReadRoots
 //   unknown-key, missing-key, duplicate-key                       keys
 //   wrong-type, bad-value                                         values
 //   unknown-name, duplicate-name                                  names of places, layers, avatars, events, …
@@ -62,14 +67,18 @@ public:
 
 private:
     SearchPaths search_;
-    CampusDescriptions campuses_;  ///< by path, as diagnostics show it
+    CampusDescriptions campuses_;
 };
 
+/// Where files may be that are named by the file and by those that it names.
+ReadRoots read_roots(const std::filesystem::path& file, const SearchPaths& search);
+
 /// Reads `NAME.campus.yaml` alone.
-scene::CampusDescription load_campus_description(const std::filesystem::path& campus_file);
+scene::CampusDescription load_campus_description(const std::filesystem::path& campus_file,
+                                                 const SearchPaths& search = {});
 
 /// Reads `NAME.steps.yaml` and what it includes; without a walk the names of places can't be checked.
-std::vector<engine::Step> load_steps(const std::filesystem::path& steps_file);
+std::vector<engine::Step> load_steps(const std::filesystem::path& steps_file, const SearchPaths& search = {});
 
 /// Reads a camera's keys as written in a walk, such as `{view: orbit, around: library}`. View, size and field
 /// of view default to those of `camera`. Diagnostics name `source` as the file.
@@ -78,10 +87,10 @@ engine::CameraSettings read_camera_text(const std::string& text, const std::stri
                                         const engine::CameraSettings& camera);
 
 /// Reads `NAME.avatar.yaml` alone.
-engine::AvatarProfile load_avatar(const std::filesystem::path& avatar_file);
+engine::AvatarProfile load_avatar(const std::filesystem::path& avatar_file, const SearchPaths& search = {});
 
 /// Reads `NAME.light.yaml` alone.
-engine::LightSettings load_light(const std::filesystem::path& light_file);
+engine::LightSettings load_light(const std::filesystem::path& light_file, const SearchPaths& search = {});
 
 /// Reads a light as written in a walk: a profile's name or `{profile: night, shadows: false}`. Profiles are
 /// searched for near `folder`. Diagnostics name `source` as the file.

@@ -135,12 +135,12 @@ private:
 
 }  // namespace
 
-WalksConfig load_walks_config(const fs::path& file) {
+WalksConfig load_walks_config(const fs::path& file, const SearchPaths& search) {
     DiagnosticList diagnostics;
     const SourceMark mark{shown_path(file), 0, 0};
     WalksConfig config;
     config.file = file;
-    if (const auto yaml = YamlFile::open(file, ".config.yaml", mark, diagnostics)) {
+    if (const auto yaml = YamlFile::open(file, ".config.yaml", read_roots(file, search), mark, diagnostics)) {
         CheckedMap map(yaml->root(), "a walks.config.yaml");
         WalksConfigReader(file.parent_path()).read(map, config);
         map.refuse_other_keys();

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "config/loader/load_run.h"
 #include "config/loader/overrides.h"
 #include "engine/script/image_tolerance.h"
 #include "scene/base/diagnostic.h"
@@ -57,7 +58,7 @@ struct WalksConfig {
 };
 
 /// Throws scene::InputError with all errors; load_run.h lists their codes.
-WalksConfig load_walks_config(const std::filesystem::path& file);
+WalksConfig load_walks_config(const std::filesystem::path& file, const SearchPaths& search = {});
 
 /// `walks.config.yaml` in the folder or in the nearest one above that has one (see folders_upwards.h).
 std::optional<std::filesystem::path> find_walks_config(const std::filesystem::path& folder);

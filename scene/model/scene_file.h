@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -19,6 +20,9 @@ struct SceneFile {
     double metres_per_unit = 1.0;  ///< from `unit`
     double scale = 1.0;            ///< multiplies the unit
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
+    /// Folders beside those in SceneFolder whose files it may refer to; canonical.
+    std::vector<std::filesystem::path> roots = {};
+    bool images_beside = true;  ///< images may come from folders beside the file's, such as `../textures`
 };
 
 }  // namespace campuswalk::scene

@@ -22,7 +22,8 @@ TEST_F(LoadRun, ResolvesTheFilesThatTheWalkNames) {
                   "campus: ../a.campus.yaml\n"
                   "avatar: {profile: adult, speed: 2, max_slope_deg: 45, ignore_layers: [trees]}\n"
                   "steps: [{spawn: gate}]\n");
-    const config::Run run = load_run(folder_.path("walks/night_2.walk.yaml"), {});
+    const config::Run run = load_run(folder_.path("walks/night_2.walk.yaml"),
+                                     {.avatars = {}, .lights = {}, .roots = {folder_.path("")}});
     EXPECT_EQ(run.walk.name, "night_2");
     EXPECT_EQ(run.walk.campus_name, "a");
     EXPECT_EQ(run.campus.name, "a");
@@ -40,7 +41,7 @@ TEST_F(LoadRun, SearchesForAvatarsNearTheWalkFirst) {
     folder_.write("elsewhere/robot.avatar.yaml", "speed: 3\n");
     const auto speed = [&] {
         return load_run(folder_.path("deep/er/a.walk.yaml"),
-                        {.avatars = {folder_.path("elsewhere")}, .lights = {}})
+                        {.avatars = {folder_.path("elsewhere")}, .lights = {}, .roots = {folder_.path("")}})
             .walk.avatar.speed;
     };
     EXPECT_EQ(speed(), 1.0);

@@ -3,23 +3,15 @@
 
 import os
 
-from program import WALK, ProgramCase, main
+from program import WALK, CheckoutCase, ProgramCase, main
 
 KINDS = ("list", "dot", "junit", "tap", "json", "jsonl", "github", "log")
 
 
-class ConfinedWrites(ProgramCase):
+class ConfinedWrites(CheckoutCase):
     def setUp(self):
-        """The checkout is a folder of its own; beside it is what must stay untouched."""
         super().setUp()
-        self.outer = self.folder
-        self.folder = os.path.join(self.outer, "checkout")
-        for name in os.listdir(self.outer):
-            if name != "checkout":
-                os.makedirs(self.folder, exist_ok=True)
-                os.rename(os.path.join(self.outer, name), os.path.join(self.folder, name))
         self.write("../victim/precious.txt", "precious")
-        os.makedirs(self.path(".git"))
         self.write("other.walk.yaml", WALK)
 
     def config(self, text):
@@ -31,18 +23,6 @@ class ConfinedWrites(ProgramCase):
         self.assertEqual(outcome.code, 2, outcome.err)
         self.assertIn(expected, outcome.err)
         self.assertEqual(self.outer_contents(), before)
-
-    def outer_contents(self):
-        """Every file's bytes and every link's target."""
-        found = {}
-        for parent, _, files in os.walk(self.outer):
-            for path in (os.path.join(parent, name) for name in files):
-                if os.path.islink(path):
-                    found[path] = os.readlink(path)
-                else:
-                    with open(path, "rb") as file:
-                        found[path] = file.read()
-        return found
 
     def test_a_configuration_names_places_in_its_folder_only(self):
         for place in ("/nowhere", "../victim", "a/../../victim", self.path("../victim")):
@@ -108,19 +88,21 @@ class ConfinedWrites(ProgramCase):
     def test_golden_files_are_written_in_the_project_only(self):
         self.write("../other/short.walk.yaml", WALK.replace("campus: ", "campus: ../checkout/"))
         self.config("walks: ../other\n")
-        self.passes("run", "--rendering-backend", "none")
+        self.assert_refused_and_untouched("error outside-project: ", "run", "--rendering-backend", "none")
         self.assert_refused_and_untouched("error outside-project: ", "run", "-u", "--rendering-backend", "none")
 
     def test_golden_files_are_not_written_through_links(self):
         self.write("short.walk.yaml", WALK + "  - log: {golden: true}\n")
-        os.symlink("../victim", self.path("short.walk.yaml-snapshots"))
-        self.assert_refused_and_untouched("is a symbolic link", "run", "short.walk.yaml", "-u", "--rendering-backend",
-                                          "none")
-        os.remove(self.path("short.walk.yaml-snapshots"))
-        os.makedirs(self.path("short.walk.yaml-snapshots"))
-        os.symlink("../../victim/precious.txt", self.path("short.walk.yaml-snapshots/log.jsonl"))
-        self.assert_refused_and_untouched("is a symbolic link", "run", "short.walk.yaml", "-u", "--rendering-backend",
-                                          "none")
+        for link in ("short.walk.yaml-snapshots", "short.walk.yaml-snapshots/log.jsonl"):
+            for target, reason in ((self.path("../victim/precious.txt"), "leads out of the project"),
+                                   (self.path("mine/mine.txt"), "is a symbolic link")):
+                self.write("mine/mine.txt", "mine")
+                os.makedirs(self.path(os.path.dirname(link)), exist_ok=True)
+                os.symlink(target if link.endswith("log.jsonl") else os.path.dirname(target), self.path(link))
+                self.assert_refused_and_untouched(reason, "run", "short.walk.yaml", "-u", "--rendering-backend",
+                                                  "none")
+                self.assertEqual(self.read("mine/mine.txt"), b"mine")
+                os.remove(self.path(link))
 
     def test_a_configured_report_replaces_only_its_own_kind(self):
         self.write("notes.txt", "my notes")

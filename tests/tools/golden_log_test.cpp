@@ -175,14 +175,22 @@ TEST_F(GoldenLog, MayBeFormattedDifferently) {
     EXPECT_FALSE(check(kLog, UpdateSnapshots::none).failure);
 }
 
-TEST_F(GoldenLog, FailsWithoutACrashIfItIsGarbage) {
+TEST_F(GoldenLog, IsRefusedWithoutAnEchoIfItIsGarbage) {
     for (const std::string& text :
-         {std::string(), std::string("\n"), std::string("{\"walk_log\":1"), std::string(5000, '['),
-          std::string(300, '\0'), kHeader + "\n[]\n",
+         {std::string("\n"), std::string("{\"walk_log\":1"), std::string(5000, '['), std::string(300, '\0'),
+          std::string("root:secret\n"), kHeader + "\n[]\n", kHeader + "\nroot:secret\n",
           kHeader + "\n{\"tick\":\"x\",\"time\":[],\"event\":3,\"object\":null}\n"}) {
         folder_.write("visit.walk.yaml-snapshots/log.jsonl", text);
-        EXPECT_TRUE(check(kLog, UpdateSnapshots::none).failure);
+        try {
+            check(kLog, UpdateSnapshots::none);
+            ADD_FAILURE() << text;
+        } catch (const scene::InputError& error) {
+            EXPECT_EQ(error.diagnostics().front().code, "unreadable");
+            EXPECT_EQ(std::string(error.what()).find("secret"), std::string::npos) << error.what();
+        }
     }
+    folder_.write("visit.walk.yaml-snapshots/log.jsonl", "");
+    EXPECT_TRUE(check(kLog, UpdateSnapshots::none).failure);
 }
 
 TEST_F(GoldenLog, LeavesNothingBehindIfItCannotBeWritten) {

@@ -188,6 +188,31 @@ class ProgramCase(unittest.TestCase):
         return outcome
 
 
+class CheckoutCase(ProgramCase):
+    """The folder is a checkout in one of its own; beside it is what must stay untouched."""
+
+    def setUp(self):
+        super().setUp()
+        self.outer = self.folder
+        self.folder = os.path.join(self.outer, "checkout")
+        inside = os.listdir(self.outer)
+        os.makedirs(self.path(".git"))
+        for name in inside:
+            os.rename(os.path.join(self.outer, name), self.path(name))
+
+    def outer_contents(self):
+        """Every file's bytes and every link's target."""
+        found = {}
+        for parent, _, files in os.walk(self.outer):
+            for path in (os.path.join(parent, name) for name in files):
+                if os.path.islink(path):
+                    found[path] = os.readlink(path)
+                else:
+                    with open(path, "rb") as file:
+                        found[path] = file.read()
+        return found
+
+
 def main():
     """`TEST.py PROGRAM [unittest's arguments]`."""
     ProgramCase.program = os.path.abspath(sys.argv.pop(1))

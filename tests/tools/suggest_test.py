@@ -56,9 +56,13 @@ class Suggest(ProgramCase):
         self.write("hut.obj", HUT)
 
     def suggest(self, model, *arguments):
-        self.passes("info", model, "--suggest", "new.campus.yaml", *arguments)
-        self.passes("validate", "new.campus.yaml", "new.walk.yaml")
-        log = self.passes("run", "new.walk.yaml").out
+        said = self.passes("info", model, "--suggest", "new.campus.yaml", *arguments).out
+        root = []
+        if os.path.isabs(model):
+            root = ["--root", os.path.dirname(model)]
+            self.assertIn(" ".join(root), said, "the user must be told")
+        self.passes("validate", "new.campus.yaml", "new.walk.yaml", *root)
+        log = self.passes("run", "new.walk.yaml", *root).out
         return self.read("new.campus.yaml").decode(), log
 
     def test_a_hut_becomes_a_building(self):

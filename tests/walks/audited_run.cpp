@@ -54,7 +54,10 @@ void TickAudit::check(const engine::AvatarState& avatar, double time) {
 }
 
 AuditedRun audited_run(const std::filesystem::path& walk_file) {
-    config::Run loaded = config::load_run(walk_file, {});
+    config::Run loaded = config::load_run(
+        walk_file, {.avatars = {},
+                    .lights = {},
+                    .roots = {std::filesystem::path(CAMPUSWALK_SOURCE_DIR) / ".." / "shared" / "data"}});
     std::vector<scene::Diagnostic> warnings;
     AuditedRun run{.walk = std::move(loaded.walk),
                    .campus = scene::load_campus(std::move(loaded.campus),

@@ -30,13 +30,23 @@ constexpr std::array kUnits = {Choice<double>{"m", 1.0}, Choice<double>{"cm", 0.
                                Choice<double>{"mm", 0.001}, Choice<double>{"in", 0.0254},
                                Choice<double>{"ft", 0.3048}};
 
-SceneFile read_scene(const CheckedNode& node, const std::filesystem::path& folder) {
+SceneFile read_scene(const CheckedNode& node, const std::filesystem::path& folder, const ReadRoots& roots) {
     SceneFile scene;
     CheckedMap map(node, "a scene");
     if (const auto file = map.require("file")) {
         scene.mark = file->mark();
         scene.file = file->line().value_or("");
         scene.path = folder / scene.file;
+    }
+    if (!scene.file.empty()) {
+        if (const std::string why = roots.why_unreadable(scene.path); !why.empty()) {
+            map.require("file")->diagnose("outside-project", in_quotes(scene.file) + " " + why);
+        }
+        std::error_code ignored;
+        const std::filesystem::path model_folder =
+            std::filesystem::weakly_canonical(scene.path, ignored).parent_path();
+        scene.roots.assign(roots.others().begin(), roots.others().end());
+        scene.images_beside = roots.why_unreadable(model_folder.parent_path() / "textures").empty();
     }
     map.choice("up", kUpAxes, scene.up);
     map.choice("unit", kUnits, scene.metres_per_unit);
@@ -123,10 +133,11 @@ Spawn read_spawn(const CheckedNode::Entry& entry) {
     return spawn;
 }
 
-std::vector<SceneFile> read_scenes(const CheckedNode& section, const std::filesystem::path& folder) {
+std::vector<SceneFile> read_scenes(const CheckedNode& section, const std::filesystem::path& folder,
+                                   const ReadRoots& roots) {
     std::vector<SceneFile> scenes;
     for (const CheckedNode& node : section.items("a scene")) {
-        scenes.push_back(read_scene(node, folder));
+        scenes.push_back(read_scene(node, folder, roots));
     }
     if (scenes.empty() && (section.is_sequence() || section.is_null())) {
         section.diagnose("bad-value", "'scenes' needs at least one model file");
@@ -185,11 +196,12 @@ std::vector<Place> read_places(const CheckedNode& section) {
 
 }  // namespace
 
-CampusDescription read_campus(const CheckedNode& root, const std::filesystem::path& folder) {
+CampusDescription read_campus(const CheckedNode& root, const std::filesystem::path& folder,
+                              const ReadRoots& roots) {
     CampusDescription campus;
     CheckedMap map(root, "a campus");
     if (const auto section = map.require("scenes")) {
-        campus.scenes = read_scenes(*section, folder);
+        campus.scenes = read_scenes(*section, folder, roots);
     }
     if (const auto section = map.find("origin")) {
         campus.origin = read_origin(*section);

@@ -40,7 +40,12 @@ std::optional<std::string> name_from(const std::string& file_name, const std::st
 }  // namespace
 
 std::unique_ptr<YamlFile> YamlFile::open(const std::filesystem::path& path, const std::string& suffix,
-                                         const SourceMark& named_at, DiagnosticList& diagnostics) {
+                                         const ReadRoots& roots, const SourceMark& named_at,
+                                         DiagnosticList& diagnostics) {
+    if (const std::string why = roots.why_unreadable(path); !why.empty()) {
+        diagnostics.error(named_at, "outside-project", in_quotes(shown_path(path)) + " " + why);
+        return nullptr;
+    }
     std::unique_ptr<YamlFile> file(new YamlFile());
     std::error_code ignored;
     if (std::filesystem::is_regular_file(path, ignored)) {  // otherwise read_source reports it

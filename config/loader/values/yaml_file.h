@@ -5,6 +5,7 @@
 #include <string>
 
 #include "config/loader/values/checked_node.h"
+#include "config/loader/values/read_roots.h"
 
 namespace campuswalk::config {
 
@@ -13,9 +14,9 @@ class YamlFile {
 public:
     /// Reads and parses `NAME.walk.yaml` for the suffix ".walk.yaml"; null after reporting an error.
     /// `named_at` is where another file names this one ({file, 0, 0} if the user did); diagnostics about the
-    /// name (file-name) are reported there.
+    /// name (file-name) and the place (outside-project) are reported there.
     static std::unique_ptr<YamlFile> open(const std::filesystem::path& path, const std::string& suffix,
-                                          const scene::SourceMark& named_at,
+                                          const ReadRoots& roots, const scene::SourceMark& named_at,
                                           scene::DiagnosticList& diagnostics);
 
     /// The file's name without the suffix. Names appear in logs and become file names, so they have no

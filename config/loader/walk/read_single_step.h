@@ -7,6 +7,7 @@
 
 #include "config/loader/values/checked_node.h"
 #include "config/loader/values/names.h"
+#include "config/loader/values/read_roots.h"
 #include "config/loader/walk/campus_names.h"
 #include "config/loader/walk/read_camera.h"
 #include "engine/script/walk.h"
@@ -18,6 +19,7 @@ struct StepContext {
     const CampusNames& names;
     const engine::AvatarProfile& avatar;
     const CameraKeys& camera;
+    const ReadRoots& roots;
     std::vector<std::filesystem::path> files;  ///< being read: the walk's, the one it includes, and so on
     bool standalone = false;                   ///< steps that any walk may include, with any camera
     UniqueNames snapshots{"snapshot"};

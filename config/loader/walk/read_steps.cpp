@@ -92,7 +92,7 @@ void read_include(const CheckedNode& node, StepContext& context, std::vector<Ste
     if (!may_include(node, path, context)) {
         return;
     }
-    const auto file = YamlFile::open(path, kSuffix, node.mark(), node.diagnostics());
+    const auto file = YamlFile::open(path, kSuffix, context.roots, node.mark(), node.diagnostics());
     if (!file) {
         return;
     }
@@ -140,19 +140,20 @@ void read_list(const CheckedNode& section, StepContext& context, std::vector<Ste
 
 std::vector<Step> read_steps(const CheckedNode& section, const CampusNames& names,
                              const engine::AvatarProfile& avatar, const CameraKeys& camera,
-                             const fs::path& walk_file) {
+                             const fs::path& walk_file, const ReadRoots& roots) {
     std::vector<Step> steps;
-    StepContext context{names, avatar, camera, {walk_file}};
+    StepContext context{names, avatar, camera, roots, {walk_file}};
     read_list(section, context, steps);
     return steps;
 }
 
-std::vector<Step> read_standalone_steps(const CheckedNode& root, const fs::path& steps_file) {
+std::vector<Step> read_standalone_steps(const CheckedNode& root, const fs::path& steps_file,
+                                        const ReadRoots& roots) {
     const CampusNames unknown(nullptr);
     const engine::AvatarProfile avatar;
     const CameraKeys camera;
     std::vector<Step> steps;
-    StepContext context{unknown, avatar, camera, {steps_file}};
+    StepContext context{unknown, avatar, camera, roots, {steps_file}};
     context.standalone = true;
     context.first = false;
     read_steps_file(root, context, steps);

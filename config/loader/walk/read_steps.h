@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "config/loader/values/checked_node.h"
+#include "config/loader/values/read_roots.h"
 #include "config/loader/walk/campus_names.h"
 #include "config/loader/walk/read_camera.h"
 #include "engine/script/walk.h"
@@ -18,11 +19,12 @@ namespace campuswalk::config {
 /// nested deeper than 16 (include-depth), and more than 100,000 steps (too-many-steps).
 std::vector<engine::Step> read_steps(const CheckedNode& section, const CampusNames& names,
                                      const engine::AvatarProfile& avatar, const CameraKeys& camera,
-                                     const std::filesystem::path& walk_file);
+                                     const std::filesystem::path& walk_file, const ReadRoots& roots);
 
 /// Reads a `NAME.steps.yaml` by itself, without a walk: the avatar has AvatarProfile's defaults, and names of
 /// places are not checked.
 std::vector<engine::Step> read_standalone_steps(const CheckedNode& root,
-                                                const std::filesystem::path& steps_file);
+                                                const std::filesystem::path& steps_file,
+                                                const ReadRoots& roots);
 
 }  // namespace campuswalk::config

@@ -101,7 +101,7 @@ std::vector<std::string> read_tags(const CheckedNode& node) {
 }  // namespace
 
 void read_walk(CheckedMap& map, const CampusNames& names, const std::filesystem::path& walk_file,
-               engine::Walk& walk) {
+               const ReadRoots& roots, engine::Walk& walk) {
     if (const auto sim = map.find("sim")) {
         walk.sim = read_sim(*sim);
     }
@@ -119,7 +119,7 @@ void read_walk(CheckedMap& map, const CampusNames& names, const std::filesystem:
     walk.camera = camera.settings();
     walk.views = camera.views();
     if (const auto steps = map.require("steps")) {
-        walk.steps = read_steps(*steps, names, walk.avatar, camera, walk_file);
+        walk.steps = read_steps(*steps, names, walk.avatar, camera, walk_file, roots);
     }
     if (const auto expect = map.find("expect")) {
         walk.expectations = read_expectations(*expect, names);

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "config/loader/values/checked_map.h"
+#include "config/loader/values/read_roots.h"
 #include "config/loader/walk/campus_names.h"
 #include "engine/script/walk.h"
 
@@ -10,6 +11,6 @@ namespace campuswalk::config {
 
 /// Reads the keys of a walk file other than `campus`, `avatar` and `light`, which must have been read before.
 void read_walk(CheckedMap& map, const CampusNames& names, const std::filesystem::path& walk_file,
-               engine::Walk& walk);
+               const ReadRoots& roots, engine::Walk& walk);
 
 }  // namespace campuswalk::config

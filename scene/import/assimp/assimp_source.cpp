@@ -112,7 +112,7 @@ NodeTree convert_nodes(const aiNode& root, const Eigen::Matrix4d& X_world_file) 
 
 }  // namespace
 
-AssimpSource::AssimpSource(const SceneFile& file) : file_(file), folder_(file.path) {
+AssimpSource::AssimpSource(const SceneFile& file) : file_(file), folder_(file) {
     read_scene(file, folder_, read_);
     for (unsigned int i = 0; i < read_.scene->mNumMaterials; ++i) {
         materials_.push_back(convert_material(*read_.scene->mMaterials[i]));

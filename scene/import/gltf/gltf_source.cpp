@@ -47,9 +47,9 @@ CenterFrame center_frame(const Document& document) {
 }  // namespace
 
 struct GltfSource::Parts {
-    explicit Parts(const std::filesystem::path& path)
-        : folder(path),
-          container(read_container(path)),
+    explicit Parts(const SceneFile& file)
+        : folder(file),
+          container(read_container(file.path)),
           document(container.json),
           buffers(document, container.binary, folder) {}
 
@@ -76,7 +76,7 @@ auto GltfSource::reading(const Call& call) const {
 
 GltfSource::GltfSource(const SceneFile& file) : file_(file) {
     reading([&] {
-        parts_ = std::make_unique<Parts>(file.path);
+        parts_ = std::make_unique<Parts>(file);
         check_version_and_extensions(parts_->document);
         parts_->materials = read_materials(parts_->document);
         for (const GltfMaterial& material : parts_->materials) {

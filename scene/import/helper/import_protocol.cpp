@@ -9,7 +9,7 @@
 namespace campuswalk::scene {
 namespace {
 
-constexpr FileKind kRequest = {{'c', 'w', ' ', 'i', 'm', 'p', 'o', 'r'}, 2};
+constexpr FileKind kRequest = {{'c', 'w', ' ', 'i', 'm', 'p', 'o', 'r'}, 3};
 
 bool is_error(const Diagnostic& diagnostic) {
     return diagnostic.severity == Severity::error;
@@ -25,6 +25,11 @@ std::vector<std::byte> write_request(const ImportRequest& request) {
     out.put(std::int32_t{file.mark.column});
     out.put_text(file.file);
     out.put_text(file.path.string());
+    out.put(std::uint64_t{file.roots.size()});
+    for (const std::filesystem::path& root : file.roots) {
+        out.put_text(root.string());
+    }
+    out.put(std::uint32_t{file.images_beside});
     out.put(static_cast<std::uint32_t>(file.up));
     out.put(file.metres_per_unit);
     out.put(file.scale);
@@ -42,6 +47,7 @@ std::vector<std::byte> write_request(const ImportRequest& request) {
 }
 
 ImportRequest read_request(std::span<const std::byte> bytes) {
+    constexpr std::size_t kMinTextBytes = 8;
     ArchiveReader in(bytes, kRequest);
     ImportRequest request;
     SceneFile& file = request.file;
@@ -50,6 +56,11 @@ ImportRequest read_request(std::span<const std::byte> bytes) {
     file.mark.column = in.take<std::int32_t>();
     file.file = in.take_text();
     file.path = in.take_text();
+    file.roots.resize(in.take_count(kMinTextBytes));
+    for (std::filesystem::path& root : file.roots) {
+        root = in.take_text();
+    }
+    file.images_beside = in.take_flag();
     file.up = static_cast<UpAxis>(in.take_below(2, "up axis"));
     file.metres_per_unit = in.take<double>();
     file.scale = in.take<double>();

@@ -85,7 +85,7 @@ int serve_import() {
         const ImportRequest request = read_request(read_all(STDIN_FILENO));
         limit_process(request.limits);
         close(STDIN_FILENO);
-        enter_sandbox(SceneFolder(request.file.path).readable_paths(), request.sandbox);
+        enter_sandbox(SceneFolder(request.file).readable_paths(), request.sandbox);
         _exit(write_response(STDOUT_FILENO, response_to(request)) ? 0 : 1);  // skips freeing the model
     } catch (const std::exception&) {
         return 1;

@@ -79,9 +79,10 @@ std::string percent_decoded(std::string_view text) {
     return decoded;
 }
 
-SceneFolder::SceneFolder(const fs::path& scene_file) {
+SceneFolder::SceneFolder(const SceneFile& file) : roots_(file.roots), images_beside_(file.images_beside) {
     std::error_code ignored;
-    const fs::path folder = scene_file.has_parent_path() ? scene_file.parent_path() : fs::path(".");
+    const fs::path folder = file.path.has_parent_path() ? file.path.parent_path() : fs::path(".");
+    scene_file_ = fs::canonical(file.path, ignored);
     folder_ = fs::canonical(folder, ignored);
 }
 
@@ -89,18 +90,23 @@ bool SceneFolder::may_read(const fs::path& resolved, bool image) const {
     if (folder_.empty()) {
         return false;
     }
+    const auto below = [&](const fs::path& base) {
+        const auto [in_base, in_path] =
+            std::mismatch(base.begin(), base.end(), resolved.begin(), resolved.end());
+        return in_base == base.end() && in_path != resolved.end() &&
+               std::none_of(in_path, resolved.end(), is_hidden);
+    };
+    if (std::ranges::any_of(roots_, below)) {
+        return true;
+    }
     if (folder_ == folder_.root_path()) {  // else all files would be below it
         return resolved.parent_path() == folder_ && !is_hidden(resolved.filename());
     }
-    const auto below = [](const fs::path& path, const fs::path& base) {
-        const auto [in_base, in_path] = std::mismatch(base.begin(), base.end(), path.begin(), path.end());
-        return in_base == base.end() && in_path != path.end() && std::none_of(in_path, path.end(), is_hidden);
-    };
-    if (below(resolved, folder_)) {
+    if (below(folder_)) {
         return true;
     }
     const fs::path parent = folder_.parent_path();
-    if (!image || !below(resolved, parent)) {
+    if (!image || !images_beside_ || !below(parent)) {
         return false;
     }
     const std::string sibling = lower_case(resolved.lexically_relative(parent).begin()->string());
@@ -110,12 +116,21 @@ bool SceneFolder::may_read(const fs::path& resolved, bool image) const {
 std::vector<fs::path> SceneFolder::readable_paths() const {
     std::vector<fs::path> paths;
     std::error_code ignored;
-    const bool is_root = folder_ == folder_.root_path();
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder_, ignored)) {
-        const bool folder = entry.is_directory(ignored);
-        if (!is_hidden(entry.path().filename()) && !(is_root && folder)) {
-            paths.push_back(entry.path());
+    if (!scene_file_.empty()) {
+        paths.push_back(scene_file_);
+    }
+    std::vector<fs::path> folders = roots_;
+    folders.push_back(folder_);
+    for (const fs::path& folder : folders) {
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+            const bool too_much = folder == folder.root_path() && entry.is_directory(ignored);
+            if (!is_hidden(entry.path().filename()) && !too_much) {
+                paths.push_back(entry.path());
+            }
         }
+    }
+    if (!images_beside_) {
+        return paths;
     }
     for (const fs::directory_entry& entry : fs::directory_iterator(folder_.parent_path(), ignored)) {
         const std::string name = lower_case(entry.path().filename().string());

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "scene/model/model_file.h"
+#include "scene/model/scene_file.h"
 
 namespace campuswalk::scene {
 
@@ -16,15 +17,18 @@ namespace campuswalk::scene {
 /// must not be read, nor a symbolic link that leads outside.
 ///   - any file in the scene file's folder or below, but for those in folders like `.git`;
 ///   - images also below a sibling of that folder named `textures`, `materials`, `images` or `maps` (in any
-///     case), since the usual layout of simulators is `meshes/x.dae` and `materials/textures/x.png`.
+///     case), since the usual layout of simulators is `meshes/x.dae` and `materials/textures/x.png`; but not
+///     without `images_beside`;
+///   - any file below its `roots`, with the same exception: links may lead there.
 /// Paths are compared after resolving symbolic links; only regular files are opened.
 ///
 /// Lookups are recorded, successful or not, and shared among copies: the model depends on all of them.
 class SceneFolder {
 public:
-    explicit SceneFolder(const std::filesystem::path& scene_file);
+    explicit SceneFolder(const SceneFile& file);
 
-    /// The files and folders, with all below, that this allows to read, as far as they exist.
+    /// The files and folders, with all below, that this allows to read, as far as they exist; the scene file
+    /// itself wherever a link leads to it.
     std::vector<std::filesystem::path> readable_paths() const;
 
     /// Resolves a relative path; `\` means `/`, and if there is no such file, percent escapes are decoded.
@@ -47,7 +51,10 @@ private:
     bool may_read(const std::filesystem::path& resolved, bool image) const;
     std::optional<std::filesystem::path> try_path(const std::string& relative, bool image) const;
 
+    std::filesystem::path scene_file_;  ///< canonical; empty if it is missing
     std::filesystem::path folder_;
+    std::vector<std::filesystem::path> roots_;
+    bool images_beside_;
     std::shared_ptr<std::vector<FileRequest>> requests_ = std::make_shared<std::vector<FileRequest>>();
 };
 

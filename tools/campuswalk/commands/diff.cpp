@@ -177,6 +177,7 @@ void add_diff(Command program, CommandAction& chosen) {
                    options->walk);
     add_rendering_backend(command, options->backend);
     add_import_options(command);
+    add_root_option(command);
     command.footer("Exit code: 0 the same, 1 different, 2 bad usage or input, 3 something failed.");
     command.choose(chosen, [options] { return compare_logs(*options); });
 }

@@ -52,6 +52,7 @@ public:
     explicit RecordedLoader(const ReplayOptions& options) : options_(options) {}
 
     LoadedWalk load(const RecordedWalk& recorded) {
+        check_place(recorded, recorded.file);
         config::SharedRun run = loader_.read(recorded.file, overrides_of(recorded));
         run.walk.project = recorded.project;
         run.walk.timeout = recorded.timeout;
@@ -60,6 +61,17 @@ public:
     }
 
 private:
+    /// A report names files as it likes; those of the command line are the user's.
+    void check_place(const RecordedWalk& recorded, const fs::path& file) const {
+        if (std::ranges::find(options_.walks, file) != options_.walks.end()) {
+            return;
+        }
+        static const config::ReadRoots here = config::read_roots(fs::path(".") / "", search_paths());
+        if (const std::string why = here.why_unreadable(file); !why.empty()) {
+            throw about(recorded, "outside-project", "'" + file.generic_string() + "' " + why);
+        }
+    }
+
     config::Overrides overrides_of(const RecordedWalk& recorded) {
         if (recorded.project.empty()) {
             return {};
@@ -85,7 +97,10 @@ private:
         }
         const auto [known, is_new] = configs_.try_emplace(*file);
         if (is_new) {
-            known->second = config::load_walks_config(as_seen_from_here(*file));
+            if (!options_.config) {
+                check_place(recorded, *file);
+            }
+            known->second = config::load_walks_config(as_seen_from_here(*file), search_paths());
         }
         return known->second;
     }
@@ -192,6 +207,7 @@ void add_replay(Command program, CommandAction& chosen) {
                  options->verify);
     add_tree(command, options->tree);
     add_import_options(command);
+    add_root_option(command);
     command.footer(
         "Exit code: 0 all the same, 1 something differs or has no hash, 2 bad usage or input, 3 something "
         "failed.");

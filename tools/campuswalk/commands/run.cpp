@@ -8,6 +8,7 @@
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/loading/model_importer.h"
+#include "tools/campuswalk/loading/walk_loader.h"
 #include "tools/campuswalk/run/cases/records.h"
 #include "tools/campuswalk/run/run_walks.h"
 
@@ -186,6 +187,7 @@ void add_run(Command program, CommandAction& chosen) {
     add_running(command, options);
     add_output(command, options);
     add_import_options(command);
+    add_root_option(command);
     command.footer(
         "Exit code: 0 all passed, 1 an expectation failed, 2 bad usage or input (nothing of that walk was "
         "run),\n"

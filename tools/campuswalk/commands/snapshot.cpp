@@ -182,6 +182,7 @@ void add_snapshot(Command program, CommandAction& chosen) {
                    options->overlays.tree_level, Limits<int>{0, 40});
     add_rendering_backend(command, options->backend);
     add_import_options(command);
+    add_root_option(command);
     command.choose(chosen, [options] { return draw_snapshot(*options); });
 }
 

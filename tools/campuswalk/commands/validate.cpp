@@ -117,13 +117,13 @@ std::string check(WalkLoader& loader, const fs::path& file) {
         case FileKind::campus:
             return summary_of(*loader.load_campus(file));
         case FileKind::avatar:
-            config::load_avatar(file);
+            config::load_avatar(file, search_paths());
             return "an avatar";
         case FileKind::light:
-            config::load_light(file);
+            config::load_light(file, search_paths());
             return "a light";
         case FileKind::steps:
-            return plural(config::load_steps(file).size(), "step");
+            return plural(config::load_steps(file, search_paths()).size(), "step");
         case FileKind::config:
             return plural(check_config(loader, file), "project");
         case FileKind::walk:
@@ -215,6 +215,7 @@ void add_validate(Command program, CommandAction& chosen) {
     command.choice({.names = "--format", .help = "For people, programs, code scanning or a GitHub workflow"},
                    formats, options->format);
     add_import_options(command);
+    add_root_option(command);
     command.footer("Exit code: 0 all files are valid, 2 some aren't, or bad usage.");
     command.choose(chosen, [options] { return validate_files(*options); });
 }

@@ -12,10 +12,18 @@ namespace campuswalk::tools {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+std::vector<fs::path> named_roots;
+
+}  // namespace
+
 config::SearchPaths search_paths() {
     std::error_code ignored;
     const fs::path folder = fs::read_symlink("/proc/self/exe", ignored).parent_path();
     config::SearchPaths paths;
+    paths.roots = named_roots;
+    paths.roots.push_back(folder.parent_path() / "share" / "campuswalk");
     for (const fs::path& config : {folder.parent_path().parent_path() / "config",
                                    folder.parent_path() / "share" / "campuswalk" / "config"}) {
         paths.avatars.push_back(config / "avatars");
@@ -24,7 +32,21 @@ config::SearchPaths search_paths() {
     return paths;
 }
 
-WalkLoader::WalkLoader(Warn warn) : warn_(std::move(warn)), loader_(search_paths()) {}
+void add_root_option(Command command) {
+    command.option(
+        {.names = "--root",
+         .help = "Also read files below this folder, besides those of the project; may be repeated",
+         .value = "DIR",
+         .check =
+             [](const std::string& folder) {
+                 std::error_code ignored;
+                 return fs::is_directory(folder, ignored) ? "" : "'" + folder + "' isn't a folder";
+             }},
+        named_roots);
+}
+
+WalkLoader::WalkLoader(Warn warn, config::SearchPaths search)
+    : warn_(std::move(warn)), search_(search), loader_(std::move(search)) {}
 
 LoadedWalk WalkLoader::load_walk(const fs::path& walk_file) {
     return ready(read(walk_file));
@@ -52,7 +74,7 @@ LoadedWalk WalkLoader::ready(config::SharedRun run) {
 
 std::shared_ptr<const scene::Campus> WalkLoader::load_campus(const fs::path& campus_file) {
     std::vector<scene::Diagnostic> warnings;
-    const scene::CampusDescription description = config::load_campus_description(campus_file);
+    const scene::CampusDescription description = config::load_campus_description(campus_file, search_);
     std::shared_ptr<const scene::Campus> campus =
         build(campus_file, description, engine::SimSettings().tree, warnings);
     warn_(warnings);

@@ -11,8 +11,13 @@
 #include "engine/script/walk.h"
 #include "scene/campus/campus.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
+#include "tools/campuswalk/command_line/command.h"
 
 namespace campuswalk::tools {
+
+/// Where the program's own profiles are, in the source tree that it was built in or where it is installed,
+/// and what files may be read besides those of a project: the installed examples, and what `--root` names.
+config::SearchPaths search_paths();
 
 /// A walk that is ready to run: read and checked, with its campus.
 struct LoadedWalk {
@@ -25,7 +30,7 @@ struct LoadedWalk {
 class WalkLoader {
 public:
     using Warn = std::function<void(const std::vector<scene::Diagnostic>&)>;
-    explicit WalkLoader(Warn warn = diagnose);
+    explicit WalkLoader(Warn warn = diagnose, config::SearchPaths search = search_paths());
 
     /// The same as `read`, then `ready`.
     LoadedWalk load_walk(const std::filesystem::path& walk_file);
@@ -46,13 +51,14 @@ private:
                                                std::vector<scene::Diagnostic>& warnings);
 
     Warn warn_;
+    config::SearchPaths search_;
     config::RunLoader loader_;
     std::map<std::pair<std::filesystem::path, collision::TreeKind>, std::shared_ptr<const scene::Campus>>
         campuses_;
     std::map<std::filesystem::path, scene::InputError> broken_;  ///< why campuses can't be built
 };
 
-/// Where the program's own profiles are: in the source tree that it was built in, or where it is installed.
-config::SearchPaths search_paths();
+/// `--root`, for commands that read walks or campuses.
+void add_root_option(Command command);
 
 }  // namespace campuswalk::tools

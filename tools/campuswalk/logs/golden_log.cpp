@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "scene/base/atomic_file.h"
+#include "scene/base/diagnostic.h"
 #include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/base/read_lines.h"
 #include "tools/campuswalk/logs/log_lines.h"
@@ -55,6 +55,18 @@ ComparableLog without_verdicts(std::span<const std::string> lines) {
         log.numbers.push_back(i + 1);
     }
     return log;
+}
+
+/// The lines of the golden log. Those of any other file mustn't get into a message.
+std::vector<std::string> read_golden(const fs::path& file) {
+    std::vector<std::string> lines = read_lines(file);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (i == 0 ? !is_log_header(lines[i]) : !logged_event(lines[i])) {
+            throw scene::InputError({file.generic_string(), static_cast<int>(i + 1), 1}, "unreadable",
+                                    "this isn't a line of a log; write the golden log again with -u");
+        }
+    }
+    return lines;
 }
 
 std::string how_they_differ(const ComparableLog& golden, const ComparableLog& run, std::size_t at) {
@@ -156,7 +168,7 @@ GoldenCheck check_golden(const fs::path& walk_file, const std::string& project,
         }
         return check;
     }
-    const ComparableLog golden = without_verdicts(read_lines(file));
+    const ComparableLog golden = without_verdicts(read_golden(file));
     const ComparableLog run = without_verdicts(lines);
     const std::optional<std::size_t> at = first_divergence(golden.lines, run.lines);
     if (at && mode == UpdateSnapshots::changed) {

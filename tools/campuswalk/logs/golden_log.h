@@ -43,8 +43,8 @@ std::filesystem::path reference_file(const std::filesystem::path& walk_file, con
 std::filesystem::path golden_log_file(const std::filesystem::path& walk_file, const std::string& project);
 
 /// Compares a run's log, as engine::JsonLines writes it, with the walk's golden one. Verdicts are ignored:
-/// what is expected of a walk doesn't change where it goes. Throws std::runtime_error when the file can't be
-/// read.
+/// what is expected of a walk doesn't change where it goes. Throws scene::InputError (unreadable) when the
+/// file can't be read or isn't a log.
 GoldenCheck check_golden(const std::filesystem::path& walk_file, const std::string& project,
                          std::span<const std::string> lines, UpdateSnapshots mode);
 

@@ -158,8 +158,11 @@ SuggestedCampus without_visitor(const UprightModel& model, const fs::path& campu
     return campus;
 }
 
-WalkLoader quiet_loader() {
-    return WalkLoader([](const std::vector<scene::Diagnostic>&) {});
+/// Reads the model wherever it is: the user named it.
+WalkLoader quiet_loader(const UprightModel& model) {
+    config::SearchPaths search = search_paths();
+    search.roots.push_back(fs::absolute(model.file.path).parent_path());
+    return WalkLoader([](const std::vector<scene::Diagnostic>&) {}, std::move(search));
 }
 
 /// Places the visitor and writes the campus. As a large model's tree takes seconds to build, visits are
@@ -174,7 +177,7 @@ void write_campus(const UprightModel& model, const fs::path& campus_file, Sugges
         placed = place_visitor(model, solid_of(*loader.load_campus(campus_file)), campus);
     }
     if (!placed && !tiny) {
-        loader = quiet_loader();  // without the campus that lacks the ground
+        loader = quiet_loader(model);  // without the campus that lacks the ground
         campus.ground = substitute_ground(model.report.bounds, campus.buildings);
         placed = place_visitor(model, solid_with(*campus.ground, model, campus.doors), campus);
     }
@@ -263,7 +266,7 @@ int suggest_campus(const scene::SceneFile& model, const fs::path& campus_file, b
     }
     const UprightModel upright = load_upright(model);
     SuggestedCampus campus = without_visitor(upright, campus_file);
-    WalkLoader loader = quiet_loader();
+    WalkLoader loader = quiet_loader(upright);
     const Drafts drafts(campus_file);
     write_campus(upright, drafts.campus, campus, loader);
     const std::size_t visits = write_walk(campus, drafts.campus, drafts.walk, loader);
@@ -272,6 +275,10 @@ int suggest_campus(const scene::SceneFile& model, const fs::path& campus_file, b
     print_line("%s: %s", campus_file.string().c_str(),
                scene::plural(campus.buildings.size(), "building").c_str());
     print_line("%s: %s, played", walk_file.string().c_str(), scene::plural(visits, "visit").c_str());
+    if (!config::read_roots(campus_file, search_paths()).why_unreadable(model.path).empty()) {
+        print_line("the model isn't in the project: run the walk with --root %s",
+                   model.path.parent_path().string().c_str());
+    }
     const RemainingLints left = remaining_lints(upright);
     if (left.opened > 0) {
         print_line("%s left out of what is solid", scene::plural(left.opened, "closed door").c_str());

@@ -95,7 +95,7 @@ private:
 }  // namespace
 
 std::size_t check_config(WalkLoader& loader, const fs::path& file) {
-    const WalksConfig config = config::load_walks_config(file);
+    const WalksConfig config = config::load_walks_config(file, search_paths());
     ConfigCheck(loader, config).run();
     return config.projects.size();
 }

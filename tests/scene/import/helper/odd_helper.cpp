@@ -118,7 +118,7 @@ std::vector<std::byte> standard_input() {
 [[noreturn]] void attempt(std::string_view what) {
     const ImportRequest request = read_request(standard_input());
     const std::filesystem::path folder = request.file.path.parent_path();
-    enter_sandbox(SceneFolder(request.file.path).readable_paths(), request.sandbox);
+    enter_sandbox(SceneFolder(request.file).readable_paths(), request.sandbox);
     _exit(can_do(what, folder.string()) ? kDone : 0);  // a leak check at the end would start a process
 }
 

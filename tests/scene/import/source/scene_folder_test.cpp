@@ -1,5 +1,6 @@
 #include "scene/import/source/scene_folder.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/scene/model_files.h"
@@ -8,6 +9,10 @@ namespace campuswalk::scene {
 namespace {
 
 namespace fs = std::filesystem;
+
+using testing::Contains;
+using testing::Not;
+using testing::Property;
 
 class SceneFolderTest : public testing::Test {
 protected:
@@ -20,7 +25,12 @@ protected:
         }
     }
 
-    SceneFolder folder() const { return SceneFolder(files_.path() / "model/meshes/scene.gltf"); }
+    SceneFile scene() const {
+        SceneFile file;
+        file.path = files_.path() / "model/meshes/scene.gltf";
+        return file;
+    }
+    SceneFolder folder() const { return SceneFolder(scene()); }
 
     test::TemporaryFolder files_;
 };
@@ -81,8 +91,33 @@ TEST_F(SceneFolderTest, FindsImagesWhereExportersPutThem) {
     EXPECT_FALSE(folder().find_image("marble.png"));
 }
 
+TEST_F(SceneFolderTest, FindsNoImageBesideTheFolderIfThatIsForbidden) {
+    SceneFile file = scene();
+    file.images_beside = false;
+    EXPECT_TRUE(SceneFolder(file).find_image("own.png"));
+    EXPECT_FALSE(SceneFolder(file).find_image("../materials/textures/wood.png"));
+    EXPECT_FALSE(SceneFolder(file).find_image("wood.png"));
+    EXPECT_THAT(SceneFolder(file).readable_paths(),
+                Not(Contains(Property(&std::filesystem::path::filename, "materials"))));
+}
+
+TEST_F(SceneFolderTest, FindsFilesBelowOtherRoots) {
+    files_.write("elsewhere/x.bin", "x");
+    files_.write("elsewhere/.git/config", "x");
+    std::filesystem::create_symlink("../../elsewhere/x.bin", files_.path() / "model/meshes/linked.bin");
+    EXPECT_FALSE(folder().find_file("linked.bin"));
+    SceneFile file = scene();
+    file.roots = {std::filesystem::canonical(files_.path() / "elsewhere")};
+    EXPECT_TRUE(SceneFolder(file).find_file("linked.bin"));
+    EXPECT_TRUE(SceneFolder(file).find_file("../../elsewhere/x.bin"));
+    EXPECT_FALSE(SceneFolder(file).find_file("../../elsewhere/.git/config"));
+    EXPECT_FALSE(SceneFolder(file).find_file("../../outside.bin"));
+}
+
 TEST(SceneFolder, FindsNothingBesideAMissingScene) {
-    EXPECT_FALSE(SceneFolder("/no/such/folder/scene.gltf").find_file("scene.gltf"));
+    SceneFile file;
+    file.path = "/no/such/folder/scene.gltf";
+    EXPECT_FALSE(SceneFolder(file).find_file("scene.gltf"));
 }
 
 TEST(PercentDecoded, KeepsMalformedEscapes) {

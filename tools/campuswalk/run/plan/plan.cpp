@@ -11,6 +11,7 @@
 #include "tools/campuswalk/base/text.h"
 #include "tools/campuswalk/run/plan/find_walks.h"
 #include "tools/campuswalk/run/plan/plan_hash.h"
+#include "tools/campuswalk/run/plan/reference_files.h"
 #include "tools/campuswalk/run/plan/strict_rules.h"
 
 namespace campuswalk::tools {
@@ -88,6 +89,7 @@ private:
         candidate.folder = folder + (project.name.empty() ? "" : "/" + project.name);
         try {
             config::SharedRun run = loader_.read(file, project.overrides);
+            refuse(reference_errors(file));
             apply_settings(run.walk, project);
             if (settings_.strict) {
                 refuse(strict_errors(run.walk, settings_.tolerance));

@@ -9,6 +9,7 @@
 #include "engine/report/make_reporter.h"
 #include "scene/base/diagnostic.h"
 #include "tools/campuswalk/base/text.h"
+#include "tools/campuswalk/loading/walk_loader.h"
 #include "tools/campuswalk/run/plan/find_walks.h"
 
 namespace campuswalk::tools {
@@ -28,7 +29,8 @@ SourceMark option(const char* name) {
 
 std::optional<WalksConfig> config_for(const RunOptions& options) {
     const std::optional<fs::path> file = options.config ? options.config : config::find_walks_config(".");
-    return file ? std::optional(config::load_walks_config(as_seen_from_here(*file))) : std::nullopt;
+    return file ? std::optional(config::load_walks_config(as_seen_from_here(*file), search_paths()))
+                : std::nullopt;
 }
 
 /// All projects, or those named, in the order of their names.
@@ -146,7 +148,13 @@ UpdateSnapshots updates_for(const RunOptions& options, const Environment& enviro
 std::vector<fs::path> paths_for(const RunOptions& options, const WalksConfig& config) {
     std::vector<fs::path> paths = options.paths;
     if (paths.empty()) {
+        const config::ReadRoots roots = config::read_roots(config.file, search_paths());
         for (const config::MarkedPath& walks : config.walks) {
+            const std::string why = options.config ? "" : roots.why_unreadable(walks.path);
+            if (!why.empty()) {
+                throw InputError(walks.mark, "outside-project",
+                                 "'" + walks.path.lexically_normal().generic_string() + "' " + why);
+            }
             if (options.update.value_or(UpdateSnapshots::none) != UpdateSnapshots::none) {
                 inside_project(config, walks);  // golden files are written beside them
             }

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "scene/base/diagnostic.h"
+
+namespace campuswalk::tools {
+
+inline constexpr std::uintmax_t kMaxReferenceBytes = std::uintmax_t{1} << 28U;
+
+/// What keeps the files in `NAME.walk.yaml-snapshots` from being golden ones: they must be regular, lie in
+/// the project (see config::ReadRoots) and have at most kMaxReferenceBytes.
+std::vector<scene::Diagnostic> reference_errors(const std::filesystem::path& walk_file);
+
+}  // namespace campuswalk::tools
