@@ -120,6 +120,7 @@ THIRD_PARTY = {
     "linux/": ["scene/import/helper"],
     "draco/": ["scene/import/gltf", "tests/scene/import/gltf"],
     "meshoptimizer.h": ["scene/import/gltf", "tests/scene/import/gltf"],
+    "turbojpeg.h": ["scene/import/source", "tests/scene/import/source"],
     "webp/": ["scene/import", "tests/scene/import/gltf"],
     "nlohmann/": ["scene/import/gltf", "engine/observers", "engine/render/snapshot", "engine/report", "tools/campuswalk",
                   "tools/campuswalk_bench", "tests"],

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string_view>
 
+#include <turbojpeg.h>
 #include <webp/decode.h>
 
 // The only translation unit with stb_image's code; static, so that it can't clash with another copy.
@@ -12,6 +13,7 @@
 #define STB_IMAGE_STATIC
 #endif
 #define STBI_NO_STDIO
+#define STBI_NO_JPEG  // writes beyond a table that is too long
 #define STBI_NO_HDR
 #define STBI_NO_LINEAR
 #define STBI_NO_PIC
@@ -26,6 +28,19 @@
 
 namespace campuswalk::scene {
 namespace {
+
+constexpr int kMaxSide = STBI_MAX_DIMENSIONS;
+
+/// Empty for an image that its file can plausibly contain: a hundred bytes may claim a gigabyte of pixels.
+const char* why_too_large(int width, int height, std::size_t bytes) {
+    constexpr std::size_t kAlwaysAllowed = std::size_t{4096} * 4096;  // pixels
+    constexpr std::size_t kPixelsPerByte = 10'000;                    // PNG packs up to 8,256 of one bit
+    if (width > kMaxSide || height > kMaxSide) {
+        return "too large";
+    }
+    const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    return pixels > kAlwaysAllowed && pixels / kPixelsPerByte > bytes ? "too large for so few bytes" : "";
+}
 
 /// The name of an unsupported format, by its magic bytes; null for others.
 const char* unsupported_format(std::string_view text) {
@@ -42,8 +57,8 @@ const char* unsupported_format(std::string_view text) {
 std::optional<DecodedImage> decode_webp(std::span<const std::uint8_t> bytes, std::string& reason) {
     DecodedImage image;
     WebPBitstreamFeatures features{};
-    reason = "damaged WebP";
     if (WebPGetFeatures(bytes.data(), bytes.size(), &features) != VP8_STATUS_OK) {
+        reason = "damaged WebP";
         return std::nullopt;
     }
     if (features.has_animation != 0) {
@@ -52,11 +67,56 @@ std::optional<DecodedImage> decode_webp(std::span<const std::uint8_t> bytes, std
     }
     image.width = features.width;
     image.height = features.height;
+    reason = why_too_large(image.width, image.height, bytes.size());
+    if (!reason.empty()) {
+        return std::nullopt;
+    }
+    reason = "damaged WebP";
     const std::size_t stride = static_cast<std::size_t>(image.width) * 4;
     image.rgba.resize(stride * static_cast<std::size_t>(image.height));
     const bool decoded = WebPDecodeRGBAInto(bytes.data(), bytes.size(), image.rgba.data(), image.rgba.size(),
                                             static_cast<int>(stride)) != nullptr;
     return decoded ? std::optional(std::move(image)) : std::nullopt;
+}
+
+/// CMYK as Adobe writes it, inverted; to RGBA.
+void convert_cmyk(std::vector<std::uint8_t>& pixels) {
+    constexpr unsigned kMax = 255;
+    for (std::size_t at = 0; at < pixels.size(); at += 4) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            pixels[at + c] = static_cast<std::uint8_t>(unsigned{pixels[at + c]} * pixels[at + 3] / kMax);
+        }
+        pixels[at + 3] = kMax;
+    }
+}
+
+std::optional<DecodedImage> decode_jpeg(std::span<const std::uint8_t> bytes, std::string& reason) {
+    const std::unique_ptr<void, decltype(&tjDestroy)> decoder(tjInitDecompress(), &tjDestroy);
+    DecodedImage image;
+    int sampling = 0;
+    int colors = 0;
+    const auto size = static_cast<unsigned long>(bytes.size());
+    if (!decoder || tjDecompressHeader3(decoder.get(), bytes.data(), size, &image.width, &image.height,
+                                        &sampling, &colors) != 0) {
+        reason = "damaged JPEG";
+        return std::nullopt;
+    }
+    reason = why_too_large(image.width, image.height, bytes.size());
+    if (!reason.empty()) {
+        return std::nullopt;
+    }
+    const bool is_cmyk = colors == TJCS_CMYK || colors == TJCS_YCCK;
+    image.rgba.resize(4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+    if (tjDecompress2(decoder.get(), bytes.data(), size, image.rgba.data(), image.width, 0, image.height,
+                      is_cmyk ? TJPF_CMYK : TJPF_RGBA, TJFLAG_ACCURATEDCT) != 0 &&
+        tjGetErrorCode(decoder.get()) != TJERR_WARNING) {  // as of a file that is cut short
+        reason = "damaged JPEG";
+        return std::nullopt;
+    }
+    if (is_cmyk) {
+        convert_cmyk(image.rgba);
+    }
+    return image;
 }
 
 std::optional<DecodedImage> decode(std::span<const std::uint8_t> bytes, std::string& reason) {
@@ -68,24 +128,33 @@ std::optional<DecodedImage> decode(std::span<const std::uint8_t> bytes, std::str
     if (text.starts_with("RIFF") && text.substr(0, 12).ends_with("WEBP")) {
         return decode_webp(bytes, reason);
     }
+    if (text.starts_with("\xFF\xD8\xFF")) {
+        return decode_jpeg(bytes, reason);
+    }
     if (const char* format = unsupported_format(text)) {
         reason = format;
         return std::nullopt;
     }
     constexpr int kChannels = 4;
     DecodedImage image;
+    const auto* data = bytes.data();
+    const int size = static_cast<int>(bytes.size());
+    if (stbi_info_from_memory(data, size, &image.width, &image.height, nullptr) != 0) {
+        reason = why_too_large(image.width, image.height, bytes.size());
+        if (!reason.empty()) {
+            return std::nullopt;
+        }
+    }
     const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
-        stbi_load_from_memory(bytes.data(), static_cast<int>(bytes.size()), &image.width, &image.height,
-                              nullptr, kChannels),
-        &stbi_image_free);
+        stbi_load_from_memory(data, size, &image.width, &image.height, nullptr, kChannels), &stbi_image_free);
     if (!pixels) {
         const char* why = stbi_failure_reason();  // empty for some truncated files
         reason = why != nullptr && *why != '\0' ? why : "damaged or in an unknown format";
         return std::nullopt;
     }
-    const std::size_t size =
+    const std::size_t components =
         static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * kChannels;
-    image.rgba.assign(pixels.get(), pixels.get() + size);
+    image.rgba.assign(pixels.get(), pixels.get() + components);
     return image;
 }
 

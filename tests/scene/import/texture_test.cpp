@@ -176,5 +176,15 @@ TEST(DecodeImage, ReportsAReasonForFailure) {
     EXPECT_FALSE(reason.empty());
 }
 
+TEST(DecodeImage, RefusesMorePixelsThanTheBytesCanHold) {
+    std::string bytes = test::tga_image(1, 1, {1, 2, 3, 255});
+    for (const std::size_t side : {13U, 15U}) {
+        bytes[side] = 0x3E;  // 15,873 pixels
+    }
+    std::string reason;
+    EXPECT_FALSE(decode_image({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, reason));
+    EXPECT_NE(reason.find("too large for so few bytes"), std::string::npos) << reason;
+}
+
 }  // namespace
 }  // namespace campuswalk::scene
