@@ -1,13 +1,12 @@
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <system_error>
 #include <vector>
 
+#include "scene/base/atomic_file.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
@@ -83,13 +82,8 @@ void make_folders(const fs::path& folder, Undo& undo) {
 
 void write(const fs::path& path, const std::string& text, Undo& undo) {
     make_folders(path.parent_path(), undo);
-    std::ofstream out(path, std::ios::binary);
+    scene::write_file_atomically(path, text);
     undo.add(path);
-    out << text;
-    out.close();
-    if (!out) {
-        throw std::runtime_error("'" + path.string() + "' can't be written");
-    }
 }
 
 /// Creates a folder with a campus, walks that pass and one that fails as expected, and a workflow that runs

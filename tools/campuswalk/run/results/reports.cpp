@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 #include <map>
+#include <span>
 #include <string>
 #include <system_error>
 
@@ -73,6 +74,17 @@ void check_target(const ReportTarget& target) {
     }
 }
 
+/// Whether a reader needs the report's end to make sense of it. Devices and pipes are streams, and so is a
+/// file whose folder can't be changed.
+bool is_whole(const ReportTarget& target) {
+    if (target.name != "junit" && target.name != "json") {
+        return false;
+    }
+    std::error_code ignored;
+    return !fs::exists(*target.file, ignored) || (fs::is_regular_file(*target.file, ignored) &&
+                                                  why_folder_unwritable(target.file->parent_path()).empty());
+}
+
 }  // namespace
 
 void check_targets(const std::vector<ReportTarget>& reports) {
@@ -98,24 +110,30 @@ void check_targets(const std::vector<ReportTarget>& reports) {
 
 Reports::Reports(const std::vector<ReportTarget>& targets, const engine::ReportStyle& style, bool with_logs) {
     for (const ReportTarget& target : targets) {
-        const bool is_log = target.name == "log";
-        if (is_log && !with_logs) {
-            continue;
+        if (target.name != "log") {
+            engine::ReportStyle own = style;
+            own.color = style.color && !target.file;
+            reporters_.push_back(engine::make_reporter(target.name, sink_for(target), own));
+            prints_outcomes_ = prints_outcomes_ || !target.file;
+        } else if (with_logs) {
+            outputs_.push_back(std::make_unique<LogOutput>(!target.file, target.file));
+            logs_.push_back(outputs_.back().get());
         }
-        LogOutput* output =
-            outputs_
-                .emplace_back(std::make_unique<LogOutput>(!target.file, target.file, target.name == "github"))
-                .get();
-        if (is_log) {
-            logs_.push_back(output);
-            continue;
-        }
-        engine::ReportStyle own = style;
-        own.color = style.color && !target.file;
-        reporters_.push_back(engine::make_reporter(
-            target.name, [output](std::string_view text) { output->write(text); }, own));
-        prints_outcomes_ = prints_outcomes_ || !target.file;
     }
+}
+
+engine::TextSink Reports::sink_for(const ReportTarget& target) {
+    if (target.file && is_whole(target)) {
+        const fs::path place = fs::weakly_canonical(*target.file);
+        fs::remove(place);
+        whole_files_.push_back(std::make_unique<scene::AtomicFile>(place));
+        return [file = whole_files_.back().get()](std::string_view text) {
+            file->write(std::as_bytes(std::span(text)));
+        };
+    }
+    const bool commands = target.name == "github";
+    outputs_.push_back(std::make_unique<LogOutput>(!target.file, target.file, commands));
+    return [output = outputs_.back().get()](std::string_view text) { output->write(text); };
 }
 
 void Reports::begin(const engine::RunPlan& plan) {
@@ -145,6 +163,9 @@ void Reports::end(const engine::RunReport& report) {
     }
     for (const auto& output : outputs_) {
         output->flush();
+    }
+    for (const auto& file : whole_files_) {
+        file->finish();
     }
 }
 

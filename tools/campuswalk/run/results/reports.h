@@ -7,6 +7,7 @@
 
 #include "engine/report/make_reporter.h"
 #include "engine/report/reporter.h"
+#include "scene/base/atomic_file.h"
 #include "tools/campuswalk/base/log_output.h"
 #include "tools/campuswalk/run/plan/run_settings.h"
 
@@ -18,8 +19,9 @@ void check_targets(const std::vector<ReportTarget>& reports);
 /// All reports of a run. Throws std::runtime_error when one can't be written.
 class Reports {
 public:
-    /// Opens the files, with the folders that they need, and truncates them. Leaves "log" out unless
-    /// `with_logs`.
+    /// Opens the files, with the folders that they need. Streams are truncated; files that make sense only as
+    /// a whole (junit, json) are removed, written beside their place and renamed at the end, so that what is
+    /// there is neither half a report nor another run's. Leaves "log" out unless `with_logs`.
     Reports(const std::vector<ReportTarget>& targets, const engine::ReportStyle& style, bool with_logs);
 
     bool has_log() const { return !logs_.empty(); }
@@ -32,7 +34,10 @@ public:
     void end(const engine::RunReport& report);
 
 private:
+    engine::TextSink sink_for(const ReportTarget& target);
+
     std::vector<std::unique_ptr<LogOutput>> outputs_;
+    std::vector<std::unique_ptr<scene::AtomicFile>> whole_files_;
     std::vector<LogOutput*> logs_;
     std::vector<std::unique_ptr<engine::Reporter>> reporters_;
     bool prints_outcomes_ = false;
