@@ -1,5 +1,6 @@
 #include "config/loader/load_run.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -18,6 +19,7 @@
 #include "config/loader/yaml/diagnostics.h"
 #include "config/loader/yaml/source_text.h"
 #include "config/loader/yaml/yaml_tree.h"
+#include "engine/script/player.h"
 
 namespace campuswalk::config {
 
@@ -101,6 +103,17 @@ engine::LightSettings read_light_of(const CheckedNode& node, const fs::path& fol
     read_light_fields(map, light);
     map.refuse_other_keys();
     return light;
+}
+
+/// Before a minute has been spent on it.
+void check_planned_ticks(const engine::Walk& walk, DiagnosticList& diagnostics) {
+    const double planned = engine::planned_seconds(walk).value_or(0.0);
+    const double ticks = std::min(planned, walk.timeout.value_or(planned)) * walk.sim.ticks_per_second;
+    if (ticks > static_cast<double>(walk.sim.max_ticks)) {
+        diagnostics.error(walk.mark, "too-many-ticks",
+                          "its steps take over " + std::to_string(walk.sim.max_ticks) +
+                              " ticks, the most that are played; wait less, or lower 'ticks_per_second'");
+    }
 }
 
 /// Reads a walk and the files that it names.
@@ -261,6 +274,9 @@ SharedRun RunLoader::load(const fs::path& walk_file, const Overrides& overrides)
         run.walk.name = file->name();
     }
     run.walk.mark = mark;
+    if (!diagnostics.has_errors()) {
+        check_planned_ticks(run.walk, diagnostics);
+    }
     throw_in_order(diagnostics, mark);
     if (!engine::expects_something(run.walk)) {
         diagnostics.warning(

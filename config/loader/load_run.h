@@ -50,6 +50,7 @@ using CampusDescriptions =
 //   wrong-type, bad-value                                         values
 //   unknown-name, duplicate-name                                  names of places, layers, avatars, events, …
 //   include-cycle, include-depth, too-many-steps                  steps from `include` and `repeat`
+//   too-many-ticks                                                the walk as a whole
 
 /// Reads `NAME.walk.yaml`, the campus it names and its avatar profile; resolves places and spawns.
 Run load_run(const std::filesystem::path& walk_file, const SearchPaths& search);

@@ -267,7 +267,7 @@ WalkResult result_from_json_line(std::string_view line) {
     WalkResult result;
     try {
         read(parsed_without_repeated_keys(line), "", result);
-    } catch (const Json::parse_error& error) {
+    } catch (const Json::exception& error) {  // also for a number that no double holds
         throw std::runtime_error(std::string("not a walk's result: not JSON: ") + error.what());
     } catch (const std::runtime_error& error) {
         throw std::runtime_error(std::string("not a walk's result: ") + error.what());

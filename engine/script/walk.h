@@ -25,6 +25,9 @@ struct SimSettings {
     double gaze_hold = 0.2;
     /// The trees of the campus' meshes. They affect how fast a walk is simulated, nothing else.
     collision::TreeKind tree = collision::TreeKind::bvh8;
+    /// A walk that takes more is stopped: a minute of standing still for the processor, nineteen days of it
+    /// at 60 ticks per second.
+    Tick max_ticks = 100'000'000;
 
     /// Rounded to the nearest tick.
     Tick ticks_of(double seconds) const {

@@ -138,10 +138,14 @@ void Simulation::report_step_end(const StepEnd& end) {
 void Simulation::check_timeout() {
     const Walk& walk = state_.walk;
     const bool over = walk.timeout && walk.sim.has_passed(*walk.timeout, state_.events.tick);
-    if (over && !stop_ && !intents_.finished()) {
+    const bool endless = state_.events.tick >= walk.sim.max_ticks;
+    if ((over || endless) && !stop_ && !intents_.finished()) {
         const SourceMark* mark = intents_.mark();
+        const std::string most =
+            over ? fixed(*walk.timeout, 3) + " s, its timeout"
+                 : std::to_string(walk.sim.max_ticks) + " ticks, the most that are played";
         stop_ = Stop{mark != nullptr ? *mark : walk.mark, "timeout",
-                     "the walk was still in this step after " + fixed(*walk.timeout, 3) + " s, its timeout"};
+                     "the walk was still in this step after " + most};
     }
 }
 

@@ -12,6 +12,7 @@
 #include "scene/campus/node_selection.h"
 #include "scene/campus/object_names.h"
 #include "scene/import/source/parallel_for.h"
+#include "scene/model/model_limits.h"
 #include "scene/model/node_frame.h"
 
 namespace campuswalk::scene {
@@ -106,6 +107,7 @@ private:
     DiagnosticList& diagnostics_;
     std::vector<Diagnostic>& warnings_;
     std::map<std::string, SourceMark> ids_;
+    std::size_t triangles_ = 0;  ///< of all objects so far
 };
 
 void ColliderBuilder::add(const ColliderDescription& collider) {
@@ -164,6 +166,13 @@ std::optional<PlacedShape> ColliderBuilder::shape_of(const ColliderDescription& 
     if (nodes.size() == 1) {  // the only common frame of several nodes is the world's
         source.frame = upright_frame(campus_.models[nodes[0].model].nodes[nodes[0].node].X_world_node);
     }
+    triangles_ += source.geometry.triangles.size();
+    if (triangles_ > kMaxTriangles) {
+        throw InputError(collider.mark, "too-many-triangles",
+                         "the colliders have more than " + std::to_string(kMaxTriangles) +
+                             " triangles together, those of collider '" + id +
+                             "' included; use boxes for some, or a simpler model");
+    }
     std::optional<PlacedShape> placed = place_shape(collider.shape, source);
     if (is_mesh && placed) {
         meshes_.add(id, *placed);
@@ -210,6 +219,11 @@ Campus load_campus(CampusDescription description, std::unique_ptr<collision::Bro
         diagnostics.error(description.mark, "too-many-layers",
                           std::to_string(description.layers.size()) + " layers declared; the maximum is " +
                               std::to_string(kMaxLayers));
+    }
+    if (description.scenes.size() > kMaxScenes) {
+        throw InputError(description.mark, "too-many-scenes",
+                         std::to_string(description.scenes.size()) + " scenes; a campus may have " +
+                             std::to_string(kMaxScenes));
     }
     ImportedScenes scenes =
         import_scenes(description.scenes, diagnostics, warnings, importer, cache, imports_at_once);

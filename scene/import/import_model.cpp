@@ -12,6 +12,7 @@
 #include "scene/import/model_formats.h"
 #include "scene/import/source/mirror_meshes.h"
 #include "scene/import/source/model_source.h"
+#include "scene/model/model_limits.h"
 
 namespace campuswalk::scene {
 namespace {
@@ -75,6 +76,7 @@ public:
 
     void check_nodes();
     void convert_meshes();
+    void check_triangles();
     void load_textures();
     ImportedModel finish();
 
@@ -155,6 +157,19 @@ std::optional<MeshIndex> Import::convert_one(std::size_t number, const std::stri
     return std::nullopt;
 }
 
+void Import::check_triangles() {
+    std::size_t placed = 0;
+    for (const Node& node : tree_.nodes) {
+        for (const MeshIndex mesh : node.meshes) {
+            placed += model_.meshes[index_of(mesh)].triangles.size();
+        }
+    }
+    if (placed > kMaxTriangles) {
+        error("bad-model", "its nodes place " + std::to_string(placed) + " triangles; a model may have " +
+                               std::to_string(kMaxTriangles) + ": simplify or split it");
+    }
+}
+
 void Import::convert_meshes() {
     for (std::size_t i = 0; i < tree_.nodes.size(); ++i) {
         Node& node = tree_.nodes[i];
@@ -168,6 +183,7 @@ void Import::convert_meshes() {
             }
         }
     }
+    check_triangles();
     if (points_and_lines_ > 0) {
         warning("points-and-lines", std::to_string(points_and_lines_) +
                                         " points and lines are ignored, the first in node '" +

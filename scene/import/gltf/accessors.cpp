@@ -26,6 +26,8 @@ enum class Component : std::uint16_t {
 
 // Keeps the sizes below from overflowing.
 constexpr std::size_t kMaxElements = std::size_t{1} << 32U;
+// A buffer view's elements are bounded by its bytes.
+constexpr std::size_t kMaxZeros = 10'000'000;
 
 std::size_t bytes_of(Component component) {
     switch (component) {
@@ -122,7 +124,9 @@ Accessors::Layout Accessors::layout_of(const JsonObject& item) const {
     if (shape == kShapes.end() || !known) {
         item.fail("has a type or componentType that is not valid for a mesh");
     }
-    if (layout.count > kMaxElements) {
+    const std::optional<std::size_t> view = item.uint("bufferView");
+    const bool has_data = view && buffers_.view(*view);
+    if (layout.count > (has_data ? kMaxElements : kMaxZeros)) {
         item.fail("has an implausible count of " + std::to_string(layout.count));
     }
     layout.components = shape->components;

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "scene/model/model_limits.h"
+
 namespace campuswalk::scene::gltf {
 namespace {
 
@@ -79,6 +81,10 @@ std::vector<Eigen::Matrix4d> instances_of(const JsonObject& instancing, Accessor
     read("TRANSLATION", 3, translations);
     read("ROTATION", 4, rotations);
     read("SCALE", 3, scales);
+    if (count > kMaxNodes) {
+        instancing.fail("places " + std::to_string(count) + " instances; a model may have " +
+                        std::to_string(kMaxNodes));
+    }
     std::vector<Eigen::Matrix4d> result;
     result.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -176,6 +182,9 @@ std::vector<std::size_t> GraphReader::roots() {
 }
 
 int GraphReader::add(std::string name, int parent, const Eigen::Matrix4d& X_parent_node) {
+    if (tree_.nodes.size() >= kMaxNodes) {
+        throw GltfError("has more than " + std::to_string(kMaxNodes) + " nodes and instances; split it");
+    }
     Node node;
     node.name = std::move(name);
     node.parent = parent;

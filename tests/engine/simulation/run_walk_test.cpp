@@ -281,6 +281,18 @@ TEST(RunWalk, EndsAtItsTimeout) {
     EXPECT_EQ(summary.ticks, 90);
 }
 
+TEST(RunWalk, EndsAtTheMostTicksThatArePlayed) {
+    Walk walk = walk_of({spawn_at({0, 0, 0}), wait_for(1.0), wait_for(60.0)});
+    walk.sim.max_ticks = 100;
+    const WalkSummary summary = run_walk(level_campus(), walk, {});
+    ASSERT_EQ(summary.failures.size(), 1U);
+    EXPECT_EQ(summary.failures[0].code, "timeout");
+    EXPECT_THAT(summary.failures[0].message, HasSubstr("after 100 ticks"));
+    EXPECT_EQ(summary.ticks, 100);
+    walk.sim.max_ticks = 61 * 60;
+    EXPECT_TRUE(run_walk(level_campus(), walk, {}).passed);
+}
+
 TEST(RunWalk, MayEndInTheTickOfItsTimeout) {
     Walk walk = walk_of({spawn_at({0, 0, 0}), wait_for(1.0)});
     walk.timeout = 1.0;

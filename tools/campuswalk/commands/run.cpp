@@ -93,7 +93,7 @@ void add_running(Command& command, const Options& options) {
          .value = "SECONDS"},
         options->timeout, kSeconds);
     command.option({.names = "--kill-after",
-                    .help = "Seconds of wall clock after which a walk is stopped, with exit code 3",
+                    .help = "Seconds of wall clock after which a walk is stopped, with exit code 3 (3600)",
                     .value = "SECONDS"},
                    options->kill_after, kSeconds);
     command.flag({.names = "--resume", .help = "Continue a run that was killed"}, options->resume);

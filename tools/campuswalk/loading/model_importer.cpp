@@ -1,8 +1,12 @@
 #include "tools/campuswalk/loading/model_importer.h"
 
+#include <unistd.h>
+
+#include <algorithm>
 #include <map>
 #include <mutex>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -34,12 +38,27 @@ void check_sandbox() {
     print_error_line("warning no-sandbox: " + lacks + "; --sandbox off accepts that");
 }
 
+/// For all imports at once, bytes: 8 GB, or half of a larger machine's.
+std::uint64_t import_memory() {
+    const auto machine = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) *
+                         static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+    return std::max(scene::ImportLimits().memory, machine / 2);
+}
+
 }  // namespace
 
-scene::Importer model_importer() {
+std::size_t imports_at_once(std::size_t models) {
+    const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
+    const auto most = static_cast<std::size_t>(import_memory() >> 30U);
+    return std::clamp(models, std::size_t{1}, std::min(processors, most));
+}
+
+scene::Importer model_importer(std::size_t at_once) {
+    scene::ImportLimits limits;
+    limits.memory = import_memory() / at_once;
     // This program, even if its file has been replaced meanwhile.
     scene::Importer importer =
-        scene::import_in_process({"/proc/self/exe", {scene::kImportHelperArgument}}, {}, sandbox);
+        scene::import_in_process({"/proc/self/exe", {scene::kImportHelperArgument}}, limits, sandbox);
     return [importer = std::move(importer)](const scene::SceneFile& file, scene::EmptyModel if_empty) {
         static std::once_flag checked;  // when the first model is imported: caches need none
         std::call_once(checked, check_sandbox);

@@ -7,8 +7,13 @@
 namespace campuswalk::tools {
 
 /// Imports each model in a process of its own, this program with another argument: a model from strangers can
-/// only crash, hang or bloat that, and the user gets a message.
-scene::Importer model_importer();
+/// only crash, hang or bloat that, and the user gets a message. So many are called `at_once`, which share the
+/// memory for imports.
+scene::Importer model_importer(std::size_t at_once = 1);
+
+/// How many of so many models are imported at once: one on each processor, unless that leaves one less than a
+/// gigabyte.
+std::size_t imports_at_once(std::size_t models);
 
 /// `--no-cache` and `--sandbox`.
 void add_import_options(Command command);

@@ -1,6 +1,5 @@
 #include "tools/campuswalk/loading/walk_loader.h"
 
-#include <thread>
 #include <utility>
 
 #include "collision/world/bullet_broad_phase.h"
@@ -93,9 +92,10 @@ std::shared_ptr<const scene::Campus> WalkLoader::build(const fs::path& file,
     std::shared_ptr<const scene::Campus>& campus = campuses_[{key, tree}];
     if (!campus) {
         try {
-            campus = std::make_shared<scene::Campus>(scene::load_campus(
-                description, collision::make_bullet_broad_phase(), warnings, model_importer(), model_cache(),
-                std::thread::hardware_concurrency(), tree));
+            const std::size_t at_once = imports_at_once(description.scenes.size());
+            campus = std::make_shared<scene::Campus>(
+                scene::load_campus(description, collision::make_bullet_broad_phase(), warnings,
+                                   model_importer(at_once), model_cache(), at_once, tree));
         } catch (const scene::InputError& error) {
             broken_.emplace(key, error);
             throw;

@@ -15,6 +15,7 @@
 #include "tools/campuswalk/base/standard_streams.h"
 #include "tools/campuswalk/run/results/verdict.h"
 #include "tools/campuswalk/run/workers/interrupt.h"
+#include "tools/campuswalk/run/workers/memory_limit.h"
 
 namespace campuswalk::tools {
 
@@ -73,7 +74,8 @@ int Scheduler::run() {
     const std::size_t workers = std::max<std::size_t>(1, std::min(settings_.pool.workers, tasks.size()));
     settings_.play.drawing = workers;
     settings_.play.processes_each = settings_.pool.workers / workers;
-    const StartWork start = [this] {
+    const StartWork start = [this, workers] {
+        limit_worker_memory(workers);
         const auto runner = std::make_shared<CaseRunner>(settings_.play);
         return [this, runner](std::size_t index, const Send& send) {
             send(Topic::result, engine::to_json_line(runner->run(plan_.cases[index], send)));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <exception>
 #include <iterator>
+#include <new>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -178,6 +179,9 @@ WalkResult CaseRunner::run(const Case& played, const Send& send) {
     } catch (const scene::InputError& error) {  // its text names the place, the severity and the code
         result.outcome = Outcome::broken;
         result.diagnostics = {error.what()};
+    } catch (const std::bad_alloc&) {
+        result.outcome = Outcome::broken;
+        result.diagnostics = {"error: it needs more memory than a worker may have; use fewer with -j"};
     } catch (const std::exception& error) {
         result.outcome = Outcome::broken;
         result.diagnostics = {std::string("error: ") + error.what()};

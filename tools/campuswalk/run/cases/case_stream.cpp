@@ -1,5 +1,7 @@
 #include "tools/campuswalk/run/cases/case_stream.h"
 
+#include <stdexcept>
+
 #include "engine/events/decimals.h"
 
 namespace campuswalk::tools {
@@ -43,6 +45,7 @@ void CaseStream::flush() {
 
 void CaseStream::add(Batch& batch, std::string_view line) {
     constexpr std::size_t kEnough = std::size_t{1} << 14U;
+    count(line);
     batch.lines.append(line);
     batch.lines += '\n';
     if (batch.lines.size() >= kEnough) {
@@ -55,7 +58,16 @@ void CaseStream::add_event(std::string_view line) {
         add(events_, line);
     }
     if (save_lines_) {
+        count(line);
         saved_lines_.emplace_back(line);
+    }
+}
+
+void CaseStream::count(std::string_view line) {
+    bytes_ += line.size() + 1;
+    if (bytes_ > kMaxLogBytes) {
+        throw std::runtime_error("its log has more than " + std::to_string(kMaxLogBytes >> 20U) +
+                                 " MB; log stays less often ('stay_every'), or split the walk");
     }
 }
 

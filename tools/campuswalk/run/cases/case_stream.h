@@ -13,6 +13,9 @@
 
 namespace campuswalk::tools {
 
+/// The longest log of the demo campus' walks has 40 kB; events at every tick fill any disk.
+inline constexpr std::size_t kMaxLogBytes = std::size_t{1} << 28U;
+
 /// Sends a walk's log to the parent process while the walk is played, several lines at a time: a message per
 /// line would cost more than the walk.
 class CaseStream final : public engine::Observer {
@@ -38,6 +41,8 @@ private:
         Clock::time_point sent = Clock::now();
     };
 
+    /// Throws std::runtime_error once a log has more than kMaxLogBytes.
+    void count(std::string_view line);
     void add(Batch& batch, std::string_view line);
     void add_event(std::string_view line);
     void send(Batch& batch);
@@ -53,6 +58,7 @@ private:
     engine::TextLog text_;
     engine::JsonLines json_;
     std::vector<std::string> saved_lines_;
+    std::size_t bytes_ = 0;  ///< of all lines so far, in either form
 };
 
 }  // namespace campuswalk::tools

@@ -23,6 +23,8 @@ using scene::SourceMark;
 
 namespace {
 
+constexpr double kKillAfter = 3600.0;  // seconds: no test is worth more
+
 SourceMark option(const char* name) {
     return {name, 0, 0};
 }
@@ -193,7 +195,7 @@ RunSettings resolve_settings(const RunOptions& options, const Environment& envir
                             : options.max_failures ? options.max_failures
                                                    : config.max_failures;
     settings.timeout = options.timeout ? options.timeout : config.timeout;
-    settings.kill_after = options.kill_after ? options.kill_after : config.kill_after;
+    settings.kill_after = options.kill_after ? options.kill_after : config.kill_after.value_or(kKillAfter);
     settings.strict = options.strict || config.strict;
     settings.min_cases = options.min_cases.value_or(config.min_cases.value_or(0));
     settings.forbid_only = options.forbid_only || config.forbid_only || settings.strict || is_ci(environment);
