@@ -11,9 +11,9 @@ import time
 from program import WALK, ProgramCase, main
 
 FAILING = WALK.replace('never: "collision.enter hut/wall"', "never: popup.open hut")
-ENDLESS = WALK.replace("turn: 180", "wait: 86400").replace("steps:", "sim: {ticks_per_second: 10000}\nsteps:")
-LONG = ENDLESS.replace("86400", "1200")
-WAITING = ENDLESS.replace("wait: 86400", "wait_until: {event: popup.open hut, timeout: 86400}")
+ENDLESS = WALK.replace("turn: 180", "wait: 9900").replace("steps:", "sim: {ticks_per_second: 10000}\nsteps:")
+LONG = ENDLESS.replace("9900", "1200")
+WAITING = ENDLESS.replace("wait: 9900", "wait_until: {event: popup.open hut, timeout: 86400}")
 
 
 class ManyWalks(ProgramCase):
@@ -378,11 +378,11 @@ class CutShort(ManyWalks):
         return seen
 
     def test_progress_on_a_terminal(self):
-        seen = self.seen_on_a_terminal(rb"1/6, b at \d+\.\d of 86\d+\.\d s", "-j", "1")
-        self.assertRegex(seen, rb"\[#{5}\.{25}\] 1/6, b at \d+\.\d of 86\d+\.\d s\r\x1b\[K")
+        seen = self.seen_on_a_terminal(rb"1/6, b at \d+\.\d of 99\d+\.\d s", "-j", "1")
+        self.assertRegex(seen, rb"\[#{5}\.{25}\] 1/6, b at \d+\.\d of 99\d+\.\d s\r\x1b\[K")
 
     def test_progress_of_a_single_walk_on_a_terminal(self):
-        place = rb"\[#*\.+\] b at \d+\.\d of 86\d+\.\d s"
+        place = rb"\[#*\.+\] b at \d+\.\d of 99\d+\.\d s"
         seen = self.seen_on_a_terminal(place + rb"\r\x1b\[K" + place, "--reporter", "list", "b.walk.yaml")
         for bar in re.findall(rb"\[(#*\.*)\]", seen):
             self.assertEqual(len(bar), 30)
