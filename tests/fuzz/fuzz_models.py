@@ -2,12 +2,13 @@
 """Damaged models by the thousand: each loads or is refused with a message, in bounded time, without a crash.
 
 `fuzz_models.py PROGRAM [--mutants N] [--formats glb,obj] [--packed FOLDER] [--workers N]`: N mutants of each format
-through `campuswalk info`. FOLDER has further intact files to start from, as written by write_packed_models.
+through the commands that read models in turn (COMMANDS). FOLDER has further intact files to start from, as written by write_packed_models.
 A crash of the import helper is reported in a message: it is counted, but no failure.
 """
 
 import argparse
 import concurrent.futures
+import glob
 import os
 import re
 import subprocess
@@ -20,6 +21,23 @@ from seed_models import COMPANIONS, seeds
 
 SECONDS = 160  # the helper's 20 s of CPU, and the time it may wait; see ImportLimits
 
+# MODEL is the mutant, NAME its name without the extension.
+COMMANDS = [["info", "--json", "MODEL"], ["run", "NAME.walk.yaml", "--quiet", "--rendering-backend", "none", "--kill-after", "60"],
+            ["collide", "--count", "MODEL", "sphere:1"], ["info", "MODEL", "--suggest", "NAME-new.campus.yaml"],
+            ["info", "MODEL", "--map", "NAME.png"]]
+CAMPUS = """scenes: [{file: MODEL}]
+colliders:
+  - {id: solid, nodes: '*', shape: mesh, mode: [solid, ray]}
+  - {id: each, nodes: '*', each: true, shape: box, mode: trigger}
+spawns: {start: {at: [0.5, 2, 0.5]}}
+places: {end: [3, 0, 3]}
+"""
+WALK = """campus: NAME.campus.yaml
+timeout: 5
+steps: [{spawn: start}, {walk_to: end}, {jump: {}}, {wait: 1}]
+expect: [{never: avatar.stuck}]
+"""
+
 
 class Tally:
     def __init__(self):
@@ -30,9 +48,9 @@ class Tally:
     def add(self, name, code, errors, seconds):
         self.slowest = max(self.slowest, seconds)
         reported = [line for line in errors.splitlines() if re.search(r": error [a-z-]+: ", line)]
-        if code == 0:
+        if code in (0, 1):  # a walk may fail, bodies may overlap
             self.loaded += 1
-        elif code == 2 and reported:
+        elif (code == 2 and reported) or (code == 3 and "stopped: it took more than" in errors):
             self.refused += 1
             self.crashed += "crashed (signal" in errors
         else:
@@ -49,41 +67,48 @@ def starting_points(formats, packed):
     return {name: points[name] for name in formats or points}
 
 
-def one(program, folder, name, extension, data):
-    path = os.path.join(folder, name + extension)
-    with open(path, "wb") as file:
-        file.write(data)
+def one(program, folder, name, extension, data, command):
+    """Returns the model's name, the exit code, what was said and how long it took."""
+    def filled(text):
+        return text.replace("MODEL", name + extension).replace("NAME", name)
+
+    for ending, text in ((extension, data), (".campus.yaml", filled(CAMPUS).encode()), (".walk.yaml", filled(WALK).encode())):
+        with open(os.path.join(folder, name + ending), "wb") as file:
+            file.write(text)
     start = time.monotonic()
     try:
-        done = subprocess.run([program, "info", "--json", "--no-cache", os.path.basename(path)], cwd=folder, stdin=subprocess.DEVNULL,
+        done = subprocess.run([program, *map(filled, command), "--no-cache"], cwd=folder, stdin=subprocess.DEVNULL,
                               stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, timeout=SECONDS, check=False)
         result = (done.returncode, done.stderr.decode("utf-8", "replace"))
     except subprocess.TimeoutExpired:
         result = ("none", "still running after %d s" % SECONDS)
-    if result[0] in (0, 2):
-        os.remove(path)
-    return (name + extension, *result, time.monotonic() - start)
+    if result[0] in (0, 1, 2, 3):
+        for file in glob.glob(os.path.join(folder, name + "[.-]*")):
+            os.remove(file)
+    return (" ".join([name + extension, *command[:1], *command[2:3]]), *result, time.monotonic() - start)
 
 
-def fuzz(program, name, points, count, workers, keep):
+def fuzz(program, name, points, count, workers, keep, draws):
     tally = Tally()
+    commands = COMMANDS if draws else COMMANDS[:-1]
     with tempfile.TemporaryDirectory(prefix="campuswalk-fuzz-") as folder:
         for companion, data in COMPANIONS.items():
             with open(os.path.join(folder, companion), "wb") as file:
                 file.write(data)
         for extension, data in points:
-            whole = one(program, folder, "whole", extension, data)
+            whole = one(program, folder, "whole", extension, data, COMMANDS[0])
             if whole[1] != 0:
                 tally.failures.append("%s: the intact file doesn't load: %s" % (whole[0], whole[2]))
         with concurrent.futures.ThreadPoolExecutor(workers) as pool:
             def run(i):
                 extension, data = points[i % len(points)]
                 change = glb_mutant if extension == ".glb" else mutant
-                return one(program, folder, "m%d" % i, extension, change("%s %d" % (name, i), data))
+                changed = change("%s %d" % (name, i), data)
+                return one(program, folder, "m%d" % i, extension, changed, commands[i % len(commands)])
             for outcome in pool.map(run, range(count)):
                 tally.add(*outcome)
         for failure in tally.failures if keep else []:
-            file = failure.split(":")[0]
+            file = failure.split(":")[0].split()[0]
             if os.path.exists(os.path.join(folder, file)):
                 os.rename(os.path.join(folder, file), os.path.join(keep, name + "-" + file))
     return tally
@@ -96,12 +121,14 @@ def main():
     parser.add_argument("--formats")
     parser.add_argument("--packed")
     parser.add_argument("--workers", type=int, default=os.cpu_count())
+    parser.add_argument("--without-rendering", action="store_true", help="the program can't draw a map")
     parser.add_argument("--keep", help="a folder for the mutants that failed")
     options = parser.parse_args()
     formats = options.formats.split(",") if options.formats else None
     failed = False
     for name, points in starting_points(formats, options.packed).items():
-        tally = fuzz(os.path.abspath(options.program), name, points, options.mutants, options.workers, options.keep)
+        tally = fuzz(os.path.abspath(options.program), name, points, options.mutants, options.workers, options.keep,
+                     not options.without_rendering)
         print("%-8s %5d mutants: %5d loaded, %5d refused, %4d of them crashes of the helper; slowest %.1f s"
               % (name, options.mutants, tally.loaded, tally.refused, tally.crashed, tally.slowest), flush=True)
         for failure in tally.failures:

@@ -116,6 +116,11 @@ class ConfinedReads(CheckoutCase):
         os.remove(self.path("linked.walk.yaml"))
         self.link("linked", "../elsewhere")
         self.assert_outside("linked/short.walk.yaml: error outside-project: ", ".")
+        for mark in ("walks.config.yaml", ".git/HEAD"):
+            self.write("../elsewhere/" + mark, "workers: 1\n")  # a link can't lead to a project of its own choice
+            self.assertIn("linked/short.walk.yaml: error outside-project: ", self.reads(".").err)
+            self.assertEqual(self.run_program("run", "short.walk.yaml", cwd=self.path("linked")).code, 0)
+        os.remove(self.path("../elsewhere/walks.config.yaml"))
         os.remove(self.path("linked"))
         for text in ("walks: ../elsewhere\n", "walks: %s\n" % self.path("../elsewhere")):
             self.write("walks.config.yaml", text)

@@ -104,6 +104,14 @@ class ConfinedWrites(CheckoutCase):
                 self.assertEqual(self.read("mine/mine.txt"), b"mine")
                 os.remove(self.path(link))
 
+    def test_golden_files_are_not_written_through_a_link_where_no_project_begins(self):
+        self.write("../plain/w.walk.yaml", WALK.replace("small.campus.yaml", "room.campus.yaml") + "  - log: {golden: true}\n")
+        for name in ("small.campus.yaml", "room.obj", "avatars/adult.avatar.yaml"):
+            self.write("../plain/" + name.replace("small", "room"), self.read(name))
+        os.symlink("../victim", self.path("../plain/w.walk.yaml-snapshots"))
+        self.assert_refused_and_untouched("symbolic link", "run", "../plain/w.walk.yaml", "-u", "--rendering-backend",
+                                          "none", "--root", "..")
+
     def test_a_configured_report_replaces_only_its_own_kind(self):
         self.write("notes.txt", "my notes")
         self.write("source.py", "\nimport os\n")

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 #include "config/loader/values/folders_upwards.h"
 
@@ -29,21 +30,35 @@ bool is_hidden(const fs::path& name) {
     return name.native().starts_with('.');
 }
 
-/// Seen from where the file is named, not from where a link leads: that would be the link's choice.
+/// Seen from where the file is named, not from where a link leads: that would be the link's choice. So a
+/// project that a link of another project leads to doesn't count.
 fs::path project_of(const fs::path& file) {
     std::error_code ignored;
     const fs::path folder = fs::absolute(file, ignored).lexically_normal().parent_path();
     const std::optional<unsigned> owner = owner_of(folder);
+    fs::path nearest;
+    fs::path beyond_a_link;
     for (fs::path at = folder; owner_of(at) == owner; at = at.parent_path()) {
-        if (fs::is_regular_file(at / "walks.config.yaml", ignored) || fs::exists(at / ".git", ignored)) {
-            return at;
+        const bool begins =
+            fs::is_regular_file(at / "walks.config.yaml", ignored) || fs::exists(at / ".git", ignored);
+        if (begins && nearest.empty()) {
+            nearest = at;
+        }
+        if (fs::is_symlink(at, ignored) && !nearest.empty()) {
+            beyond_a_link = std::exchange(nearest, fs::path());
         }
         if (at == at.parent_path()) {
             break;
         }
     }
+    if (!nearest.empty()) {
+        return nearest;
+    }
     const fs::path current = fs::current_path(ignored);
-    return current != current.root_path() && below(current, folder) ? current : folder;
+    if (current != current.root_path() && below(current, folder)) {
+        return current;
+    }
+    return beyond_a_link.empty() ? folder : beyond_a_link;
 }
 
 }  // namespace

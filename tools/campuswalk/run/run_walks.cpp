@@ -110,6 +110,16 @@ void refuse_inputs_below(const fs::path& folder, const std::set<fs::path>& input
     }
 }
 
+/// Nobody names it on the command line, so that it may not be a link anywhere.
+void check_golden_folder(const fs::path& folder) {
+    const std::string message = "golden files can't be saved here";
+    std::error_code ignored;
+    if (fs::is_symlink(folder, ignored)) {
+        throw error_about(folder, "output-unwritable", message + ": it is a symbolic link");
+    }
+    require_writable_folder(folder, message);
+}
+
 /// A run, from the options to the exit code.
 class Run {
 public:
@@ -232,8 +242,7 @@ private:
         for (const Case& each : plan.cases) {
             refuse_inputs_below(settings_.output / each.folder, inputs);
             if (settings_.update != UpdateSnapshots::none) {
-                require_writable_folder(golden_log_file(each.result.file, each.result.project).parent_path(),
-                                        "golden files can't be saved here");
+                check_golden_folder(golden_log_file(each.result.file, each.result.project).parent_path());
             }
             if (each.walk && (images_ || !options_.records.empty())) {  // a failure is drawn, too
                 require_writable_folder(
