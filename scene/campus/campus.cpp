@@ -5,6 +5,7 @@
 #include <iterator>
 #include <map>
 
+#include "collision/bvh8/bvh8.h"
 #include "scene/cache/load_model.h"
 #include "scene/campus/cached_meshes.h"
 #include "scene/campus/collider_globs.h"
@@ -150,6 +151,18 @@ void ColliderBuilder::add(const ColliderDescription& collider) {
     }
 }
 
+void check_size(const WorldGeometry& geometry, const ColliderDescription& collider, const std::string& id) {
+    const bool fits = std::ranges::all_of(geometry.positions, [](const Eigen::Vector3d& position) {
+        return position.cwiseAbs().maxCoeff() <= static_cast<double>(collision::kMaxCoordinate);
+    });
+    if (!fits) {
+        throw InputError(
+            collider.mark, "bad-size",
+            "the nodes of collider '" + id +
+                "' reach farther than 100 million km; check the 'unit' and 'scale' of the scene");
+    }
+}
+
 std::optional<PlacedShape> ColliderBuilder::shape_of(const ColliderDescription& collider,
                                                      const std::string& id, const NodeSelection& selection) {
     const std::vector<NodeRef>& nodes = selection.roots;
@@ -166,6 +179,7 @@ std::optional<PlacedShape> ColliderBuilder::shape_of(const ColliderDescription& 
     if (nodes.size() == 1) {  // the only common frame of several nodes is the world's
         source.frame = upright_frame(campus_.models[nodes[0].model].nodes[nodes[0].node].X_world_node);
     }
+    check_size(source.geometry, collider, id);
     triangles_ += source.geometry.triangles.size();
     if (triangles_ > kMaxTriangles) {
         throw InputError(collider.mark, "too-many-triangles",

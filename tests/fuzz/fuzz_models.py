@@ -3,7 +3,8 @@
 
 `fuzz_models.py PROGRAM [--mutants N] [--formats glb,obj] [--packed FOLDER] [--workers N]`: N mutants of each format
 through the commands that read models in turn (COMMANDS). FOLDER has further intact files to start from, as written by write_packed_models.
-A crash of the import helper is reported in a message: it is counted, but no failure.
+A crash of the import helper is reported in a message: it is counted, but no failure. Nothing may appear beside the
+folder with the models, and nothing that a terminal would obey on standard error.
 """
 
 import argparse
@@ -20,6 +21,11 @@ from mutants import glb_mutant, mutant
 from seed_models import COMPANIONS, seeds
 
 SECONDS = 160  # the helper's 20 s of CPU, and the time it may wait; see ImportLimits
+
+STOPPED = "stopped: it took more than"  # a walk, by --kill-after
+
+# Control characters, changes of direction, commands to CI machines.
+OBEYED = re.compile("[\x00-\x09\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]|^(::|##)|##vso\\[", re.MULTILINE)
 
 # MODEL is the mutant, NAME its name without the extension.
 COMMANDS = [["info", "--json", "MODEL"], ["run", "NAME.walk.yaml", "--quiet", "--rendering-backend", "none", "--kill-after", "60"],
@@ -48,9 +54,11 @@ class Tally:
     def add(self, name, code, errors, seconds):
         self.slowest = max(self.slowest, seconds)
         reported = [line for line in errors.splitlines() if re.search(r": error [a-z-]+: ", line)]
-        if code in (0, 1):  # a walk may fail, bodies may overlap
+        if OBEYED.search(errors):
+            self.failures.append("%s: on standard error: %r" % (name, errors[:300]))
+        elif code in (0, 1):  # a walk may fail, bodies may overlap
             self.loaded += 1
-        elif (code == 2 and reported) or (code == 3 and "stopped: it took more than" in errors):
+        elif (code == 2 and reported) or (code == 3 and STOPPED in errors):
             self.refused += 1
             self.crashed += "crashed (signal" in errors
         else:
@@ -78,11 +86,12 @@ def one(program, folder, name, extension, data, command):
     start = time.monotonic()
     try:
         done = subprocess.run([program, *map(filled, command), "--no-cache"], cwd=folder, stdin=subprocess.DEVNULL,
-                              stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, timeout=SECONDS, check=False)
+                              stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, timeout=SECONDS, check=False,
+                              env={**os.environ, "HOME": os.path.dirname(folder), "TMPDIR": os.path.dirname(folder)})
         result = (done.returncode, done.stderr.decode("utf-8", "replace"))
     except subprocess.TimeoutExpired:
         result = ("none", "still running after %d s" % SECONDS)
-    if result[0] in (0, 1, 2, 3):
+    if result[0] in (0, 1, 2) or STOPPED in result[1]:
         for file in glob.glob(os.path.join(folder, name + "[.-]*")):
             os.remove(file)
     return (" ".join([name + extension, *command[:1], *command[2:3]]), *result, time.monotonic() - start)
@@ -91,7 +100,9 @@ def one(program, folder, name, extension, data, command):
 def fuzz(program, name, points, count, workers, keep, draws):
     tally = Tally()
     commands = COMMANDS if draws else COMMANDS[:-1]
-    with tempfile.TemporaryDirectory(prefix="campuswalk-fuzz-") as folder:
+    with tempfile.TemporaryDirectory(prefix="campuswalk-fuzz-") as sentinel:
+        folder = os.path.join(sentinel, "models")
+        os.mkdir(folder)
         for companion, data in COMPANIONS.items():
             with open(os.path.join(folder, companion), "wb") as file:
                 file.write(data)
@@ -107,6 +118,8 @@ def fuzz(program, name, points, count, workers, keep, draws):
                 return one(program, folder, "m%d" % i, extension, changed, commands[i % len(commands)])
             for outcome in pool.map(run, range(count)):
                 tally.add(*outcome)
+        if os.listdir(sentinel) != ["models"]:
+            tally.failures.append("files appeared beside the models: %s" % os.listdir(sentinel))
         for failure in tally.failures if keep else []:
             file = failure.split(":")[0].split()[0]
             if os.path.exists(os.path.join(folder, file)):

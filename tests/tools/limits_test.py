@@ -70,6 +70,12 @@ class Models(ProgramCase):
         self.assertEqual(outcome.code, 2)
         self.assertIn("a.campus.yaml:4:5: error too-many-triangles: ", outcome.err)
 
+    def test_the_size_of_the_world(self):
+        self.write("far.glb", model([{"mesh": 0}], data=struct.pack("<9f", 0, 0, 0, 1e30, 0, 0, 0, 0, 1)))
+        self.write("a.campus.yaml", "scenes: [{file: far.glb}]\ncolliders:\n"
+                   "  - {id: all, nodes: '*', shape: mesh, mode: solid}\n")
+        self.assert_refused(self.run_program("validate", "a.campus.yaml"), "a.campus.yaml:3:5: error bad-size: 'all'")
+
     def test_scenes(self):
         self.write("a.campus.yaml", "scenes: [%s]\ncolliders: []\n" % ", ".join(["{file: room.obj}"] * 1001))
         self.assertIn("error too-many-scenes: 1001 ", self.run_program("validate", "a.campus.yaml").err)

@@ -54,7 +54,7 @@ fs::path project_of(const fs::path& file) {
     if (!nearest.empty()) {
         return nearest;
     }
-    const fs::path current = fs::current_path(ignored);
+    fs::path current = fs::current_path(ignored);
     if (current != current.root_path() && below(current, folder)) {
         return current;
     }
