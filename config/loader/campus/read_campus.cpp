@@ -21,6 +21,8 @@ using scene::SceneFile;
 using scene::Spawn;
 using scene::UpAxis;
 
+namespace fs = std::filesystem;
+
 namespace {
 
 constexpr Range kLatitude{-scene::kMaxLatitude, scene::kMaxLatitude, false, "degrees"};
@@ -30,23 +32,29 @@ constexpr std::array kUnits = {Choice<double>{"m", 1.0}, Choice<double>{"cm", 0.
                                Choice<double>{"mm", 0.001}, Choice<double>{"in", 0.0254},
                                Choice<double>{"ft", 0.3048}};
 
-SceneFile read_scene(const CheckedNode& node, const std::filesystem::path& folder, const ReadRoots& roots) {
+/// The scene's file, and which others it may refer to.
+void read_scene_file(const CheckedNode& file, const fs::path& folder, const ReadRoots& roots,
+                     SceneFile& scene) {
+    scene.mark = file.mark();
+    scene.file = file.line().value_or("");
+    scene.path = folder / scene.file;
+    if (scene.file.empty()) {
+        return;  // which has been reported
+    }
+    if (const std::string why = roots.why_unreadable(scene.path); !why.empty()) {
+        file.diagnose("outside-project", in_quotes(scene.file) + " " + why);
+    }
+    scene.roots.assign(roots.others().begin(), roots.others().end());
+    std::error_code ignored;
+    const fs::path model_folder = fs::weakly_canonical(scene.path, ignored).parent_path();
+    scene.images_beside = roots.why_unreadable(model_folder.parent_path() / "textures").empty();
+}
+
+SceneFile read_scene(const CheckedNode& node, const fs::path& folder, const ReadRoots& roots) {
     SceneFile scene;
     CheckedMap map(node, "a scene");
     if (const auto file = map.require("file")) {
-        scene.mark = file->mark();
-        scene.file = file->line().value_or("");
-        scene.path = folder / scene.file;
-    }
-    if (!scene.file.empty()) {
-        if (const std::string why = roots.why_unreadable(scene.path); !why.empty()) {
-            map.require("file")->diagnose("outside-project", in_quotes(scene.file) + " " + why);
-        }
-        std::error_code ignored;
-        const std::filesystem::path model_folder =
-            std::filesystem::weakly_canonical(scene.path, ignored).parent_path();
-        scene.roots.assign(roots.others().begin(), roots.others().end());
-        scene.images_beside = roots.why_unreadable(model_folder.parent_path() / "textures").empty();
+        read_scene_file(*file, folder, roots, scene);
     }
     map.choice("up", kUpAxes, scene.up);
     map.choice("unit", kUnits, scene.metres_per_unit);
@@ -133,7 +141,7 @@ Spawn read_spawn(const CheckedNode::Entry& entry) {
     return spawn;
 }
 
-std::vector<SceneFile> read_scenes(const CheckedNode& section, const std::filesystem::path& folder,
+std::vector<SceneFile> read_scenes(const CheckedNode& section, const fs::path& folder,
                                    const ReadRoots& roots) {
     std::vector<SceneFile> scenes;
     for (const CheckedNode& node : section.items("a scene")) {
@@ -196,8 +204,7 @@ std::vector<Place> read_places(const CheckedNode& section) {
 
 }  // namespace
 
-CampusDescription read_campus(const CheckedNode& root, const std::filesystem::path& folder,
-                              const ReadRoots& roots) {
+CampusDescription read_campus(const CheckedNode& root, const fs::path& folder, const ReadRoots& roots) {
     CampusDescription campus;
     CheckedMap map(root, "a campus");
     if (const auto section = map.require("scenes")) {
