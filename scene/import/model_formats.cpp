@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "scene/import/source/ply_header.h"
 #include "scene/import/source/scene_folder.h"
 
 namespace campuswalk::scene {
@@ -40,19 +41,6 @@ constexpr std::array<RefusedFormat, 6> kRefused = {{
     {".usd", "USD is not supported; convert it to glTF (Blender)"},
     {".usdz", "USD is not supported; convert it to glTF (Blender)"},
 }};
-
-void check_ply_header(const SceneFile& file, std::ifstream& in) {
-    constexpr std::streamsize kMaxHeader = 1 << 20U;
-    std::string header(static_cast<std::size_t>(kMaxHeader), '\0');
-    in.read(header.data(), kMaxHeader);
-    header.resize(static_cast<std::size_t>(in.gcount()));
-    if (header.find("end_header") == std::string::npos) {
-        throw InputError(file.mark, "bad-model",
-                         "'" + file.file +
-                             "' can't be read as a model: it ends inside its PLY header; "
-                             "export or copy it again");
-    }
-}
 
 }  // namespace
 
@@ -91,7 +79,11 @@ void check_readable(const SceneFile& file) {
         refuse("cannot be read; check its permissions");
     }
     if (lower_case(file.path.extension().string()) == ".ply") {
-        check_ply_header(file, in);
+        if (const std::string fault = ply_fault(in); !fault.empty()) {
+            throw InputError(
+                file.mark, "bad-model",
+                "'" + file.file + "' can't be read as a model: " + fault + "; export or copy it again");
+        }
     }
 }
 

@@ -173,6 +173,28 @@ TEST_F(ImportModelTest, ReportsUnsupportedFormatsAndDamagedFiles) {
 TEST_F(ImportModelTest, RejectsAPlyFileTruncatedInItsHeader) {
     folder_.write("cut.ply", "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nelement face 1");
     EXPECT_NE(text_of(errors("cut.ply")).find("PLY header"), std::string::npos);
+    const auto announcing = [&](const std::string& format, const std::string& faces,
+                                const std::string& data) {
+        folder_.write("few.ply", "ply\nformat " + format +
+                                     " 1.0\ncomment x\nelement vertex 3\nproperty float x\nproperty float y\n"
+                                     "property float z\nelement face " +
+                                     faces + "\nproperty list uchar int vertex_indices\nend_header\n" + data);
+        return text_of(errors("few.ply"));
+    };
+    const std::string text = "0 0 0\n1 0 0\n0 0 1\n3 0 1 2";  // and no end of the last line
+    EXPECT_EQ(announcing("ascii", "1", text), "");
+    for (const char* faces : {"20", "65536", "18446744073709551615", "99999999999999999999999"}) {
+        EXPECT_NE(announcing("ascii", faces, text).find("its header announces"), std::string::npos) << faces;
+    }
+    std::string binary(36, '\0');
+    binary[14] = '\x80';  // x of the second vertex is 1, z of the third
+    binary[15] = '\x3F';
+    binary[34] = '\x80';
+    binary[35] = '\x3F';
+    binary += std::string("\3\0\0\0\0\1\0\0\0\2\0\0\0", 13);
+    EXPECT_EQ(announcing("binary_little_endian", "1", binary), "");
+    EXPECT_NE(announcing("binary_little_endian", "14", binary).find("its header announces"),
+              std::string::npos);
 }
 
 TEST_F(ImportModelTest, ReadsNoBufferOutsideOfTheSceneFolder) {
