@@ -26,6 +26,7 @@ constexpr const char* kFileName = "walks.config.yaml";
 constexpr int kMaxWorkers = 1024;
 constexpr int kMaxFailures = 1'000'000;
 constexpr int kMaxCases = 1'000'000;
+constexpr std::size_t kMaxProjects = 100;
 
 class WalksConfigReader {
 public:
@@ -66,6 +67,11 @@ public:
         if (const auto projects = map.find("projects")) {
             for (const CheckedNode::Entry& entry : projects->entries()) {
                 config.projects.push_back(read_project(entry));
+            }
+            if (config.projects.size() > kMaxProjects) {  // every walk is read for each
+                projects->diagnose("bad-value", "there may be " + std::to_string(kMaxProjects) +
+                                                    " projects, not " +
+                                                    std::to_string(config.projects.size()));
             }
         }
         std::ranges::stable_sort(config.projects, {}, &ProjectConfig::name);

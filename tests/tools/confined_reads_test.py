@@ -202,6 +202,27 @@ class ConfinedReads(CheckoutCase):
         os.truncate(self.path(golden), 300_000_000)
         self.assertIn(golden + ": error too-large: ", self.reads("short.walk.yaml").err)
 
+    def test_a_link_to_a_model_does_not_move_the_project(self):
+        """Its textures are looked up from where it is named."""
+        self.write("deep/er/room.obj", "mtllib room.mtl\n" + ROOM.replace("f 1 4 3", "usemtl red\nf 1 4 3"))
+        self.write("room.mtl", "newmtl red\nmap_Kd ../textures/red.png\n")
+        self.write("../textures/red.png", png(2, 2, (255, 0, 0)))
+        os.remove(self.path("room.obj"))
+        self.link("room.obj", "deep/er/room.obj")
+        self.assertIn("bad-texture", self.reads("short.walk.yaml").err)
+
+    def test_a_link_cannot_choose_a_project_beyond_a_folder_of_another_owner(self):
+        if os.geteuid() != 0:
+            self.skipTest("only root can give folders away")
+        self.write("../users/other/.git/HEAD", "")
+        self.write("../users/other/secret.walk.yaml", SECRET + "\n")
+        os.chown(self.path("../users"), 12345, 12345)
+        os.chown(self.path("../"), 12345, 12345)
+        self.link("linked", "../users")
+        outcome = self.reads(".")
+        self.assertIn("linked/other/secret.walk.yaml: error outside-project: ", outcome.err)
+        self.assertNotIn("password", outcome.out + outcome.err)
+
     def test_textures_beside_the_projects_folder_are_not_read(self):
         """The usual layout has textures beside the model's folder, which here is outside."""
         self.write("room.mtl", "newmtl red\nmap_Kd ../textures/red.png\n")

@@ -135,7 +135,22 @@ class Walks(ProgramCase):
             time.sleep(0.01)
         self.assertRegex(str(limit), r"^\d+$")
         memory = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
-        self.assertGreaterEqual(int(limit), min(2 << 30, memory))
+        self.assertTrue(memory <= int(limit) <= memory + (1 << 30), limit)
+
+    def test_files_that_are_included_again_and_again(self):
+        self.write("short.walk.yaml", WALK.replace("turn: 180", "include: a.steps.yaml"))
+        self.write("a.steps.yaml", "steps:\n" + "  - include: b.steps.yaml\n" * 200)
+        self.write("b.steps.yaml", "steps:\n" + "  - include: c.steps.yaml\n" * 200)
+        self.write("c.steps.yaml", "steps:\n  - wait: 1\n" + "# padding\n" * 190_000)
+        start = time.monotonic()
+        outcome = self.run_program("run", "short.walk.yaml")
+        self.assertEqual(outcome.code, 2)
+        self.assertIn("error too-many-steps: ", outcome.err)
+        self.assertLess(time.monotonic() - start, 60)
+
+    def test_projects(self):
+        self.write("walks.config.yaml", "projects:\n" + "".join("  p%d:\n" % i for i in range(101)))
+        self.assertIn("error bad-value: there may be 100 projects", self.run_program("run").err)
 
 
 if __name__ == "__main__":

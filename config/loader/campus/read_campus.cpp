@@ -41,12 +41,17 @@ void read_scene_file(const CheckedNode& file, const fs::path& folder, const Read
     if (scene.file.empty()) {
         return;  // which has been reported
     }
-    if (const std::string why = roots.why_unreadable(scene.path); !why.empty()) {
-        file.diagnose("outside-project", in_quotes(scene.file) + " " + why);
+    // What it refers to is looked up from where it is named, even if that is a link to another place.
+    std::error_code ignored;
+    const fs::path model_folder =
+        fs::weakly_canonical(fs::absolute(scene.path, ignored).parent_path(), ignored);
+    for (const fs::path& path : {scene.path, model_folder / "any"}) {
+        if (const std::string why = roots.why_unreadable(path); !why.empty()) {
+            file.diagnose("outside-project", in_quotes(scene.file) + " " + why);
+            break;
+        }
     }
     scene.roots.assign(roots.others().begin(), roots.others().end());
-    std::error_code ignored;
-    const fs::path model_folder = fs::weakly_canonical(scene.path, ignored).parent_path();
     scene.images_beside = roots.why_unreadable(model_folder.parent_path() / "textures").empty();
 }
 

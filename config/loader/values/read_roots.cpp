@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <optional>
 #include <system_error>
-#include <utility>
 
 #include "config/loader/values/folders_upwards.h"
 
@@ -30,35 +29,47 @@ bool is_hidden(const fs::path& name) {
     return name.native().starts_with('.');
 }
 
-/// Seen from where the file is named, not from where a link leads: that would be the link's choice. So a
-/// project that a link of another project leads to doesn't count.
+bool begins_project(const fs::path& folder) {
+    std::error_code ignored;
+    return fs::is_regular_file(folder / "walks.config.yaml", ignored) || fs::exists(folder / ".git", ignored);
+}
+
+/// The first link on the way to the folder that is in a project or below the current folder; empty without
+/// one.
+fs::path link_in_project(const fs::path& folder) {
+    std::error_code ignored;
+    const fs::path current = fs::current_path(ignored);
+    fs::path at;
+    bool in_project = false;
+    for (const fs::path& part : folder) {
+        at /= part;
+        if (in_project && fs::is_symlink(at, ignored)) {
+            return at;
+        }
+        in_project = in_project || begins_project(at) || (at == current && at != at.root_path());
+    }
+    return {};
+}
+
+/// Seen from where the file is named, not from where a link of a project leads: that would be the link's
+/// choice.
 fs::path project_of(const fs::path& file) {
     std::error_code ignored;
     const fs::path folder = fs::absolute(file, ignored).lexically_normal().parent_path();
+    if (const fs::path link = link_in_project(folder); !link.empty()) {
+        return project_of(link);
+    }
     const std::optional<unsigned> owner = owner_of(folder);
-    fs::path nearest;
-    fs::path beyond_a_link;
     for (fs::path at = folder; owner_of(at) == owner; at = at.parent_path()) {
-        const bool begins =
-            fs::is_regular_file(at / "walks.config.yaml", ignored) || fs::exists(at / ".git", ignored);
-        if (begins && nearest.empty()) {
-            nearest = at;
-        }
-        if (fs::is_symlink(at, ignored) && !nearest.empty()) {
-            beyond_a_link = std::exchange(nearest, fs::path());
+        if (begins_project(at)) {
+            return at;
         }
         if (at == at.parent_path()) {
             break;
         }
     }
-    if (!nearest.empty()) {
-        return nearest;
-    }
     fs::path current = fs::current_path(ignored);
-    if (current != current.root_path() && below(current, folder)) {
-        return current;
-    }
-    return beyond_a_link.empty() ? folder : beyond_a_link;
+    return current != current.root_path() && below(current, folder) ? current : folder;
 }
 
 }  // namespace

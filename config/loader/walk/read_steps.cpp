@@ -20,6 +20,8 @@ namespace {
 
 constexpr std::size_t kMaxSteps = 100'000;
 constexpr std::size_t kMaxIncludeDepth = 16;  // files included by files
+constexpr std::size_t kMaxIncluded = 1'000;   // each is read again each time
+constexpr std::uintmax_t kMaxIncludedBytes = 20'000'000;
 constexpr const char* kSuffix = ".steps.yaml";
 
 void read_list(const CheckedNode& section, StepContext& context, std::vector<Step>& out);
@@ -61,7 +63,7 @@ bool same_file(const fs::path& a, const fs::path& b) {
 }
 
 /// Whether the file may be opened from the one that is being read.
-bool may_include(const CheckedNode& node, const fs::path& path, const StepContext& context) {
+bool may_include(const CheckedNode& node, const fs::path& path, StepContext& context) {
     if (std::ranges::any_of(context.files, [&](const fs::path& open) { return same_file(open, path); })) {
         node.diagnose("include-cycle", shown_path(path) + " includes itself through this line");
         return false;
@@ -70,6 +72,15 @@ bool may_include(const CheckedNode& node, const fs::path& path, const StepContex
         node.diagnose("include-depth", "files include each other more than " +
                                            std::to_string(kMaxIncludeDepth) +
                                            " levels deep; use fewer files");
+        return false;
+    }
+    std::error_code ignored;
+    const std::uintmax_t bytes = fs::file_size(path, ignored);
+    context.included_bytes += ignored ? 0 : bytes;
+    if (++context.included > kMaxIncluded || context.included_bytes > kMaxIncludedBytes) {
+        node.diagnose("too-many-steps",
+                      "with this one the walk includes more than " + std::to_string(kMaxIncluded) +
+                          " files or " + std::to_string(kMaxIncludedBytes / 1'000'000) + " MB; use 'repeat'");
         return false;
     }
     return true;

@@ -16,7 +16,8 @@ namespace campuswalk::config {
 ///
 /// `repeat` and `include` are expanded: the result is the flat list that is played, each step with the mark
 /// of where it is written, in whatever file. Reports files that include themselves (include-cycle) or are
-/// nested deeper than 16 (include-depth), and more than 100,000 steps (too-many-steps).
+/// nested deeper than 16 (include-depth), and more than 100,000 steps, or
+/// 1,000 included files or 20 MB of them (too-many-steps).
 std::vector<engine::Step> read_steps(const CheckedNode& section, const CampusNames& names,
                                      const engine::AvatarProfile& avatar, const CameraKeys& camera,
                                      const std::filesystem::path& walk_file, const ReadRoots& roots);

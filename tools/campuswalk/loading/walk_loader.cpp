@@ -89,7 +89,11 @@ std::shared_ptr<const scene::Campus> WalkLoader::build(const fs::path& file,
     if (const auto known = broken_.find(key); known != broken_.end()) {
         throw known->second;  // models take long to read, and a thousand walks may use them
     }
-    std::shared_ptr<const scene::Campus>& campus = campuses_[{key, tree}];
+    std::vector<bool> images_beside;
+    for (const scene::SceneFile& scene : description.scenes) {
+        images_beside.push_back(scene.images_beside);
+    }
+    std::shared_ptr<const scene::Campus>& campus = campuses_[{key, tree, images_beside}];
     if (!campus) {
         try {
             const std::size_t at_once = imports_at_once(description.scenes.size());

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -53,8 +54,10 @@ private:
     Warn warn_;
     config::SearchPaths search_;
     config::RunLoader loader_;
-    std::map<std::pair<std::filesystem::path, collision::TreeKind>, std::shared_ptr<const scene::Campus>>
-        campuses_;
+    /// The campus' file, the kind of trees, and of each scene whether images may come from beside its folder:
+    /// that depends on the project.
+    using CampusKey = std::tuple<std::filesystem::path, collision::TreeKind, std::vector<bool>>;
+    std::map<CampusKey, std::shared_ptr<const scene::Campus>> campuses_;
     std::map<std::filesystem::path, scene::InputError> broken_;  ///< why campuses can't be built
 };
 

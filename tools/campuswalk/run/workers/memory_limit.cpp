@@ -29,13 +29,12 @@ std::uint64_t allocated() {
 }  // namespace
 
 void limit_worker_memory(std::size_t workers) {
-    constexpr std::uint64_t kLeast = std::uint64_t{2} << 30U;
     const std::uint64_t own = allocated();
     if (own == 0) {
         return;
     }
     const std::uint64_t machine = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) * page_size();
-    const rlim_t most = own + std::max(kLeast, machine / std::max<std::size_t>(workers, 1));
+    const rlim_t most = own + machine / std::max<std::size_t>(workers, 1);
     const rlimit limit{most, most};
     setrlimit(RLIMIT_DATA, &limit);
 }
