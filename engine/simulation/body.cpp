@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "collision/world/placement.h"
-#include "engine/script/avatar_body.h"
 
 namespace campuswalk::engine {
 

@@ -8,16 +8,13 @@
 #include "collision/base/query_statistics.h"
 #include "collision/mover/mover.h"
 #include "engine/script/avatar.h"
+#include "engine/script/avatar_body.h"
 #include "engine/script/intent.h"
 #include "engine/script/walk.h"
 #include "engine/simulation/stuck_watch.h"
 #include "scene/campus/campus.h"
 
 namespace campuswalk::engine {
-
-/// How far above a given position a free placement is searched for, metres (see nearest_free_placement).
-/// Ground is searched for twice as far below that placement, so at least as far below the given position.
-constexpr double kPlacementSearch = 0.5;
 
 /// How the avatar was pushed out of an object that it was placed inside.
 struct Push {

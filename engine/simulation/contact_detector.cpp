@@ -20,7 +20,6 @@ using collision::Vec3;
 namespace {
 
 // A contact begins a little closer than it ends, so that it doesn't flicker at rest.
-constexpr double kEnterSlack = 1e-3;   // metres beyond the skin: a contact with a solid begins
 constexpr double kExitSlack = 5e-3;    // metres beyond the skin: it ends
 constexpr double kVolumeSlack = 1e-3;  // metres outside a trigger: its overlap ends
 
@@ -99,7 +98,7 @@ void ContactDetector::collect(Tick tick, DetectionMode mode, ContactTracker& tra
 void ContactDetector::find_solid_contacts(const collision::MoveTrace& trace) {
     seen_.clear();
     for (const collision::Touch& touch : trace.touching) {
-        const double slack = solids_.active(touch.object) ? kExitSlack : kEnterSlack;
+        const double slack = solids_.active(touch.object) ? kExitSlack : kTouchSlack;
         if (touch.gap <= avatar_.skin_width + slack) {
             seen_.push_back({touch.object});
         }

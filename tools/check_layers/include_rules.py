@@ -3,8 +3,8 @@
 import re
 
 from .source import Diagnostic, code_only, includes
-from .table import (ANYWHERE, KERNEL_FOLDERS, PROJECT, REFUSED_STANDARD, OPTIONAL_PREFIXES, STRICTER, THIRD_PARTY, is_in,
-                    needs_same_bits, place_of)
+from .table import (ANYWHERE, KERNEL_FOLDERS, PROJECT, REFUSED_STANDARD, OPTIONAL_PREFIXES, STRICTER, THIRD_PARTY,
+                    THREAD_DOORS, is_in, needs_same_bits, place_of)
 
 _PRAGMA_ONCE = re.compile(r"^[ \t]*#[ \t]*pragma[ \t]+once\b", re.MULTILINE)
 
@@ -56,7 +56,8 @@ def _fault(tree, file, include):
         return "include-path", '"%s" isn\'t a file below the repository\'s root' % include.target
     if "/" in target or "." in target:
         return _third_party_fault(file, target)
-    if target in REFUSED_STANDARD and needs_same_bits(file):
+    is_door = target == "thread" and _stem(file) in THREAD_DOORS
+    if target in REFUSED_STANDARD and needs_same_bits(file) and not is_door:
         return "same-bits", "<%s> is not for %s: %s" % (target, place_of(file, PROJECT), REFUSED_STANDARD[target])
     return None
 

@@ -28,12 +28,15 @@ PROJECT = {
     "scene/cache": ["scene/import", "scene/model", "scene/base", "collision"],
     "scene/campus": ["scene/cache", "scene/import", "scene/model", "scene/base", "collision"],
     "scene/suggest": ["scene/campus", "scene/lint", "scene/model", "scene/base", "collision"],
+    # Where a body can get to: what the simulation's go_to and "why not" build on.
+    "engine/walkspace": ["engine/script", "engine/events", "scene", "collision"],
     # The simulation core: it emits records and doesn't depend on their readers.
     "engine/events": ["scene", "collision"],
     "engine/script": ["engine/events", "scene", "collision"],
     "engine/record": ["engine/script", "engine/events", "scene", "collision"],
     "engine/expect": ["engine/record", "engine/script", "engine/events", "scene", "collision"],
-    "engine/simulation": ["engine/expect", "engine/record", "engine/script", "engine/events", "scene", "collision"],
+    "engine/simulation": ["engine/walkspace", "engine/expect", "engine/record", "engine/script", "engine/events", "scene",
+                          "collision"],
     "engine/observers": ["engine/expect", "engine/record", "engine/script", "engine/events", "scene", "collision"],
     "engine/testing": ["engine/record", "engine/script", "engine/events", "scene", "collision"],
     "engine/report": ["engine/simulation", "engine/expect", "engine/record", "engine/script", "engine/events", "scene",
@@ -177,6 +180,9 @@ REFUSED_STANDARD = {
 
 # Instruction sets are chosen only in kernel folders.
 KERNEL_FOLDERS = ["collision/bvh8/kernels"]
+
+# The one door to threads in what must be the same everywhere; without the file's ending.
+THREAD_DOORS = ["engine/walkspace/worker_threads"]
 
 CODE_FOLDERS = ("collision", "scene", "engine", "config", "tools", "tests")
 

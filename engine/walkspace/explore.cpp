@@ -1,0 +1,395 @@
+#include "engine/walkspace/explore.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "engine/walkspace/worker_threads.h"
+
+namespace campuswalk::engine {
+
+using collision::Vec3;
+
+namespace {
+
+/// Strides between two nodes whose exact states are kept: what finding a state takes at most.
+constexpr std::uint8_t kStridesBetweenKeyframes = 32;
+/// A round plays this many ticks of each walk: short enough for chains to be hardly longer than need be, long
+/// enough for a tile to be worth the work of coming to it.
+constexpr std::uint32_t kTicksOfRound = 600;
+/// From this height on a fall is also steered elsewhere, metres.
+constexpr double kSteeredFall = 0.5;
+
+/// A node whose strides are yet to be taken.
+struct Pending {
+    std::uint32_t ticks = 0;  ///< of its chain
+    std::uint16_t node = 0;
+    std::uint8_t since_keyframe = 0;
+    Standing at;
+};
+
+/// The earlier first, at the top of a heap.
+bool later(const Pending& a, const Pending& b) {
+    return std::tie(a.ticks, a.node) > std::tie(b.ticks, b.node);
+}
+
+/// What a stride leads to outside of its tile.
+struct Arrival {
+    std::uint32_t ticks = 0;
+    NodeRef parent;
+    Stride stride;
+    bool returns = false;
+    std::uint8_t since_keyframe = 0;
+    Standing at;
+};
+
+/// What a tile needs while it is explored.
+struct Frontier {
+    std::vector<Pending> pending;  ///< a heap
+    std::vector<Arrival> outbox;
+    std::vector<std::pair<GridCell, float>> steered_at;  ///< edges from which falls were steered
+};
+
+/// A thread's body, in a world of its own.
+struct Worker {
+    std::unique_ptr<collision::World> world;  ///< null: the campus' own
+    std::optional<Strider> strider;
+    std::set<Bound> bounds;
+    std::uint64_t strides = 0;
+};
+
+std::unique_ptr<collision::World> copy_of(const collision::World& world,
+                                          std::unique_ptr<collision::BroadPhase> broad_phase) {
+    auto copy = std::make_unique<collision::World>(std::move(broad_phase));
+    for (std::size_t i = 0; i < world.size(); ++i) {
+        copy->add(world.object(static_cast<collision::ObjectId>(i)));
+    }
+    return copy;
+}
+
+class Exploration {
+public:
+    Exploration(const collision::World& world, const ExploreSettings& settings)
+        : settings_(settings), space_(WalkGrid{cell_for(settings)}) {
+        workers_.resize(std::max<std::size_t>(settings.workers, 1));
+        for (Worker& worker : workers_) {
+            const bool first = &worker == &workers_.front();
+            if (!first) {
+                worker.world = copy_of(world, settings.broad_phase());
+            }
+            worker.strider.emplace(first ? world : *worker.world, settings.strides, settings.solids);
+        }
+    }
+
+    WalkSpace run() {
+        add_starts();
+        std::uint32_t limit = 0;
+        while (const auto earliest = earliest_pending()) {
+            limit = std::max(limit + kTicksOfRound, *earliest + kTicksOfRound);
+            // Tiles side by side are never explored at once: each looks at its neighbours' nodes.
+            for (std::size_t color = 0; color < 4; ++color) {
+                explore_tiles(color, limit);
+            }
+            const std::size_t nodes = space_.node_count();
+            if (nodes > settings_.max_nodes) {
+                workers_.front().bounds.insert(Bound::nodes);
+                break;
+            }
+            if (settings_.progress) {
+                settings_.progress(nodes);
+            }
+            if (settings_.done && settings_.done(space_)) {
+                break;
+            }
+        }
+        return finished();
+    }
+
+private:
+    /// Two pockets of free space in one cell would be taken for one if a wall fitted between them.
+    static double cell_for(const ExploreSettings& settings) {
+        const double widest = 0.99 * kDiagonal * 2.0 * settings.strides.body.radius;
+        return std::min(settings.cell, widest);
+    }
+
+    void add_starts() {
+        for (std::size_t i = 0; i < settings_.starts.size(); ++i) {
+            const StrideEnd end = workers_.front().strider->put_down(settings_.starts[i]);
+            if (end.kind == StrideEnd::Kind::standing) {
+                space_.starts.push_back(add_start(end.at));
+                space_.start_of.push_back(i);
+            }
+        }
+    }
+
+    NodeRef add_start(const Standing& at) {
+        const GridCell cell = space_.grid.cell_at(at.foot);
+        if (const auto known = space_.find(cell, at.foot.y())) {
+            return *known;
+        }
+        const std::uint32_t tile = tile_for(cell);
+        WalkNode node;
+        node.y = static_cast<float>(at.foot.y());
+        node.cell = space_.tiles[tile].index_of(cell) & 1023U;
+        node.parent_tile = WalkNode::kStart;
+        node.returns = 1;
+        return {tile, *add_node(tile, node, at, 0, kStridesBetweenKeyframes)};
+    }
+
+    std::uint32_t tile_for(const GridCell& cell) {
+        const std::uint32_t tile = space_.add_tile_at(cell);
+        frontiers_.resize(space_.tiles.size());
+        return tile;
+    }
+
+    std::optional<std::uint32_t> earliest_pending() const {
+        std::optional<std::uint32_t> earliest;
+        for (const Frontier& frontier : frontiers_) {
+            if (!frontier.pending.empty()) {
+                const std::uint32_t ticks = frontier.pending.front().ticks;
+                earliest = std::min(earliest.value_or(ticks), ticks);
+            }
+        }
+        return earliest;
+    }
+
+    static std::size_t color_of(const WalkTile& tile) {
+        const auto parity = [](int corner) {
+            return static_cast<std::size_t>((corner / WalkTile::kCells) & 1);
+        };
+        return parity(tile.corner.x) + 2 * parity(tile.corner.z);
+    }
+
+    void explore_tiles(std::size_t color, std::uint32_t limit) {
+        std::vector<std::uint32_t> active;
+        for (std::uint32_t i = 0; i < frontiers_.size(); ++i) {
+            const std::vector<Pending>& pending = frontiers_[i].pending;
+            if (!pending.empty() && pending.front().ticks < limit && color_of(space_.tiles[i]) == color) {
+                active.push_back(i);
+            }
+        }
+        for_each_item(active.size(), workers_.size(), [&](std::size_t worker, std::size_t item) {
+            explore_tile(active[item], limit, workers_[worker]);
+        });
+        for (const std::uint32_t tile : active) {
+            std::vector<Arrival> arrivals = std::exchange(frontiers_[tile].outbox, {});
+            for (const Arrival& arrival : arrivals) {
+                receive(arrival);
+            }
+        }
+    }
+
+    /// By one worker; others work on tiles farther away.
+    void explore_tile(std::uint32_t tile, std::uint32_t limit, Worker& worker) {
+        std::vector<Pending>& pending = frontiers_[tile].pending;
+        while (!pending.empty() && pending.front().ticks < limit) {
+            std::ranges::pop_heap(pending, later);
+            const Pending next = pending.back();
+            pending.pop_back();
+            stride_from(tile, next, worker);
+        }
+    }
+
+    void stride_from(std::uint32_t tile, const Pending& from, Worker& worker) {
+        const GridCell cell = space_.grid.cell_at(from.at.foot);
+        for (std::uint8_t i = 0; i < 8; ++i) {
+            const GridDirection& direction = grid_directions()[i];
+            if (is_known({cell.x + direction.x, cell.z + direction.z}, from.at.foot.y(), tile)) {
+                continue;
+            }
+            const StrideEnd end = try_stride(tile, from, {.direction = i}, worker);
+            const bool stopped =
+                end.kind == StrideEnd::Kind::standing && space_.grid.cell_at(end.at.foot) == cell;
+            if (settings_.run && end.left_ground) {
+                try_stride(tile, from, {.direction = i, .gait = Gait::run}, worker);
+            }
+            if (settings_.jump && (end.left_ground || stopped)) {
+                try_stride(tile, from, {.direction = i, .gait = Gait::jump}, worker);
+            }
+        }
+    }
+
+    /// Whether the cell has a node at this height; it is in the tile or beside it.
+    bool is_known(const GridCell& cell, double y, std::uint32_t tile) const {
+        const WalkTile& own = space_.tiles[tile];
+        const auto side = [](int at, int corner) {
+            return at < corner ? 0 : at >= corner + WalkTile::kCells ? 2 : 1;
+        };
+        const int beside = side(cell.x, own.corner.x) + 3 * side(cell.z, own.corner.z);
+        const std::uint32_t number = own.neighbours[static_cast<std::size_t>(beside)];
+        if (number == WalkTile::kNoTile) {
+            return false;
+        }
+        const WalkTile& other = space_.tiles[number];
+        return other.find(other.index_of(cell), y).has_value();
+    }
+
+    StrideEnd try_stride(std::uint32_t tile, const Pending& from, const Stride& stride, Worker& worker) {
+        const StrideEnd end = take(tile, from, stride, worker);
+        const bool gone = end.kind == StrideEnd::Kind::gone;
+        if (end.left_ground && stride.steering == Stride::kStraightOn &&
+            (gone || end.edge.y() - end.at.foot.y() >= kSteeredFall)) {
+            steer(tile, from, stride, end, worker);
+        }
+        return end;
+    }
+
+    StrideEnd take(std::uint32_t tile, const Pending& from, const Stride& stride, Worker& worker) {
+        const StrideEnd end = worker.strider->take(from.at, stride, space_.grid);
+        ++worker.strides;
+        if (end.kind == StrideEnd::Kind::standing) {
+            arrive(tile, from, stride, end, worker);
+        } else if (end.kind == StrideEnd::Kind::gone) {
+            space_.tiles[tile].drops.push_back({from.node, stride, end.edge});
+        } else {
+            worker.bounds.insert(Bound::falls);
+        }
+        return end;
+    }
+
+    /// The same fall, steered elsewhere; once for each cell and height of an edge.
+    void steer(std::uint32_t tile, const Pending& from, const Stride& stride, const StrideEnd& straight,
+               Worker& worker) {
+        const GridCell cell = space_.grid.cell_at(straight.edge);
+        const auto height = static_cast<float>(straight.edge.y());
+        auto& known = frontiers_[tile].steered_at;
+        const bool steered = std::ranges::any_of(known, [&](const auto& edge) {
+            return edge.first == cell && std::abs(edge.second - height) <= WalkNode::kLevel;
+        });
+        if (steered) {
+            return;
+        }
+        known.emplace_back(cell, height);
+        worker.bounds.insert(Bound::steering);
+        Stride other = stride;
+        other.steering = Stride::kLetGo;
+        const StrideEnd down = take(tile, from, other, worker);
+        if (straight.kind == StrideEnd::Kind::gone && down.kind == StrideEnd::Kind::gone) {
+            return;  // over the rim of the world
+        }
+        for (std::uint8_t i = 0; i < 8; ++i) {
+            if (i != stride.direction) {
+                other.steering = i;
+                take(tile, from, other, worker);
+            }
+        }
+    }
+
+    void arrive(std::uint32_t tile, const Pending& from, const Stride& stride, const StrideEnd& end,
+                Worker& worker) {
+        const GridCell cell = space_.grid.cell_at(end.at.foot);
+        WalkTile& own = space_.tiles[tile];
+        const bool inside = cell.x >= own.corner.x && cell.x < own.corner.x + WalkTile::kCells &&
+                            cell.z >= own.corner.z && cell.z < own.corner.z + WalkTile::kCells;
+        if (inside && own.find(own.index_of(cell), end.at.foot.y())) {
+            return;
+        }
+        const Arrival arrival{from.ticks + static_cast<std::uint32_t>(end.ticks),
+                              {tile, from.node},
+                              stride,
+                              end.clean || returns(end.at, from, worker),
+                              static_cast<std::uint8_t>(from.since_keyframe + 1),
+                              end.at};
+        if (inside) {
+            add_arrival(tile, WalkNode{}, cell, arrival, worker);
+        } else {
+            frontiers_[tile].outbox.push_back(arrival);
+        }
+    }
+
+    /// Whether one can walk back from there.
+    bool returns(const Standing& at, const Pending& to, Worker& worker) {
+        const Vec3 way = to.at.foot - at.foot;
+        const double seconds = 2.0 * collision::horizontal_norm(way) / settings_.strides.walk_speed + 0.2;
+        const StrideEnd back = worker.strider->walk_to(at, to.at.foot, 0.02, seconds);
+        return back.kind == StrideEnd::Kind::standing &&
+               space_.grid.cell_at(back.at.foot) == space_.grid.cell_at(to.at.foot) &&
+               std::abs(back.at.foot.y() - to.at.foot.y()) <= WalkNode::kLevel;
+    }
+
+    /// Of a stride out of its tile; one at a time.
+    void receive(const Arrival& arrival) {
+        const GridCell cell = space_.grid.cell_at(arrival.at.foot);
+        const std::uint32_t tile = tile_for(cell);
+        WalkTile& own = space_.tiles[tile];
+        if (own.find(own.index_of(cell), arrival.at.foot.y())) {
+            return;
+        }
+        WalkNode node;
+        const auto beside = std::ranges::find(own.neighbours, arrival.parent.tile);
+        node.parent_tile = beside == own.neighbours.end()
+                               ? WalkNode::kFarParent
+                               : static_cast<std::uint32_t>(beside - own.neighbours.begin()) & 15U;
+        if (node.parent_tile == WalkNode::kFarParent) {
+            own.far_parents.push_back({static_cast<std::uint16_t>(own.nodes.size()), arrival.parent.tile});
+        }
+        add_arrival(tile, node, cell, arrival, workers_.front());
+    }
+
+    void add_arrival(std::uint32_t tile, WalkNode node, const GridCell& cell, const Arrival& arrival,
+                     Worker& worker) {
+        if (arrival.parent.tile == tile) {
+            node.parent_tile = 4;
+        }
+        node.y = static_cast<float>(arrival.at.foot.y());
+        node.cell = space_.tiles[tile].index_of(cell) & 1023U;
+        node.parent = arrival.parent.node;
+        node.direction = arrival.stride.direction & 7U;
+        node.gait = static_cast<std::uint32_t>(arrival.stride.gait) & 3U;
+        node.steering = arrival.stride.steering & 15U;
+        node.returns = arrival.returns ? 1 : 0;
+        if (!add_node(tile, node, arrival.at, arrival.ticks, arrival.since_keyframe)) {
+            worker.bounds.insert(Bound::levels);
+        }
+    }
+
+    /// None if the tile is full.
+    std::optional<std::uint16_t> add_node(std::uint32_t tile, const WalkNode& node, const Standing& at,
+                                          std::uint32_t ticks, std::uint8_t since_keyframe) {
+        WalkTile& own = space_.tiles[tile];
+        if (own.nodes.size() >= WalkTile::kMaxNodes) {
+            return std::nullopt;
+        }
+        const std::uint16_t number = own.add(node);
+        const bool keep = since_keyframe >= kStridesBetweenKeyframes;
+        if (keep) {
+            own.keyframes.push_back({number, at});
+        }
+        std::vector<Pending>& pending = frontiers_[tile].pending;
+        pending.push_back({ticks, number, keep ? std::uint8_t{0} : since_keyframe, at});
+        std::ranges::push_heap(pending, later);
+        return number;
+    }
+
+    WalkSpace finished() {
+        std::set<Bound> bounds;
+        space_.touched.assign(workers_.front().strider->touched().size(), false);
+        for (const Worker& worker : workers_) {
+            bounds.insert(worker.bounds.begin(), worker.bounds.end());
+            space_.ticks += worker.strider->ticks();
+            space_.strides += worker.strides;
+            for (std::size_t i = 0; i < space_.touched.size(); ++i) {
+                space_.touched[i] = space_.touched[i] || worker.strider->touched()[i];
+            }
+        }
+        space_.bounds.assign(bounds.begin(), bounds.end());
+        return std::move(space_);
+    }
+
+    const ExploreSettings& settings_;
+    WalkSpace space_;
+    std::vector<Worker> workers_;
+    std::vector<Frontier> frontiers_;  ///< by tile
+};
+
+}  // namespace
+
+WalkSpace explore(const collision::World& world, const ExploreSettings& settings) {
+    return Exploration(world, settings).run();
+}
+
+}  // namespace campuswalk::engine

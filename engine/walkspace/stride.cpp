@@ -1,0 +1,166 @@
+#include "engine/walkspace/stride.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "collision/world/placement.h"
+#include "engine/script/avatar_body.h"
+
+namespace campuswalk::engine {
+
+using collision::Vec3;
+
+namespace {
+
+/// A fall that takes longer isn't followed, seconds: 4.4 km.
+constexpr double kMaxFall = 30.0;
+/// A body that moves less in a tick than this stands still, metres.
+constexpr double kStill = 1e-9;
+/// Beyond the slope's own rise in a tick, the body climbed or descended a step, metres.
+constexpr double kStepRise = 0.01;
+
+collision::MoverState state_of(const Standing& at) {
+    collision::MoverState state;
+    state.foot = at.foot;
+    state.support_y = at.support_y;
+    state.grounded = true;
+    return state;
+}
+
+}  // namespace
+
+Strider::Strider(const collision::World& world, const StrideSettings& settings,
+                 const collision::QueryFilter& filter)
+    : world_(&world),
+      settings_(settings),
+      filter_(filter),
+      bottom_(world.bounds().min.y()),
+      steepest_rise_(std::sqrt(1.0 - settings.body.min_up * settings.body.min_up) / settings.body.min_up),
+      mover_(world, settings.body, filter),
+      touched_(world.size(), false) {}
+
+StrideEnd Strider::take(const Standing& from, const Stride& stride, const WalkGrid& grid) {
+    const GridDirection& direction = grid_directions()[stride.direction];
+    const GridCell cell = grid.cell_at(from.foot);
+    const Vec3 goal = grid.center({cell.x + direction.x, cell.z + direction.z});
+    const double length = speed_of(stride.gait) * settings_.seconds;
+    const double ahead = (goal - from.foot).dot(direction.unit);
+    const int count = std::max(1, static_cast<int>(std::floor(ahead / length + 0.5)));
+    const Vec3 desired = length * direction.unit;
+
+    StrideEnd end;
+    state_ = state_of(from);
+    path_.clear();
+    if (stride.gait == Gait::jump) {
+        mover_.jump(state_, settings_.jump_speed);
+        end.left_ground = true;
+        end.edge = from.foot;
+    }
+    const double level_rise = steepest_rise_ * length + kStepRise;
+    while (state_.grounded && static_cast<int>(path_.size()) < count) {
+        const Vec3 before = state_.foot;
+        tick(desired);
+        const Vec3 moved = state_.foot - before;
+        if (state_.grounded && moved.cwiseAbs().maxCoeff() <= kStill) {
+            end.clean = false;
+            break;  // every further tick would do the same
+        }
+        end.clean = end.clean && trace_.touching.empty() && std::abs(moved.y()) <= level_rise;
+        if (!state_.grounded) {
+            end.left_ground = true;
+            end.edge = before;
+        }
+    }
+    if (!state_.grounded) {
+        const bool straight_on = stride.steering == Stride::kStraightOn;
+        const bool let_go = stride.steering == Stride::kLetGo;
+        fall(straight_on ? desired
+             : let_go    ? Vec3(Vec3::Zero())
+                         : Vec3(length * grid_directions()[stride.steering].unit),
+             end);
+    }
+    finish(end);
+    return end;
+}
+
+StrideEnd Strider::walk_to(const Standing& from, const Vec3& point, double within, double seconds) {
+    StrideEnd end;
+    end.clean = false;
+    state_ = state_of(from);
+    path_.clear();
+    const double length = settings_.walk_speed * settings_.seconds;
+    const int most = static_cast<int>(std::ceil(seconds / settings_.seconds));
+    while (static_cast<int>(path_.size()) < most) {
+        const Vec3 direction(point.x() - state_.foot.x(), 0.0, point.z() - state_.foot.z());
+        const double distance = direction.norm();
+        if (distance <= within && state_.grounded) {
+            break;
+        }
+        const Vec3 before = state_.foot;
+        const bool grounded = state_.grounded;
+        tick(distance > 0.0 ? Vec3(direction * (std::min(distance, length) / distance)) : Vec3::Zero());
+        if (grounded && !state_.grounded) {
+            end.left_ground = true;
+            end.edge = before;
+        }
+        const bool still = (state_.foot - before).cwiseAbs().maxCoeff() <= kStill;
+        if ((state_.grounded && still) || state_.foot.y() < bottom_) {
+            break;
+        }
+    }
+    finish(end);
+    return end;
+}
+
+StrideEnd Strider::put_down(const Vec3& foot) {
+    StrideEnd end;
+    end.clean = false;
+    path_.clear();
+    const auto placement = collision::nearest_free_placement(*world_, filter_, foot, settings_.body.radius,
+                                                             settings_.body.height, kPlacementSearch);
+    if (!placement) {
+        end.kind = StrideEnd::Kind::gone;
+        return end;
+    }
+    mover_.place(state_, placement->foot, 2.0 * kPlacementSearch, cache_);
+    if (!state_.grounded) {
+        end.left_ground = true;
+        end.edge = state_.foot;
+        fall(Vec3::Zero(), end);
+    }
+    finish(end);
+    return end;
+}
+
+void Strider::tick(const Vec3& desired) {
+    mover_.move(state_, desired, settings_.seconds, cache_, trace_);
+    path_.push_back(state_.foot);
+    ++ticks_;
+    for (const collision::Touch& touch : trace_.touching) {
+        if (touch.gap <= settings_.body.skin + kTouchSlack) {
+            touched_[index_of(touch.object)] = true;
+        }
+    }
+}
+
+void Strider::fall(const Vec3& desired, StrideEnd& end) {
+    end.clean = false;
+    const auto most = static_cast<std::size_t>(kMaxFall / settings_.seconds) + path_.size();
+    while (!state_.grounded && path_.size() < most && state_.foot.y() >= bottom_) {
+        tick(desired);
+    }
+}
+
+void Strider::finish(StrideEnd& end) const {
+    end.ticks = static_cast<int>(path_.size());
+    end.at = {state_.foot, state_.support_y};
+    end.kind = state_.grounded             ? StrideEnd::Kind::standing
+               : state_.foot.y() < bottom_ ? StrideEnd::Kind::gone
+                                           : StrideEnd::Kind::falling;
+}
+
+double Strider::speed_of(Gait gait) const {
+    return gait == Gait::walk ? settings_.walk_speed : settings_.run_speed;
+}
+
+}  // namespace campuswalk::engine

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "collision/mover/mover.h"
+#include "engine/walkspace/walk_grid.h"
+
+namespace campuswalk::engine {
+
+/// How the body moves during a stride.
+enum class Gait : std::uint8_t { walk, run, jump };
+
+/// A straight walk of about one cell: what the walk space is explored by. A body that leaves the ground goes
+/// on in the same direction until it lands, or is steered elsewhere.
+struct Stride {
+    static constexpr std::uint8_t kStraightOn = 8;  ///< in a fall: as on the ground
+    static constexpr std::uint8_t kLetGo = 9;       ///< in a fall: straight down
+
+    std::uint8_t direction = 0;  ///< index into grid_directions()
+    Gait gait = Gait::walk;
+    std::uint8_t steering = kStraightOn;  ///< in a fall: an index into grid_directions(), or one of these
+
+    friend bool operator==(const Stride&, const Stride&) = default;
+};
+
+/// Where a body stands: all that its next move on the ground depends on.
+struct Standing {
+    collision::Vec3 foot = collision::Vec3::Zero();
+    double support_y = 0.0;  ///< see collision::MoverState
+
+    friend bool operator==(const Standing&, const Standing&) = default;
+};
+
+/// What a stride ended in.
+struct StrideEnd {
+    enum class Kind : std::uint8_t {
+        standing,  ///< on the ground
+        gone,      ///< below everything: it fell out of the world
+        falling,   ///< still in the air after kMaxFall seconds
+    };
+    Kind kind = Kind::standing;
+    Standing at;           ///< if it stands
+    collision::Vec3 edge;  ///< if it left the ground: where it last stood
+    bool left_ground = false;
+    /// Nothing was touched, no step climbed, no edge passed: the way back is free as well.
+    bool clean = true;
+    int ticks = 0;
+};
+
+/// The body that strides, and how fast, per tick of `seconds`.
+struct StrideSettings {
+    collision::MoverSettings body;
+    double seconds = 1.0 / 60.0;
+    double walk_speed = 1.4;  ///< metres per second
+    double run_speed = 2.8;
+    double jump_speed = 2.8;  ///< metres per second upwards, at take-off
+};
+
+/// A body in a world, for one thread. Each stride depends on its arguments alone.
+class Strider {
+public:
+    /// The world, and what `filter` points to, must outlive it.
+    Strider(const collision::World& world, const StrideSettings& settings,
+            const collision::QueryFilter& filter);
+
+    /// Towards the middle of the next cell in the stride's direction.
+    StrideEnd take(const Standing& from, const Stride& stride, const WalkGrid& grid);
+    /// Towards a point, as the step walk_to does, for at most `seconds`: ends within `within` of it,
+    /// horizontally, or at a standstill.
+    StrideEnd walk_to(const Standing& from, const collision::Vec3& point, double within, double seconds);
+    /// Puts the body down as a spawn does, and lets it fall to the ground. Gone if there is no free place, or
+    /// no ground.
+    StrideEnd put_down(const collision::Vec3& foot);
+
+    /// The feet at the end of each tick of the last stride.
+    const std::vector<collision::Vec3>& path() const { return path_; }
+    /// By object: whether any stride touched it.
+    const std::vector<bool>& touched() const { return touched_; }
+    std::uint64_t ticks() const { return ticks_; }  ///< of all strides
+
+    const StrideSettings& settings() const { return settings_; }
+    const collision::World& world() const { return *world_; }
+    const collision::QueryFilter& filter() const { return filter_; }
+
+private:
+    void tick(const collision::Vec3& desired);
+    void fall(const collision::Vec3& desired, StrideEnd& end);
+    void finish(StrideEnd& end) const;
+    double speed_of(Gait gait) const;
+
+    const collision::World* world_;
+    StrideSettings settings_;
+    collision::QueryFilter filter_;
+    double bottom_;         ///< below this nothing is left to land on
+    double steepest_rise_;  ///< per metre ahead, on walkable ground
+    collision::CapsuleMover mover_;
+    collision::MoverCache cache_;
+    collision::MoverState state_;
+    collision::MoveTrace trace_;
+    std::vector<collision::Vec3> path_;
+    std::vector<bool> touched_;
+    std::uint64_t ticks_ = 0;
+};
+
+}  // namespace campuswalk::engine

@@ -1,0 +1,117 @@
+#include "engine/walkspace/walk_space.h"
+
+#include <algorithm>
+
+namespace campuswalk::engine {
+
+namespace {
+
+/// The lowest cell of the tile that holds `x`.
+int tile_start(int x) {
+    constexpr int kCells = WalkTile::kCells;
+    const int rest = x % kCells;
+    return x - (rest < 0 ? rest + kCells : rest);
+}
+
+GridCell corner_of(const GridCell& cell) {
+    return {tile_start(cell.x), tile_start(cell.z)};
+}
+
+}  // namespace
+
+std::size_t WalkSpace::node_count() const {
+    std::size_t count = 0;
+    for (const WalkTile& tile : tiles) {
+        count += tile.nodes.size();
+    }
+    return count;
+}
+
+collision::Vec3 WalkSpace::position(const NodeRef& ref) const {
+    collision::Vec3 p = grid.center(cell_of(ref));
+    p.y() = static_cast<double>(node(ref).y);
+    return p;
+}
+
+std::optional<std::uint32_t> WalkSpace::tile_at(const GridCell& cell) const {
+    const auto found = tile_numbers_.find(corner_of(cell));
+    return found == tile_numbers_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<NodeRef> WalkSpace::find(const GridCell& cell, double y, double tolerance) const {
+    const auto tile = tile_at(cell);
+    if (!tile) {
+        return std::nullopt;
+    }
+    const auto node = tiles[*tile].find(tiles[*tile].index_of(cell), y, tolerance);
+    return node ? std::optional(NodeRef{*tile, *node}) : std::nullopt;
+}
+
+std::uint32_t WalkSpace::add_tile_at(const GridCell& cell) {
+    const GridCell corner = corner_of(cell);
+    const auto number = static_cast<std::uint32_t>(tiles.size());
+    const auto [at, added] = tile_numbers_.emplace(corner, number);
+    if (!added) {
+        return at->second;
+    }
+    tiles.emplace_back(corner, number);
+    for (int i = 0; i < 9; ++i) {
+        const GridCell beside{corner.x + (i % 3 - 1) * WalkTile::kCells,
+                              corner.z + (i / 3 - 1) * WalkTile::kCells};
+        const auto other = tile_numbers_.find(beside);
+        if (other != tile_numbers_.end() && i != 4) {
+            tiles[number].neighbours[static_cast<std::size_t>(i)] = other->second;
+            tiles[other->second].neighbours[static_cast<std::size_t>(8 - i)] = number;
+        }
+    }
+    return number;
+}
+
+std::optional<NodeRef> WalkSpace::parent(const NodeRef& ref) const {
+    const WalkTile& tile = tiles[ref.tile];
+    const WalkNode& n = tile.nodes[ref.node];
+    if (n.parent_tile == WalkNode::kStart) {
+        return std::nullopt;
+    }
+    if (n.parent_tile == WalkNode::kFarParent) {
+        const auto far = std::ranges::lower_bound(tile.far_parents, ref.node, {}, &WalkTile::FarParent::node);
+        return NodeRef{far->tile, n.parent};
+    }
+    return NodeRef{tile.neighbours[n.parent_tile], n.parent};
+}
+
+std::vector<ChainLink> WalkSpace::chain(const NodeRef& ref, Strider& strider) const {
+    std::vector<ChainLink> links;
+    std::optional<NodeRef> at = ref;
+    while (at) {
+        links.push_back({node(*at).stride(), {}});
+        const auto before = parent(*at);
+        if (!before) {
+            links.back().at = *tiles[at->tile].keyframe(at->node);
+        }
+        at = before;
+    }
+    std::ranges::reverse(links);
+    for (std::size_t i = 1; i < links.size(); ++i) {
+        links[i].at = strider.take(links[i - 1].at, links[i].stride, grid).at;
+    }
+    return links;
+}
+
+Standing WalkSpace::standing(const NodeRef& ref, Strider& strider) const {
+    std::vector<Stride> way;
+    NodeRef at = ref;
+    const Standing* known = tiles[at.tile].keyframe(at.node);
+    while (known == nullptr) {
+        way.push_back(node(at).stride());
+        at = *parent(at);
+        known = tiles[at.tile].keyframe(at.node);
+    }
+    Standing standing = *known;
+    for (auto stride = way.rbegin(); stride != way.rend(); ++stride) {
+        standing = strider.take(standing, *stride, grid).at;
+    }
+    return standing;
+}
+
+}  // namespace campuswalk::engine

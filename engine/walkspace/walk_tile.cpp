@@ -1,0 +1,40 @@
+#include "engine/walkspace/walk_tile.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace campuswalk::engine {
+
+WalkTile::WalkTile(const GridCell& first_cell, std::uint32_t own_index) : corner(first_cell) {
+    newest.fill(WalkNode::kNone);
+    neighbours.fill(kNoTile);
+    neighbours[4] = own_index;
+}
+
+std::optional<std::uint16_t> WalkTile::find(std::uint32_t cell, double y, double tolerance) const {
+    std::optional<std::uint16_t> nearest;
+    for (std::uint16_t i = newest[cell]; i != WalkNode::kNone; i = nodes[i].next) {
+        if (const double apart = std::abs(static_cast<double>(nodes[i].y) - y); apart <= tolerance) {
+            tolerance = apart;
+            nearest = i;
+        }
+    }
+    return nearest;
+}
+
+std::uint16_t WalkTile::add(WalkNode node) {
+    assert(nodes.size() < kMaxNodes);
+    const auto index = static_cast<std::uint16_t>(nodes.size());
+    node.next = newest[node.cell];
+    newest[node.cell] = index;
+    nodes.push_back(node);
+    return index;
+}
+
+const Standing* WalkTile::keyframe(std::uint16_t node) const {
+    const auto found = std::ranges::lower_bound(keyframes, node, {}, &Keyframe::node);
+    return found != keyframes.end() && found->node == node ? &found->at : nullptr;
+}
+
+}  // namespace campuswalk::engine

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "engine/walkspace/stride.h"
+#include "engine/walkspace/walk_grid.h"
+
+namespace campuswalk::engine {
+
+/// A place that the body can stand at: a cell and a height, reached by a chain of strides from a start.
+struct WalkNode {
+    /// Nodes of one cell are at least this far apart in height, metres: less than the lowest step that
+    /// matters, more than the ground rises within a cell of a usual ramp.
+    static constexpr double kLevel = 0.15;
+    static constexpr std::uint16_t kNone = 0xFFFF;
+
+    float y = 0.0F;                ///< of the foot
+    std::uint16_t next = kNone;    ///< another node of the same cell
+    std::uint16_t parent = kNone;  ///< in the parent's tile
+    std::uint32_t cell : 10 = 0;   ///< x + kCells * z in the tile
+    std::uint32_t direction : 3 = 0;
+    std::uint32_t gait : 2 = 0;
+    std::uint32_t steering : 4 = 0;
+    std::uint32_t parent_tile : 4 = 0;  ///< index of WalkTile::neighbours, or one of the codes below
+    std::uint32_t returns : 1 = 0;      ///< one can walk back to the parent
+
+    static constexpr std::uint32_t kFarParent = 9;  ///< in another tile: see WalkTile::far_parents
+    static constexpr std::uint32_t kStart = 10;     ///< no parent: a start
+
+    Stride stride() const {
+        return {static_cast<std::uint8_t>(direction), static_cast<Gait>(gait),
+                static_cast<std::uint8_t>(steering)};
+    }
+};
+static_assert(sizeof(WalkNode) == 12);
+
+/// A node of a walk space.
+struct NodeRef {
+    std::uint32_t tile = 0;
+    std::uint16_t node = 0;
+
+    friend bool operator==(const NodeRef&, const NodeRef&) = default;
+    friend auto operator<=>(const NodeRef&, const NodeRef&) = default;
+};
+
+/// 32 x 32 cells and their nodes.
+struct WalkTile {
+    static constexpr int kCells = 32;
+    static constexpr std::uint32_t kNoTile = std::numeric_limits<std::uint32_t>::max();
+    static constexpr std::size_t kMaxNodes = WalkNode::kNone;
+
+    /// Exact states are kept for some nodes only; those of the others follow from them, stride by stride.
+    struct Keyframe {
+        std::uint16_t node = 0;
+        Standing at;
+    };
+    struct FarParent {
+        std::uint16_t node = 0;
+        std::uint32_t tile = 0;
+    };
+    /// Where the body left the ground in a stride from a node, and fell out of the world.
+    struct Drop {
+        std::uint16_t node = 0;
+        Stride stride;
+        collision::Vec3 edge = collision::Vec3::Zero();
+    };
+
+    GridCell corner;                                    ///< its cell with the lowest x and z
+    std::array<std::uint16_t, kCells * kCells> newest;  ///< of each cell, a list by WalkNode::next
+    std::vector<WalkNode> nodes;
+    std::vector<Keyframe> keyframes;     ///< ascending by node
+    std::vector<FarParent> far_parents;  ///< likewise
+    std::vector<Drop> drops;             ///< out of the world
+    /// The tiles around, row by row from the one with the lowest x and z; [4] is this one. kNoTile: none.
+    std::array<std::uint32_t, 9> neighbours;
+
+    WalkTile(const GridCell& first_cell, std::uint32_t own_index);
+
+    GridCell cell_of(const WalkNode& node) const {
+        return {corner.x + static_cast<int>(node.cell) % kCells,
+                corner.z + static_cast<int>(node.cell) / kCells};
+    }
+    /// The index of a cell of this tile.
+    std::uint32_t index_of(const GridCell& cell) const {
+        return static_cast<std::uint32_t>(cell.x - corner.x + kCells * (cell.z - corner.z));
+    }
+    /// The cell's node nearest in height, within `tolerance`.
+    std::optional<std::uint16_t> find(std::uint32_t cell, double y,
+                                      double tolerance = WalkNode::kLevel) const;
+    /// Adds a node to its cell's list. The tile must have room for it.
+    std::uint16_t add(WalkNode node);
+    const Standing* keyframe(std::uint16_t node) const;
+};
+
+}  // namespace campuswalk::engine
