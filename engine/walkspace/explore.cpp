@@ -51,49 +51,37 @@ struct Arrival {
 struct Frontier {
     std::vector<Pending> pending;  ///< a heap
     std::vector<Arrival> outbox;
+    std::optional<std::uint16_t> goal;                   ///< the first node that is one
     std::vector<std::pair<GridCell, float>> steered_at;  ///< edges from which falls were steered
 };
 
-/// A thread's body, in a world of its own.
+/// A thread's body and what it found.
 struct Worker {
-    std::unique_ptr<collision::World> world;  ///< null: the campus' own
-    std::optional<Strider> strider;
-    std::set<Bound> bounds;
+    Strider strider;
+    std::set<Bound> bounds = {};
     std::uint64_t strides = 0;
 };
 
-std::unique_ptr<collision::World> copy_of(const collision::World& world,
-                                          std::unique_ptr<collision::BroadPhase> broad_phase) {
-    auto copy = std::make_unique<collision::World>(std::move(broad_phase));
-    for (std::size_t i = 0; i < world.size(); ++i) {
-        copy->add(world.object(static_cast<collision::ObjectId>(i)));
-    }
-    return copy;
-}
-
 class Exploration {
 public:
-    Exploration(const collision::World& world, const ExploreSettings& settings)
+    Exploration(const WorkerWorlds& worlds, const ExploreSettings& settings)
         : settings_(settings), space_(WalkGrid{cell_for(settings)}) {
-        workers_.resize(std::max<std::size_t>(settings.workers, 1));
-        for (Worker& worker : workers_) {
-            const bool first = &worker == &workers_.front();
-            if (!first) {
-                worker.world = copy_of(world, settings.broad_phase());
-            }
-            worker.strider.emplace(first ? world : *worker.world, settings.strides, settings.solids);
+        for (std::size_t i = 0; i < worlds.size(); ++i) {
+            workers_.push_back({Strider(worlds[i], settings.strides, settings.solids)});
         }
     }
 
     WalkSpace run() {
         add_starts();
+        note_goal();
         std::uint32_t limit = 0;
-        while (const auto earliest = earliest_pending()) {
+        while (const auto earliest = space_.goal ? std::nullopt : earliest_pending()) {
             limit = std::max(limit + kTicksOfRound, *earliest + kTicksOfRound);
             // Tiles side by side are never explored at once: each looks at its neighbours' nodes.
             for (std::size_t color = 0; color < 4; ++color) {
                 explore_tiles(color, limit);
             }
+            note_goal();
             const std::size_t nodes = space_.node_count();
             if (nodes > settings_.max_nodes) {
                 workers_.front().bounds.insert(Bound::nodes);
@@ -102,9 +90,6 @@ public:
             if (settings_.progress) {
                 settings_.progress(nodes);
             }
-            if (settings_.done && settings_.done(space_)) {
-                break;
-            }
         }
         return finished();
     }
@@ -112,17 +97,23 @@ public:
 private:
     /// Two pockets of free space in one cell would be taken for one if a wall fitted between them.
     static double cell_for(const ExploreSettings& settings) {
+        if (settings.known != nullptr) {
+            return settings.known->grid.cell;
+        }
         const double widest = 0.99 * kDiagonal * 2.0 * settings.strides.body.radius;
         return std::min(settings.cell, widest);
     }
 
     void add_starts() {
         for (std::size_t i = 0; i < settings_.starts.size(); ++i) {
-            const StrideEnd end = workers_.front().strider->put_down(settings_.starts[i]);
+            const StrideEnd end = workers_.front().strider.put_down(settings_.starts[i]);
             if (end.kind == StrideEnd::Kind::standing) {
                 space_.starts.push_back(add_start(end.at));
                 space_.start_of.push_back(i);
             }
+        }
+        for (const Standing& at : settings_.more_starts) {
+            add_start(at);
         }
     }
 
@@ -144,6 +135,14 @@ private:
         const std::uint32_t tile = space_.add_tile_at(cell);
         frontiers_.resize(space_.tiles.size());
         return tile;
+    }
+
+    void note_goal() {
+        for (std::uint32_t i = 0; i < frontiers_.size() && !space_.goal; ++i) {
+            if (frontiers_[i].goal) {
+                space_.goal = NodeRef{i, *frontiers_[i].goal};
+            }
+        }
     }
 
     std::optional<std::uint32_t> earliest_pending() const {
@@ -186,7 +185,7 @@ private:
     /// By one worker; others work on tiles farther away.
     void explore_tile(std::uint32_t tile, std::uint32_t limit, Worker& worker) {
         std::vector<Pending>& pending = frontiers_[tile].pending;
-        while (!pending.empty() && pending.front().ticks < limit) {
+        while (!pending.empty() && pending.front().ticks < limit && !frontiers_[tile].goal) {
             std::ranges::pop_heap(pending, later);
             const Pending next = pending.back();
             pending.pop_back();
@@ -196,12 +195,15 @@ private:
 
     void stride_from(std::uint32_t tile, const Pending& from, Worker& worker) {
         const GridCell cell = space_.grid.cell_at(from.at.foot);
+        bool on_rim = false;
         for (std::uint8_t i = 0; i < 8; ++i) {
             const GridDirection& direction = grid_directions()[i];
-            if (is_known({cell.x + direction.x, cell.z + direction.z}, from.at.foot.y(), tile)) {
+            const GridCell goal{cell.x + direction.x, cell.z + direction.z};
+            if (is_known(goal, from.at.foot.y(), tile)) {
                 continue;
             }
             const StrideEnd end = try_stride(tile, from, {.direction = i}, worker);
+            on_rim = on_rim || end.left_ground || space_.grid.cell_at(end.at.foot) != goal;
             const bool stopped =
                 end.kind == StrideEnd::Kind::standing && space_.grid.cell_at(end.at.foot) == cell;
             if (settings_.run && end.left_ground) {
@@ -211,10 +213,16 @@ private:
                 try_stride(tile, from, {.direction = i, .gait = Gait::jump}, worker);
             }
         }
+        if (on_rim && settings_.keep_rim) {
+            space_.tiles[tile].rim.push_back({from.node, from.at});
+        }
     }
 
     /// Whether the cell has a node at this height; it is in the tile or beside it.
     bool is_known(const GridCell& cell, double y, std::uint32_t tile) const {
+        if (settings_.known != nullptr && settings_.known->find(cell, y)) {
+            return true;
+        }
         const WalkTile& own = space_.tiles[tile];
         const auto side = [](int at, int corner) {
             return at < corner ? 0 : at >= corner + WalkTile::kCells ? 2 : 1;
@@ -239,7 +247,7 @@ private:
     }
 
     StrideEnd take(std::uint32_t tile, const Pending& from, const Stride& stride, Worker& worker) {
-        const StrideEnd end = worker.strider->take(from.at, stride, space_.grid);
+        const StrideEnd end = worker.strider.take(from.at, stride, space_.grid);
         ++worker.strides;
         if (end.kind == StrideEnd::Kind::standing) {
             arrive(tile, from, stride, end, worker);
@@ -279,9 +287,17 @@ private:
         }
     }
 
+    bool is_out(const Vec3& foot) const {
+        return !settings_.within.empty() && !settings_.within.overlaps({foot, foot});
+    }
+
     void arrive(std::uint32_t tile, const Pending& from, const Stride& stride, const StrideEnd& end,
                 Worker& worker) {
         const GridCell cell = space_.grid.cell_at(end.at.foot);
+        if (is_out(end.at.foot) ||
+            (settings_.known != nullptr && settings_.known->find(cell, end.at.foot.y()))) {
+            return;
+        }
         WalkTile& own = space_.tiles[tile];
         const bool inside = cell.x >= own.corner.x && cell.x < own.corner.x + WalkTile::kCells &&
                             cell.z >= own.corner.z && cell.z < own.corner.z + WalkTile::kCells;
@@ -305,7 +321,7 @@ private:
     bool returns(const Standing& at, const Pending& to, Worker& worker) {
         const Vec3 way = to.at.foot - at.foot;
         const double seconds = 2.0 * collision::horizontal_norm(way) / settings_.strides.walk_speed + 0.2;
-        const StrideEnd back = worker.strider->walk_to(at, to.at.foot, 0.02, seconds);
+        const StrideEnd back = worker.strider.walk_to(at, to.at.foot, 0.02, seconds);
         return back.kind == StrideEnd::Kind::standing &&
                space_.grid.cell_at(back.at.foot) == space_.grid.cell_at(to.at.foot) &&
                std::abs(back.at.foot.y() - to.at.foot.y()) <= WalkNode::kLevel;
@@ -355,6 +371,10 @@ private:
             return std::nullopt;
         }
         const std::uint16_t number = own.add(node);
+        if (settings_.is_goal && !frontiers_[tile].goal &&
+            settings_.is_goal(own.cell_of(node), at.foot.y())) {
+            frontiers_[tile].goal = number;
+        }
         const bool keep = since_keyframe >= kStridesBetweenKeyframes;
         if (keep) {
             own.keyframes.push_back({number, at});
@@ -367,13 +387,13 @@ private:
 
     WalkSpace finished() {
         std::set<Bound> bounds;
-        space_.touched.assign(workers_.front().strider->touched().size(), false);
+        space_.touched.assign(workers_.front().strider.touched().size(), false);
         for (const Worker& worker : workers_) {
             bounds.insert(worker.bounds.begin(), worker.bounds.end());
-            space_.ticks += worker.strider->ticks();
+            space_.ticks += worker.strider.ticks();
             space_.strides += worker.strides;
             for (std::size_t i = 0; i < space_.touched.size(); ++i) {
-                space_.touched[i] = space_.touched[i] || worker.strider->touched()[i];
+                space_.touched[i] = space_.touched[i] || worker.strider.touched()[i];
             }
         }
         space_.bounds.assign(bounds.begin(), bounds.end());
@@ -388,8 +408,8 @@ private:
 
 }  // namespace
 
-WalkSpace explore(const collision::World& world, const ExploreSettings& settings) {
-    return Exploration(world, settings).run();
+WalkSpace explore(const WorkerWorlds& worlds, const ExploreSettings& settings) {
+    return Exploration(worlds, settings).run();
 }
 
 }  // namespace campuswalk::engine

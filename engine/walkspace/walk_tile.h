@@ -73,7 +73,9 @@ struct WalkTile {
     GridCell corner;                                    ///< its cell with the lowest x and z
     std::array<std::uint16_t, kCells * kCells> newest;  ///< of each cell, a list by WalkNode::next
     std::vector<WalkNode> nodes;
-    std::vector<Keyframe> keyframes;     ///< ascending by node
+    std::vector<Keyframe> keyframes;  ///< ascending by node
+    /// Where a stride didn't get to the cell that it was headed for, in any order: at walls, steps and edges.
+    std::vector<Keyframe> rim;
     std::vector<FarParent> far_parents;  ///< likewise
     std::vector<Drop> drops;             ///< out of the world
     /// The tiles around, row by row from the one with the lowest x and z; [4] is this one. kNoTile: none.

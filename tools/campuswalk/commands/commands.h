@@ -24,6 +24,7 @@ void add_replay(Command program, CommandAction& chosen);
 void add_info(Command program, CommandAction& chosen);
 void add_snapshot(Command program, CommandAction& chosen);
 void add_collide(Command program, CommandAction& chosen);
+void add_explore(Command program, CommandAction& chosen);
 void add_completion(Command program, CommandAction& chosen);
 void add_help(Command program, CommandAction& chosen);
 

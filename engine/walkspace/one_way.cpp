@@ -1,0 +1,257 @@
+#include "engine/walkspace/one_way.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "engine/walkspace/disjoint_sets.h"
+
+namespace campuswalk::engine {
+
+using collision::Vec3;
+
+namespace {
+
+/// Edges nearer than this along the ground, in cells, and in height, in metres, are one hole's.
+constexpr int kSameHole = 3;
+constexpr double kSameHeight = 0.5;
+/// How often it is tried to get from one part of the space into another before that counts as impossible;
+/// before a trap is reported, every way out of it has been tried.
+constexpr std::size_t kTries = 200;
+
+/// The nodes of a space, numbered.
+class NodeNumbers {
+public:
+    explicit NodeNumbers(const WalkSpace& space) {
+        for (const WalkTile& tile : space.tiles) {
+            first_.push_back(count_);
+            count_ += tile.nodes.size();
+        }
+    }
+    std::size_t count() const { return count_; }
+    std::size_t operator()(const NodeRef& ref) const { return first_[ref.tile] + ref.node; }
+
+private:
+    std::vector<std::size_t> first_;
+    std::size_t count_ = 0;
+};
+
+/// Parts of a walk space in which one can walk back wherever one came from, and which of them lead home to a
+/// start.
+class Parts {
+public:
+    Parts(const WorkerWorlds& worlds, const ExploreSettings& settings, const WalkSpace& space)
+        : space_(space),
+          numbers_(space),
+          sets_(numbers_.count()),
+          strider_(worlds[0], settings.strides, settings.solids),
+          step_(settings.strides.body.step_height) {
+        for_each_node([&](const NodeRef& ref) {
+            if (const auto parent = space.parent(ref); parent && space.node(ref).returns == 1) {
+                sets_.join(numbers_(ref), numbers_(*parent));
+            }
+        });
+        for (const NodeRef& start : space.starts) {
+            home_.insert(part_of(start));
+        }
+    }
+
+    /// Nodes by part that is no one's way home, after all ways were tried.
+    std::map<std::size_t, std::vector<NodeRef>> without_way_home() {
+        std::map<std::size_t, std::vector<NodeRef>> parts = others();
+        // A part whose parent's part it is entered from by a stride makes the parent's part lead where it
+        // leads.
+        for (bool changed = true; changed;) {
+            changed = false;
+            for (const auto& [part, nodes] : parts) {
+                if (!leads_home(part) && finds_way(nodes)) {
+                    mark_home(part);
+                    changed = true;
+                }
+            }
+        }
+        std::erase_if(parts, [&](const auto& part) { return leads_home(part.first); });
+        return parts;
+    }
+
+    /// Every stride from every node, steered in each way if it falls: does one lead home?
+    bool has_any_way(const std::vector<NodeRef>& nodes) {
+        return std::ranges::any_of(nodes, [&](const NodeRef& ref) {
+            const Standing at = space_.standing(ref, strider_);
+            for (std::uint8_t direction = 0; direction < 8; ++direction) {
+                for (std::uint8_t steering : {Stride::kStraightOn, Stride::kLetGo}) {
+                    if (leads_home_from(at, {.direction = direction, .steering = steering})) {
+                        return true;
+                    }
+                }
+            }
+            return false;
+        });
+    }
+
+private:
+    template <typename Visit>
+    void for_each_node(const Visit& visit) const {
+        for (std::uint32_t t = 0; t < space_.tiles.size(); ++t) {
+            for (std::uint16_t n = 0; n < space_.tiles[t].nodes.size(); ++n) {
+                visit(NodeRef{t, n});
+            }
+        }
+    }
+
+    std::size_t part_of(const NodeRef& ref) { return sets_.root(numbers_(ref)); }
+    bool leads_home(std::size_t part) const { return home_.contains(part); }
+
+    std::map<std::size_t, std::vector<NodeRef>> others() {
+        std::map<std::size_t, std::vector<NodeRef>> parts;
+        for_each_node([&](const NodeRef& ref) {
+            if (const std::size_t part = part_of(ref); !leads_home(part)) {
+                parts[part].push_back(ref);
+            }
+        });
+        return parts;
+    }
+
+    /// The part leads home, and so does every part that leads into it.
+    void mark_home(std::size_t part) {
+        home_.insert(part);
+        for_each_start_of(part, [&](const NodeRef& parent) {
+            if (const std::size_t before = part_of(parent); !leads_home(before)) {
+                mark_home(before);
+            }
+        });
+    }
+
+    template <typename Visit>
+    void for_each_start_of(std::size_t part, const Visit& visit) {
+        if (entered_.empty()) {
+            for_each_node([&](const NodeRef& ref) {
+                const auto parent = space_.parent(ref);
+                if (parent && space_.node(ref).returns == 0) {
+                    entered_[part_of(ref)].push_back(*parent);
+                }
+            });
+        }
+        for (const NodeRef& parent : entered_[part]) {
+            visit(parent);
+        }
+    }
+
+    /// Tries where its nodes lie beside others that lead home.
+    bool finds_way(const std::vector<NodeRef>& nodes) {
+        std::size_t tries = 0;
+        for (const NodeRef& ref : nodes) {
+            const GridCell cell = space_.cell_of(ref);
+            const double y = static_cast<double>(space_.node(ref).y);
+            for (std::uint8_t direction = 0; direction < 8; ++direction) {
+                const GridDirection& d = grid_directions()[direction];
+                const auto beside = space_.find({cell.x + d.x, cell.z + d.z}, y, step_ + WalkNode::kLevel);
+                if (!beside || !leads_home(part_of(*beside))) {
+                    continue;
+                }
+                if (leads_home_from(space_.standing(ref, strider_), {.direction = direction})) {
+                    return true;
+                }
+                if (++tries == kTries) {
+                    return false;
+                }
+            }
+        }
+        return false;
+    }
+
+    bool leads_home_from(const Standing& at, const Stride& stride) {
+        const StrideEnd end = strider_.take(at, stride, space_.grid);
+        if (end.kind != StrideEnd::Kind::standing) {
+            return false;
+        }
+        const auto there = space_.find(space_.grid.cell_at(end.at.foot), end.at.foot.y());
+        return there && leads_home(part_of(*there));
+    }
+
+    const WalkSpace& space_;
+    NodeNumbers numbers_;
+    DisjointSets sets_;
+    Strider strider_;
+    double step_;
+    std::set<std::size_t> home_;
+    std::map<std::size_t, std::vector<NodeRef>> entered_;  ///< by part: from where
+};
+
+}  // namespace
+
+std::vector<Trap> find_traps(const WorkerWorlds& worlds, const ExploreSettings& settings,
+                             const WalkSpace& space) {
+    Parts parts(worlds, settings, space);
+    std::vector<Trap> traps;
+    Strider strider(worlds[0], settings.strides, settings.solids);
+    for (auto& [part, nodes] : parts.without_way_home()) {
+        if (parts.has_any_way(nodes)) {
+            continue;
+        }
+        Trap trap;
+        trap.nodes = std::move(nodes);
+        trap.entrance = trap.nodes.front();
+        for (const NodeRef& ref : trap.nodes) {
+            if (space.node(ref).returns == 0) {
+                trap.entrance = ref;
+                break;
+            }
+        }
+        trap.edge = space.standing(space.parent(trap.entrance).value_or(trap.entrance), strider).foot;
+        trap.drop = trap.edge.y() - static_cast<double>(space.node(trap.entrance).y);
+        traps.push_back(std::move(trap));
+    }
+    std::ranges::stable_sort(traps, std::greater(), [](const Trap& trap) { return trap.nodes.size(); });
+    return traps;
+}
+
+std::vector<Hole> find_holes(const WalkSpace& space) {
+    std::vector<Hole::Edge> edges;
+    for (std::uint32_t t = 0; t < space.tiles.size(); ++t) {
+        for (const WalkTile::Drop& drop : space.tiles[t].drops) {
+            edges.push_back({{t, drop.node}, drop.stride, drop.edge});
+        }
+    }
+    std::map<GridCell, std::vector<std::size_t>> by_cell;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        by_cell[space.grid.cell_at(edges[i].at)].push_back(i);
+    }
+    DisjointSets sets(edges.size());
+    for (const auto& [cell, here] : by_cell) {
+        for (int dx = 0; dx <= kSameHole; ++dx) {
+            for (int dz = dx == 0 ? 0 : -kSameHole; dz <= kSameHole; ++dz) {
+                const auto near = by_cell.find({cell.x + dx, cell.z + dz});
+                if (near == by_cell.end()) {
+                    continue;
+                }
+                for (const std::size_t a : here) {
+                    for (const std::size_t b : near->second) {
+                        if (std::abs(edges[a].at.y() - edges[b].at.y()) <= kSameHeight) {
+                            sets.join(a, b);
+                        }
+                    }
+                }
+            }
+        }
+    }
+    std::map<std::size_t, Hole> holes;
+    std::map<std::size_t, std::set<GridCell>> cells;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        const std::size_t root = sets.root(i);
+        if (cells[root].insert(space.grid.cell_at(edges[i].at)).second) {
+            holes[root].edges.push_back(edges[i]);
+            holes[root].length += space.grid.cell;
+        }
+    }
+    std::vector<Hole> result;
+    for (auto& [root, hole] : holes) {
+        result.push_back(std::move(hole));
+    }
+    std::ranges::stable_sort(result, std::greater(), &Hole::length);
+    return result;
+}
+
+}  // namespace campuswalk::engine

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/walkspace/explore.h"
+#include "engine/walkspace/walk_space.h"
+#include "engine/walkspace/worker_worlds.h"
+
+namespace campuswalk::engine {
+
+/// Ground that one gets to and can't get away from.
+struct Trap {
+    std::vector<NodeRef> nodes;
+    NodeRef entrance;      ///< the first of its nodes that was reached
+    collision::Vec3 edge;  ///< where the body stood before it, feet
+    double drop = 0.0;     ///< from there down into it, metres; negative: up
+};
+
+/// Where one falls out of the world, along a connected edge.
+struct Hole {
+    struct Edge {
+        NodeRef node;  ///< that the stride over the edge starts from
+        Stride stride;
+        collision::Vec3 at;  ///< where the body last stood, feet
+    };
+    std::vector<Edge> edges;  ///< one for each cell of the edge; the first reached first
+    double length = 0.0;      ///< along the edge, roughly, metres
+};
+
+/// The largest first. Each node's strides were tried in every direction, and none leads away.
+std::vector<Trap> find_traps(const WorkerWorlds& worlds, const ExploreSettings& settings,
+                             const WalkSpace& space);
+
+/// The longest first.
+std::vector<Hole> find_holes(const WalkSpace& space);
+
+}  // namespace campuswalk::engine

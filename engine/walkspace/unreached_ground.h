@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "collision/geometry/shapes.h"
+#include "collision/world/broad_phase.h"
+#include "engine/walkspace/explore.h"
+#include "engine/walkspace/walk_space.h"
+#include "engine/walkspace/worker_worlds.h"
+
+namespace campuswalk::engine {
+
+/// A place where the body could stand, but doesn't get to.
+struct UnreachedSpot {
+    Standing at;
+    collision::ObjectId object{};  ///< that would carry it
+    std::uint32_t triangle = 0;    ///< of the object's mesh; 0 for a box
+};
+
+/// Unreached spots side by side: ground that one could walk about on.
+struct Island {
+    std::vector<UnreachedSpot> spots;  ///< at most one for each cell and level
+    collision::Aabb bounds;            ///< of the feet
+
+    double area(const WalkGrid& grid) const {
+        return static_cast<double>(spots.size()) * grid.cell * grid.cell;
+    }
+};
+
+/// Walkable ground that the exploration didn't get to: the middle of each cell on a triangle that isn't too
+/// steep, with room for the body above. Spots in neighbouring cells belong together if their heights differ
+/// by no more than a step, or than the steepest walkable slope. The largest island first; those below
+/// `least_area` (m²) are left out. Tops of round solids don't count.
+std::vector<Island> find_unreached_ground(const WorkerWorlds& worlds, const ExploreSettings& settings,
+                                          const WalkSpace& reached, double least_area);
+
+}  // namespace campuswalk::engine

@@ -1,0 +1,397 @@
+#include "engine/walkspace/why_not.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "collision/geometry/trigonometry.h"
+#include "collision/world/obstacle.h"
+
+namespace campuswalk::engine {
+
+using collision::ObjectId;
+using collision::Vec3;
+
+namespace {
+
+constexpr double kDegree = 0.017453292519943295;
+/// A local search that has reached this many cells has found no barrier, but another place.
+constexpr std::size_t kMostNodes = 20'000;
+/// Objects that are taken away for a try, the nearest to where the body stopped first.
+constexpr std::size_t kMostObjects = 12;
+/// How far around the way that was found the exact number is looked for, metres.
+constexpr double kAround = 1.5;
+/// The skin of a body that an opening's width is measured with, metres.
+constexpr double kThinSkin = 0.002;
+/// Taking an object away counts as much as changing the body by this share.
+constexpr double kChangeOfObject = 0.5;
+
+/// One ability of the body: what it has, and values that make it easier step by step.
+struct Ability {
+    BarrierKind kind;
+    double have;
+    std::vector<double> easier;
+    double precision;
+    void (*apply)(double value, collision::MoverSettings& body);
+};
+
+std::vector<Ability> abilities_of(const collision::MoverSettings& body) {
+    const double slope = collision::angle_of(std::sqrt(1.0 - body.min_up * body.min_up), body.min_up);
+    std::vector<Ability> all{
+        {BarrierKind::riser,
+         body.step_height,
+         {0.35, 0.4, 0.5, 0.6, 0.8, 1.1, 1.5, 2.2, kHighestLedge},
+         0.0005,
+         [](double value, collision::MoverSettings& b) { b.step_height = value; }},
+        {BarrierKind::slope,
+         slope,
+         {},
+         0.05 * kDegree,
+         [](double value, collision::MoverSettings& b) { b.min_up = collision::sin_cos(value).cos; }},
+        {BarrierKind::opening,
+         2.0 * body.radius,
+         {},
+         0.0005,
+         [](double value, collision::MoverSettings& b) {
+             b.radius = 0.5 * value;
+             b.skin = std::min(b.skin, kThinSkin);  // or the opening would seem narrower by the skin
+         }},
+        {BarrierKind::headroom,
+         body.height,
+         {},
+         0.0005,
+         [](double value, collision::MoverSettings& b) {
+             b.height = value;
+             b.radius = std::min(b.radius, 0.5 * value);
+         }},
+    };
+    for (const double degrees : {50.0, 55.0, 60.0, 65.0, 70.0, 75.0, 80.0}) {
+        all[1].easier.push_back(degrees * kDegree);
+    }
+    for (const double share : {0.93, 0.8, 0.65, 0.5, 0.33, 0.2}) {
+        all[2].easier.push_back(share * all[2].have);
+    }
+    for (const double share : {0.95, 0.85, 0.7, 0.55, 0.4, 0.3}) {
+        all[3].easier.push_back(share * body.height);
+    }
+    for (Ability& ability : all) {
+        const bool grows = ability.easier.back() > ability.easier.front();
+        std::erase_if(ability.easier,
+                      [&](double v) { return grows ? v <= ability.have : v >= ability.have; });
+    }
+    std::erase_if(all, [](const Ability& ability) { return ability.easier.empty(); });
+    return all;
+}
+
+/// By which share of itself an ability would have to change.
+double change_of(const Barrier& barrier) {
+    return barrier.kind == BarrierKind::object
+               ? kChangeOfObject
+               : std::abs(barrier.measured - barrier.allowed) / std::max(barrier.allowed, 0.05);
+}
+
+/// A way that a changed body found.
+struct Way {
+    Standing start;                      ///< where it left what the body reaches
+    std::vector<Vec3> feet;              ///< from there on
+    std::vector<ObjectId> touched = {};  ///< on all ways that were tried
+};
+
+class Search {
+public:
+    Search(const WorkerWorlds& worlds, const ExploreSettings& settings, const PassageQuery& query)
+        : worlds_(worlds), settings_(settings), query_(query), disabled_(worlds[0].size(), false) {
+        if (settings.solids.disabled != nullptr) {
+            disabled_ = *settings.solids.disabled;
+        }
+        settings_.starts.clear();
+        settings_.within = query.within;
+        settings_.known = query.known;
+        settings_.is_goal = query.is_beyond;
+        settings_.max_nodes = kMostNodes;
+        settings_.keep_rim = false;
+        settings_.progress = {};
+        settings_.solids.disabled = &disabled_;
+    }
+
+    std::optional<Barrier> run() {
+        const collision::MoverSettings& body = settings_.strides.body;
+        if (find_way(body, query_.from)) {
+            return std::nullopt;
+        }
+        const std::vector<ObjectId> touched = touched_;
+        const std::vector<Ability> abilities = abilities_of(body);
+        std::vector<Barrier> found;
+        for (const Ability& ability : abilities) {
+            if (auto barrier = try_ability(ability, body)) {
+                found.push_back(std::move(*barrier));
+            }
+        }
+        try_objects(touched, found);
+        if (found.empty()) {
+            return all_at_once(abilities);
+        }
+        std::ranges::stable_sort(found, {}, change_of);
+        Barrier smallest = found.front();
+        smallest.parts.assign(found.begin() + 1, found.end());
+        return smallest;
+    }
+
+private:
+    std::optional<Way> find_way(const collision::MoverSettings& body, std::span<const Standing> from) {
+        ExploreSettings settings = settings_;
+        settings.strides.body = body;
+        settings.more_starts.assign(from.begin(), from.end());
+        const WalkSpace space = explore(worlds_, settings);
+        touched_.clear();
+        for (std::size_t i = 0; i < space.touched.size(); ++i) {
+            if (space.touched[i]) {
+                touched_.push_back(static_cast<ObjectId>(i));
+            }
+        }
+        if (!space.goal) {
+            return std::nullopt;
+        }
+        Strider strider(worlds_[0], settings.strides, settings.solids);
+        const std::vector<ChainLink> chain = space.chain(*space.goal, strider);
+        Way way{chain.front().at, {}};
+        for (const ChainLink& link : chain) {
+            way.feet.push_back(link.at.foot);
+        }
+        return way;
+    }
+
+    /// The starts near the one that led to a way.
+    std::vector<Standing> starts_near(const Vec3& place) const {
+        std::vector<Standing> near;
+        for (const Standing& at : query_.from) {
+            if (collision::horizontal_norm(at.foot - place) <= kAround) {
+                near.push_back(at);
+            }
+        }
+        return near;
+    }
+
+    std::optional<Barrier> try_ability(const Ability& ability, const collision::MoverSettings& body) {
+        const auto with = [&](double value) {
+            collision::MoverSettings changed = body;
+            ability.apply(value, changed);
+            return changed;
+        };
+        if (!find_way(with(ability.easier.back()), query_.from)) {
+            return std::nullopt;
+        }
+        double fails = ability.have;
+        double passes = ability.easier.back();
+        std::optional<Way> way;
+        for (const double value : ability.easier) {
+            way = find_way(with(value), query_.from);
+            if (way) {
+                passes = value;
+                break;
+            }
+            fails = value;
+        }
+        if (!way) {
+            return std::nullopt;  // what one more start would do, another's chain may not
+        }
+        const std::vector<Standing> near = starts_near(way->start.foot);
+        while (std::abs(passes - fails) > ability.precision) {
+            const double middle = 0.5 * (passes + fails);
+            if (auto nearer = find_way(with(middle), near)) {
+                passes = middle;
+                way = std::move(nearer);
+            } else {
+                fails = middle;
+            }
+        }
+        return measured(ability, passes, body, *way);
+    }
+
+    Barrier measured(const Ability& ability, double value, const collision::MoverSettings& body,
+                     const Way& way) const {
+        Barrier barrier;
+        barrier.kind = ability.kind;
+        barrier.measured = value;
+        barrier.allowed = ability.have;
+        if (ability.kind == BarrierKind::riser) {
+            barrier.measured += collision::kHeightSlack;
+            barrier.kind = barrier.measured > kHighestRiser ? BarrierKind::ledge : BarrierKind::riser;
+        }
+        locate(way, body, barrier);
+        return barrier;
+    }
+
+    /// Sends the body along the way of the changed one: what it is stopped by is the barrier.
+    void locate(const Way& way, const collision::MoverSettings& body, Barrier& barrier) const {
+        StrideSettings strides = settings_.strides;
+        strides.body = body;
+        Strider strider(worlds_[0], strides, settings_.solids);
+        Standing at = way.start;
+        Vec3 ahead = Vec3::Zero();
+        for (std::size_t i = 1; i < way.feet.size(); ++i) {
+            const StrideEnd end = strider.walk_to(at, way.feet[i], 0.02, 1.0);
+            ahead = way.feet[i] - end.at.foot;
+            ahead.y() = 0.0;
+            if (end.kind != StrideEnd::Kind::standing) {
+                break;
+            }
+            at = end.at;
+            if (ahead.norm() > 0.05 || std::abs(way.feet[i].y() - at.foot.y()) > body.step_height) {
+                break;
+            }
+        }
+        barrier.from = at.foot;
+        barrier.at = at.foot;
+        find_contact(at.foot, ahead, body, barrier);
+    }
+
+    /// Of what is within reach, what opposes the way most.
+    void find_contact(const Vec3& foot, const Vec3& ahead, const collision::MoverSettings& body,
+                      Barrier& barrier) const {
+        constexpr double kReach = 0.05;
+        const collision::Segment core = body.core(foot);
+        std::vector<collision::Obstacle> near;
+        collision::gather_obstacles(worlds_[0], settings_.solids, core, body.radius + body.skin + kReach,
+                                    near);
+        double strongest = 0.1;
+        for (const collision::Obstacle& piece : near) {
+            const collision::Closest c = collision::closest(core, piece);
+            Vec3 towards = c.on_shape - c.on_segment;
+            towards.y() = 0.0;
+            const double length = towards.norm();
+            const double against =
+                length > 0.0 && ahead.norm() > 0.0 ? towards.dot(ahead) / (length * ahead.norm()) : 0.0;
+            if (against > strongest) {
+                strongest = against;
+                barrier.object = piece.object;
+                barrier.triangle = piece.triangle;
+                barrier.at = c.on_shape;
+            }
+        }
+    }
+
+    /// Objects that the body touched but that don't carry it: without which of them would there be a way?
+    void try_objects(std::vector<ObjectId> touched, std::vector<Barrier>& found) {
+        const collision::MoverSettings& body = settings_.strides.body;
+        const Vec3 center = query_.within.center();
+        const auto distance = [&](ObjectId id) {
+            return (worlds_[0].bounds(id).center() - center).squaredNorm();
+        };
+        std::ranges::stable_sort(touched, {}, distance);
+        std::size_t tried = 0;
+        for (const ObjectId id : touched) {
+            if (carries_a_start(id) || tried == kMostObjects) {
+                continue;
+            }
+            ++tried;
+            disabled_[index_of(id)] = true;
+            const auto way = find_way(body, query_.from);
+            disabled_[index_of(id)] = false;
+            if (way) {
+                Barrier barrier;
+                barrier.kind = BarrierKind::object;
+                locate(*way, body, barrier);
+                barrier.object = id;
+                found.push_back(barrier);
+            }
+        }
+    }
+
+    /// Taking away the ground is no change that helps.
+    bool carries_a_start(ObjectId id) const {
+        const collision::Aabb& box = worlds_[0].bounds(id);
+        return std::ranges::any_of(query_.from, [&](const Standing& at) {
+            const Vec3 below = at.foot - Vec3(0, 0.02, 0);
+            return (below.array() >= box.min.array() - 0.01).all() &&
+                   (below.array() <= box.max.array() + 0.01).all() && at.support_y <= box.max.y() + 0.01 &&
+                   supports(id, at);
+        });
+    }
+
+    bool supports(ObjectId id, const Standing& at) const {
+        const double radius = settings_.strides.body.radius;
+        const Vec3 center = at.foot + Vec3(0, radius, 0);
+        std::vector<collision::Obstacle> near;
+        collision::gather_pieces(worlds_[0], id, {center, center}, radius + 0.01, near);
+        return std::ranges::any_of(near, [&](const collision::Obstacle& piece) {
+            return collision::closest({center, center}, piece).on_shape.y() <= at.foot.y() + 0.3 * radius;
+        });
+    }
+
+    /// With every ability at its easiest; then each is made as hard as the others allow.
+    Barrier all_at_once(const std::vector<Ability>& abilities) {
+        collision::MoverSettings easiest = settings_.strides.body;
+        for (const Ability& ability : abilities) {
+            ability.apply(ability.easier.back(), easiest);
+        }
+        Barrier barrier;
+        std::optional<Way> way = find_way(easiest, query_.from);
+        if (!way) {
+            barrier.from = query_.from.empty() ? Vec3(Vec3::Zero()) : query_.from.front().foot;
+            barrier.at = barrier.from;
+            return barrier;
+        }
+        barrier.kind = BarrierKind::several;
+        std::vector<double> values;
+        for (const Ability& ability : abilities) {
+            values.push_back(ability.easier.back());
+        }
+        for (std::size_t i = 0; i < abilities.size(); ++i) {
+            harden(abilities, i, values);
+        }
+        collision::MoverSettings needed = settings_.strides.body;
+        for (std::size_t i = 0; i < abilities.size(); ++i) {
+            abilities[i].apply(values[i], needed);
+        }
+        if (auto exact = find_way(needed, query_.from)) {
+            way = std::move(exact);
+        }
+        for (std::size_t i = 0; i < abilities.size(); ++i) {
+            if (values[i] != abilities[i].have) {
+                barrier.parts.push_back(measured(abilities[i], values[i], settings_.strides.body, *way));
+            }
+        }
+        locate(*way, settings_.strides.body, barrier);
+        return barrier;
+    }
+
+    void harden(const std::vector<Ability>& abilities, std::size_t which, std::vector<double>& values) {
+        const auto passes_with = [&](double value) {
+            collision::MoverSettings body = settings_.strides.body;
+            for (std::size_t i = 0; i < abilities.size(); ++i) {
+                abilities[i].apply(i == which ? value : values[i], body);
+            }
+            return find_way(body, query_.from).has_value();
+        };
+        const Ability& ability = abilities[which];
+        double fails = ability.have;
+        double passes = values[which];
+        if (passes_with(fails)) {
+            values[which] = fails;
+            return;
+        }
+        while (std::abs(passes - fails) > ability.precision) {
+            const double middle = 0.5 * (passes + fails);
+            (passes_with(middle) ? passes : fails) = middle;
+        }
+        values[which] = passes;
+    }
+
+    const WorkerWorlds& worlds_;
+    ExploreSettings settings_;
+    const PassageQuery& query_;
+    std::vector<bool> disabled_;
+    std::vector<ObjectId> touched_;  ///< by the last search
+};
+
+}  // namespace
+
+std::optional<Barrier> why_not(const WorkerWorlds& worlds, const ExploreSettings& settings,
+                               const PassageQuery& query) {
+    return Search(worlds, settings, query).run();
+}
+
+}  // namespace campuswalk::engine

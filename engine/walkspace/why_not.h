@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "collision/geometry/shapes.h"
+#include "collision/world/broad_phase.h"
+#include "engine/walkspace/explore.h"
+#include "engine/walkspace/walk_space.h"
+#include "engine/walkspace/worker_worlds.h"
+
+namespace campuswalk::engine {
+
+/// What keeps the body out.
+enum class BarrierKind : std::uint8_t {
+    riser,     ///< a step that is too high: `measured` and `allowed` are heights, metres
+    ledge,     ///< higher than any riser: no way up
+    slope,     ///< too steep: radians
+    opening,   ///< too narrow: widths, metres
+    headroom,  ///< too low: heights, metres
+    object,    ///< an object stands in the way
+    several,   ///< more than one of these at once: see `parts`
+    solid,     ///< nothing that a change of the body would overcome
+};
+
+/// A measured reason why the body doesn't get somewhere.
+struct Barrier {
+    BarrierKind kind = BarrierKind::solid;
+    double measured = 0.0;                           ///< what the body would have to manage
+    double allowed = 0.0;                            ///< what it manages
+    collision::Vec3 at = collision::Vec3::Zero();    ///< where it was stopped, on the barrier
+    collision::Vec3 from = collision::Vec3::Zero();  ///< where it stood then, feet
+    std::optional<collision::ObjectId> object;       ///< what it touched there, or what stands in the way
+    std::uint32_t triangle = 0;                      ///< of the object's mesh
+    /// Other changes, each of which would do as well, the smaller first; of `several`, all that it takes.
+    std::vector<Barrier> parts = {};
+};
+
+/// From where to where the body doesn't get.
+struct PassageQuery {
+    std::vector<Standing> from;
+    /// Whether a node in this cell, at this height, is beyond the barrier.
+    std::function<bool(const GridCell&, double y)> is_beyond;
+    collision::Aabb within;            ///< where to look for ways, horizontally and vertically
+    const WalkSpace* known = nullptr;  ///< where the body got to; may be null
+};
+
+/// The smallest change that would let the body through: of its step, its slope, its width or its height, or
+/// one object less. Found by walking with a changed body, measured to a millimetre and a tenth of a degree.
+/// None if the body gets through as it is.
+std::optional<Barrier> why_not(const WorkerWorlds& worlds, const ExploreSettings& settings,
+                               const PassageQuery& query);
+
+/// A ledge higher than this is climbed by no one, metres.
+inline constexpr double kHighestLedge = 3.0;
+/// What is called a riser and not a ledge, metres.
+inline constexpr double kHighestRiser = 0.6;
+
+}  // namespace campuswalk::engine
