@@ -40,7 +40,7 @@ bool later(const Pending& a, const Pending& b) {
 /// What a stride leads to outside of its tile.
 struct Arrival {
     std::uint32_t ticks = 0;
-    NodeRef parent;
+    WalkNodeId parent;
     Stride stride;
     bool returns = false;
     std::uint8_t since_keyframe = 0;
@@ -117,7 +117,7 @@ private:
         }
     }
 
-    NodeRef add_start(const Standing& at) {
+    WalkNodeId add_start(const Standing& at) {
         const GridCell cell = space_.grid.cell_at(at.foot);
         if (const auto known = space_.find(cell, at.foot.y())) {
             return *known;
@@ -140,7 +140,7 @@ private:
     void note_goal() {
         for (std::uint32_t i = 0; i < frontiers_.size() && !space_.goal; ++i) {
             if (frontiers_[i].goal) {
-                space_.goal = NodeRef{i, *frontiers_[i].goal};
+                space_.goal = WalkNodeId{i, *frontiers_[i].goal};
             }
         }
     }

@@ -31,7 +31,7 @@ public:
         }
     }
     std::size_t count() const { return count_; }
-    std::size_t operator()(const NodeRef& ref) const { return first_[ref.tile] + ref.node; }
+    std::size_t operator()(const WalkNodeId& ref) const { return first_[ref.tile] + ref.node; }
 
 private:
     std::vector<std::size_t> first_;
@@ -48,19 +48,19 @@ public:
           sets_(numbers_.count()),
           strider_(worlds[0], settings.strides, settings.solids),
           step_(settings.strides.body.step_height) {
-        for_each_node([&](const NodeRef& ref) {
+        for_each_node([&](const WalkNodeId& ref) {
             if (const auto parent = space.parent(ref); parent && space.node(ref).returns == 1) {
                 sets_.join(numbers_(ref), numbers_(*parent));
             }
         });
-        for (const NodeRef& start : space.starts) {
+        for (const WalkNodeId& start : space.starts) {
             home_.insert(part_of(start));
         }
     }
 
     /// Nodes by part that is no one's way home, after all ways were tried.
-    std::map<std::size_t, std::vector<NodeRef>> without_way_home() {
-        std::map<std::size_t, std::vector<NodeRef>> parts = others();
+    std::map<std::size_t, std::vector<WalkNodeId>> without_way_home() {
+        std::map<std::size_t, std::vector<WalkNodeId>> parts = others();
         // A part whose parent's part it is entered from by a stride makes the parent's part lead where it
         // leads.
         for (bool changed = true; changed;) {
@@ -77,8 +77,8 @@ public:
     }
 
     /// Every stride from every node, steered in each way if it falls: does one lead home?
-    bool has_any_way(const std::vector<NodeRef>& nodes) {
-        return std::ranges::any_of(nodes, [&](const NodeRef& ref) {
+    bool has_any_way(const std::vector<WalkNodeId>& nodes) {
+        return std::ranges::any_of(nodes, [&](const WalkNodeId& ref) {
             const Standing at = space_.standing(ref, strider_);
             for (std::uint8_t direction = 0; direction < 8; ++direction) {
                 for (std::uint8_t steering : {Stride::kStraightOn, Stride::kLetGo}) {
@@ -96,17 +96,17 @@ private:
     void for_each_node(const Visit& visit) const {
         for (std::uint32_t t = 0; t < space_.tiles.size(); ++t) {
             for (std::uint16_t n = 0; n < space_.tiles[t].nodes.size(); ++n) {
-                visit(NodeRef{t, n});
+                visit(WalkNodeId{t, n});
             }
         }
     }
 
-    std::size_t part_of(const NodeRef& ref) { return sets_.root(numbers_(ref)); }
+    std::size_t part_of(const WalkNodeId& ref) { return sets_.root(numbers_(ref)); }
     bool leads_home(std::size_t part) const { return home_.contains(part); }
 
-    std::map<std::size_t, std::vector<NodeRef>> others() {
-        std::map<std::size_t, std::vector<NodeRef>> parts;
-        for_each_node([&](const NodeRef& ref) {
+    std::map<std::size_t, std::vector<WalkNodeId>> others() {
+        std::map<std::size_t, std::vector<WalkNodeId>> parts;
+        for_each_node([&](const WalkNodeId& ref) {
             if (const std::size_t part = part_of(ref); !leads_home(part)) {
                 parts[part].push_back(ref);
             }
@@ -117,7 +117,7 @@ private:
     /// The part leads home, and so does every part that leads into it.
     void mark_home(std::size_t part) {
         home_.insert(part);
-        for_each_start_of(part, [&](const NodeRef& parent) {
+        for_each_start_of(part, [&](const WalkNodeId& parent) {
             if (const std::size_t before = part_of(parent); !leads_home(before)) {
                 mark_home(before);
             }
@@ -127,22 +127,22 @@ private:
     template <typename Visit>
     void for_each_start_of(std::size_t part, const Visit& visit) {
         if (entered_.empty()) {
-            for_each_node([&](const NodeRef& ref) {
+            for_each_node([&](const WalkNodeId& ref) {
                 const auto parent = space_.parent(ref);
                 if (parent && space_.node(ref).returns == 0) {
                     entered_[part_of(ref)].push_back(*parent);
                 }
             });
         }
-        for (const NodeRef& parent : entered_[part]) {
+        for (const WalkNodeId& parent : entered_[part]) {
             visit(parent);
         }
     }
 
     /// Tries where its nodes lie beside others that lead home.
-    bool finds_way(const std::vector<NodeRef>& nodes) {
+    bool finds_way(const std::vector<WalkNodeId>& nodes) {
         std::size_t tries = 0;
-        for (const NodeRef& ref : nodes) {
+        for (const WalkNodeId& ref : nodes) {
             const GridCell cell = space_.cell_of(ref);
             const double y = static_cast<double>(space_.node(ref).y);
             for (std::uint8_t direction = 0; direction < 8; ++direction) {
@@ -177,7 +177,7 @@ private:
     Strider strider_;
     double step_;
     std::set<std::size_t> home_;
-    std::map<std::size_t, std::vector<NodeRef>> entered_;  ///< by part: from where
+    std::map<std::size_t, std::vector<WalkNodeId>> entered_;  ///< by part: from where
 };
 
 }  // namespace
@@ -194,7 +194,7 @@ std::vector<Trap> find_traps(const WorkerWorlds& worlds, const ExploreSettings& 
         Trap trap;
         trap.nodes = std::move(nodes);
         trap.entrance = trap.nodes.front();
-        for (const NodeRef& ref : trap.nodes) {
+        for (const WalkNodeId& ref : trap.nodes) {
             if (space.node(ref).returns == 0) {
                 trap.entrance = ref;
                 break;

@@ -11,8 +11,8 @@ namespace campuswalk::engine {
 
 /// Ground that one gets to and can't get away from.
 struct Trap {
-    std::vector<NodeRef> nodes;
-    NodeRef entrance;      ///< the first of its nodes that was reached
+    std::vector<WalkNodeId> nodes;
+    WalkNodeId entrance;   ///< the first of its nodes that was reached
     collision::Vec3 edge;  ///< where the body stood before it, feet
     double drop = 0.0;     ///< from there down into it, metres; negative: up
 };
@@ -20,7 +20,7 @@ struct Trap {
 /// Where one falls out of the world, along a connected edge.
 struct Hole {
     struct Edge {
-        NodeRef node;  ///< that the stride over the edge starts from
+        WalkNodeId node;  ///< that the stride over the edge starts from
         Stride stride;
         collision::Vec3 at;  ///< where the body last stood, feet
     };

@@ -27,7 +27,7 @@ std::size_t WalkSpace::node_count() const {
     return count;
 }
 
-collision::Vec3 WalkSpace::position(const NodeRef& ref) const {
+collision::Vec3 WalkSpace::position(const WalkNodeId& ref) const {
     collision::Vec3 p = grid.center(cell_of(ref));
     p.y() = static_cast<double>(node(ref).y);
     return p;
@@ -38,13 +38,13 @@ std::optional<std::uint32_t> WalkSpace::tile_at(const GridCell& cell) const {
     return found == tile_numbers_.end() ? std::nullopt : std::optional(found->second);
 }
 
-std::optional<NodeRef> WalkSpace::find(const GridCell& cell, double y, double tolerance) const {
+std::optional<WalkNodeId> WalkSpace::find(const GridCell& cell, double y, double tolerance) const {
     const auto tile = tile_at(cell);
     if (!tile) {
         return std::nullopt;
     }
     const auto node = tiles[*tile].find(tiles[*tile].index_of(cell), y, tolerance);
-    return node ? std::optional(NodeRef{*tile, *node}) : std::nullopt;
+    return node ? std::optional(WalkNodeId{*tile, *node}) : std::nullopt;
 }
 
 std::uint32_t WalkSpace::add_tile_at(const GridCell& cell) {
@@ -67,7 +67,7 @@ std::uint32_t WalkSpace::add_tile_at(const GridCell& cell) {
     return number;
 }
 
-std::optional<NodeRef> WalkSpace::parent(const NodeRef& ref) const {
+std::optional<WalkNodeId> WalkSpace::parent(const WalkNodeId& ref) const {
     const WalkTile& tile = tiles[ref.tile];
     const WalkNode& n = tile.nodes[ref.node];
     if (n.parent_tile == WalkNode::kStart) {
@@ -75,14 +75,14 @@ std::optional<NodeRef> WalkSpace::parent(const NodeRef& ref) const {
     }
     if (n.parent_tile == WalkNode::kFarParent) {
         const auto far = std::ranges::lower_bound(tile.far_parents, ref.node, {}, &WalkTile::FarParent::node);
-        return NodeRef{far->tile, n.parent};
+        return WalkNodeId{far->tile, n.parent};
     }
-    return NodeRef{tile.neighbours[n.parent_tile], n.parent};
+    return WalkNodeId{tile.neighbours[n.parent_tile], n.parent};
 }
 
-std::vector<ChainLink> WalkSpace::chain(const NodeRef& ref, Strider& strider) const {
+std::vector<ChainLink> WalkSpace::chain(const WalkNodeId& ref, Strider& strider) const {
     std::vector<ChainLink> links;
-    std::optional<NodeRef> at = ref;
+    std::optional<WalkNodeId> at = ref;
     while (at) {
         links.push_back({node(*at).stride(), {}});
         const auto before = parent(*at);
@@ -98,9 +98,9 @@ std::vector<ChainLink> WalkSpace::chain(const NodeRef& ref, Strider& strider) co
     return links;
 }
 
-Standing WalkSpace::standing(const NodeRef& ref, Strider& strider) const {
+Standing WalkSpace::standing(const WalkNodeId& ref, Strider& strider) const {
     std::vector<Stride> way;
-    NodeRef at = ref;
+    WalkNodeId at = ref;
     const Standing* known = tiles[at.tile].keyframe(at.node);
     while (known == nullptr) {
         way.push_back(node(at).stride());

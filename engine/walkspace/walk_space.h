@@ -34,33 +34,33 @@ public:
 
     WalkGrid grid;
     std::vector<WalkTile> tiles;        ///< in the order in which they were reached
-    std::vector<NodeRef> starts;        ///< of the given starts that have room and ground, in their order
+    std::vector<WalkNodeId> starts;     ///< of the given starts that have room and ground, in their order
     std::vector<std::size_t> start_of;  ///< by start: its number among those given
     std::vector<bool> touched;          ///< by object: some stride touched it
-    std::optional<NodeRef> goal;        ///< what was looked for, if it was reached: ExploreSettings::is_goal
+    std::optional<WalkNodeId> goal;     ///< what was looked for, if it was reached: ExploreSettings::is_goal
     std::vector<Bound> bounds;          ///< what cut the exploration short, ascending
     std::uint64_t ticks = 0;            ///< simulated, for statistics
     std::uint64_t strides = 0;
 
     std::size_t node_count() const;
     double area() const { return static_cast<double>(node_count()) * grid.cell * grid.cell; }
-    const WalkNode& node(const NodeRef& ref) const { return tiles[ref.tile].nodes[ref.node]; }
-    GridCell cell_of(const NodeRef& ref) const { return tiles[ref.tile].cell_of(node(ref)); }
+    const WalkNode& node(const WalkNodeId& ref) const { return tiles[ref.tile].nodes[ref.node]; }
+    GridCell cell_of(const WalkNodeId& ref) const { return tiles[ref.tile].cell_of(node(ref)); }
     /// The middle of the node's cell, at the node's height: the foot is within a cell's half diagonal.
-    collision::Vec3 position(const NodeRef& ref) const;
+    collision::Vec3 position(const WalkNodeId& ref) const;
 
     /// The node in this cell nearest to the height, within `tolerance` metres.
-    std::optional<NodeRef> find(const GridCell& cell, double y, double tolerance = WalkNode::kLevel) const;
+    std::optional<WalkNodeId> find(const GridCell& cell, double y, double tolerance = WalkNode::kLevel) const;
     std::optional<std::uint32_t> tile_at(const GridCell& cell) const;
     /// The tile's number; a tile that isn't there yet is added.
     std::uint32_t add_tile_at(const GridCell& cell);
 
     /// None for a start.
-    std::optional<NodeRef> parent(const NodeRef& ref) const;
+    std::optional<WalkNodeId> parent(const WalkNodeId& ref) const;
     /// From the start to the node. Takes as many ticks as the walk itself.
-    std::vector<ChainLink> chain(const NodeRef& ref, Strider& strider) const;
+    std::vector<ChainLink> chain(const WalkNodeId& ref, Strider& strider) const;
     /// Where exactly the body stands at the node; takes the strides since the last node with a known state.
-    Standing standing(const NodeRef& ref, Strider& strider) const;
+    Standing standing(const WalkNodeId& ref, Strider& strider) const;
 
 private:
     std::map<GridCell, std::uint32_t> tile_numbers_;  ///< by the tile's corner

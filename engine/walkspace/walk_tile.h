@@ -40,12 +40,12 @@ struct WalkNode {
 static_assert(sizeof(WalkNode) == 12);
 
 /// A node of a walk space.
-struct NodeRef {
+struct WalkNodeId {
     std::uint32_t tile = 0;
     std::uint16_t node = 0;
 
-    friend bool operator==(const NodeRef&, const NodeRef&) = default;
-    friend auto operator<=>(const NodeRef&, const NodeRef&) = default;
+    friend bool operator==(const WalkNodeId&, const WalkNodeId&) = default;
+    friend auto operator<=>(const WalkNodeId&, const WalkNodeId&) = default;
 };
 
 /// 32 x 32 cells and their nodes.

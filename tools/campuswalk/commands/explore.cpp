@@ -12,6 +12,10 @@
 #include "engine/script/avatar_body.h"
 #include "engine/walkspace/explore.h"
 #include "engine/walkspace/unreached_ground.h"
+#include "engine/walkspace/island_barriers.h"
+#include "engine/walkspace/barrier_text.h"
+#include "engine/walkspace/storeys.h"
+#include "engine/walkspace/one_way.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/commands/commands.h"
@@ -54,10 +58,21 @@ int explore_campus(const ExploreOptions& options) {
     const auto islands = engine::find_unreached_ground(worlds, settings, space, 1.0);
     s = std::chrono::duration<double>(std::chrono::steady_clock::now() - t0).count();
     print_line("islands %zu in %.3f s", islands.size(), s);
-    for (std::size_t i = 0; i < std::min<std::size_t>(islands.size(), 12); ++i) {
+    t0 = std::chrono::steady_clock::now();
+    const auto barriers = engine::find_island_barriers(worlds, settings, space, islands, 1000);
+    s = std::chrono::duration<double>(std::chrono::steady_clock::now() - t0).count();
+    print_line("barriers %zu in %.3f s", barriers.size(), s);
+    for (std::size_t i = 0; i < barriers.size(); ++i) {
         const auto& is = islands[i];
-        print_line("  %.1f m2 y %.2f..%.2f at %.2f %.2f %.2f on %s", is.area(space.grid), is.bounds.min.y(), is.bounds.max.y(), is.spots[0].at.foot.x(), is.spots[0].at.foot.y(), is.spots[0].at.foot.z(), campus->objects[index_of(is.spots[0].object)].id.c_str());
+        print_line("  %.1f m2 y %.2f..%.2f at %.2f %.2f %.2f on %s: %s", is.area(space.grid), is.bounds.min.y(), is.bounds.max.y(), is.spots[0].at.foot.x(), is.spots[0].at.foot.y(), is.spots[0].at.foot.z(), engine::object_text(*campus, is.spots[0].object, is.spots[0].at.foot).c_str(), barriers[i] ? engine::barrier_text(*campus, *barriers[i]).c_str() : "nothing near");
     }
+    for (const auto& st : engine::find_storeys(space)) print_line("storey %.2f to %.2f: %.1f m2", st.low, st.high, st.area);
+    t0 = std::chrono::steady_clock::now();
+    const auto traps = engine::find_traps(worlds, settings, space);
+    s = std::chrono::duration<double>(std::chrono::steady_clock::now() - t0).count();
+    print_line("traps %zu in %.3f s", traps.size(), s);
+    for (const auto& t : traps) { auto p = space.position(t.entrance); print_line("  %.2f m2 at %.2f %.2f %.2f, drop %.2f", static_cast<double>(t.nodes.size()) * .0625, p.x(), p.y(), p.z(), t.drop); }
+    for (const auto& hole : engine::find_holes(space)) { auto p = hole.edges[0].at; print_line("  hole %.2f m at %.2f %.2f %.2f", hole.length, p.x(), p.y(), p.z()); }
     return kPass;
 }
 

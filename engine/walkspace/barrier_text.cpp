@@ -1,0 +1,113 @@
+#include "engine/walkspace/barrier_text.h"
+
+#include <algorithm>
+
+#include "engine/events/decimals.h"
+#include "scene/campus/node_at.h"
+
+namespace campuswalk::engine {
+
+namespace {
+
+std::string metres(double value) {
+    return fixed(value, 2) + " m";
+}
+
+std::string place_text(const scene::Campus& campus, const Barrier& barrier, const char* before) {
+    const collision::Vec3& p = barrier.at;
+    std::string text = before;
+    if (barrier.object) {
+        text += object_text(campus, *barrier.object, p) + ", ";
+    }
+    return text + fixed(p.x(), 2) + ", " + fixed(p.y(), 2) + ", " + fixed(p.z(), 2);
+}
+
+/// The other change that would do as well, if there is one of this kind.
+const Barrier* part_of(const Barrier& barrier, BarrierKind kind) {
+    const auto found = std::ranges::find(barrier.parts, kind, &Barrier::kind);
+    return found == barrier.parts.end() ? nullptr : &*found;
+}
+
+std::string opening_text(const Barrier& opening) {
+    return "is " + metres(opening.measured) + " wide, the body needs " + metres(opening.allowed);
+}
+
+std::string object_in_the_way(const scene::Campus& campus, const Barrier& object, const Barrier* opening) {
+    std::string text = object_text(campus, *object.object, object.at) + " stands in the way at " +
+                       fixed(object.at.x(), 2) + ", " + fixed(object.at.y(), 2) + ", " +
+                       fixed(object.at.z(), 2);
+    if (opening != nullptr) {
+        text += "; the opening beside it " + opening_text(*opening);
+    }
+    return text;
+}
+
+std::string several_text(const scene::Campus& campus, const Barrier& barrier) {
+    std::string text;
+    for (const Barrier& part : barrier.parts) {
+        text += (text.empty() ? "" : ", and ") + barrier_text(campus, part);
+    }
+    return text;
+}
+
+}  // namespace
+
+const char* name_of(BarrierKind kind) {
+    switch (kind) {
+        case BarrierKind::riser:
+            return "riser";
+        case BarrierKind::ledge:
+            return "ledge";
+        case BarrierKind::slope:
+            return "slope";
+        case BarrierKind::opening:
+            return "opening";
+        case BarrierKind::headroom:
+            return "headroom";
+        case BarrierKind::object:
+            return "object";
+        case BarrierKind::several:
+            return "several";
+        case BarrierKind::solid:
+            return "solid";
+    }
+    return "";
+}
+
+std::string object_text(const scene::Campus& campus, collision::ObjectId object, const collision::Vec3& at) {
+    const scene::CampusObject& named = campus.objects[index_of(object)];
+    const std::string node = scene::node_at(campus, named, at);
+    return node.empty() || node == named.id ? named.id : named.id + " (" + node + ")";
+}
+
+std::string barrier_text(const scene::Campus& campus, const Barrier& barrier) {
+    switch (barrier.kind) {
+        case BarrierKind::riser:
+            return "riser of " + metres(barrier.measured) + place_text(campus, barrier, " at ") +
+                   "; the avatar steps " + metres(barrier.allowed);
+        case BarrierKind::ledge:
+            return "ledge of " + metres(barrier.measured) + place_text(campus, barrier, " at ") +
+                   "; no way up";
+        case BarrierKind::slope:
+            return "slope of " + fixed(degrees(barrier.measured), 1) + " degrees" +
+                   place_text(campus, barrier, " at ") + "; the avatar walks up " +
+                   fixed(degrees(barrier.allowed), 1);
+        case BarrierKind::opening:
+            if (const Barrier* object = part_of(barrier, BarrierKind::object)) {
+                return object_in_the_way(campus, *object, &barrier);
+            }
+            return place_text(campus, barrier, "the opening at ") + " " + opening_text(barrier);
+        case BarrierKind::headroom:
+            return "headroom of " + metres(barrier.measured) + place_text(campus, barrier, " under ") +
+                   "; the body needs " + metres(barrier.allowed);
+        case BarrierKind::object:
+            return object_in_the_way(campus, barrier, part_of(barrier, BarrierKind::opening));
+        case BarrierKind::several:
+            return several_text(campus, barrier);
+        case BarrierKind::solid:
+            return "it is closed off: no smaller body, higher step or steeper slope gets there";
+    }
+    return "";
+}
+
+}  // namespace campuswalk::engine

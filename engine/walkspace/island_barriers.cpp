@@ -1,0 +1,165 @@
+#include "engine/walkspace/island_barriers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "engine/walkspace/worker_threads.h"
+
+namespace campuswalk::engine {
+
+using collision::Vec3;
+
+namespace {
+
+/// Ground farther from an island than this has no part in why it isn't reached, metres.
+constexpr double kNear = 2.0;
+/// Ways to it are looked for this much farther away, metres.
+constexpr double kAround = 2.0;
+/// Places on the rim that ways are looked for from: the nearest.
+constexpr std::size_t kMostStarts = 200;
+/// A spot's ground, in its cell, metres.
+constexpr double kSameGround = 0.3;
+
+/// Points by blocks of 2 m.
+class Blocks {
+public:
+    void add(const Standing& at) { blocks_[block_of(at.foot)].push_back(at); }
+
+    /// Calls `visit` for those in the block of `place` and around it.
+    template <typename Visit>
+    void visit_around(const Vec3& place, const Visit& visit) const {
+        const GridCell center = block_of(place);
+        for (int dx = -1; dx <= 1; ++dx) {
+            for (int dz = -1; dz <= 1; ++dz) {
+                const auto block = blocks_.find({center.x + dx, center.z + dz});
+                if (block != blocks_.end()) {
+                    std::ranges::for_each(block->second, visit);
+                }
+            }
+        }
+    }
+    const std::map<GridCell, std::vector<Standing>>& all() const { return blocks_; }
+
+private:
+    static GridCell block_of(const Vec3& place) { return WalkGrid{kNear}.cell_at(place); }
+
+    std::map<GridCell, std::vector<Standing>> blocks_;
+};
+
+/// A place on the rim and the island's nearest spot.
+struct Approach {
+    Standing from;
+    Vec3 spot = Vec3::Zero();
+    double apart = 1e300;
+};
+
+/// Heights count half: a way up or down is rather found than a way across.
+double distance(const Vec3& a, const Vec3& b) {
+    return collision::horizontal_norm(a - b) + 0.5 * std::abs(a.y() - b.y());
+}
+
+std::vector<Approach> approaches_to(const Island& island, const Blocks& rim) {
+    Blocks spots;
+    for (const UnreachedSpot& spot : island.spots) {
+        spots.add(spot.at);
+    }
+    std::vector<Approach> approaches;
+    for (const auto& [block, there] : rim.all()) {
+        const double x = kNear * (block.x + 0.5);
+        const double z = kNear * (block.z + 0.5);
+        if (x < island.bounds.min.x() - 2.0 * kNear || x > island.bounds.max.x() + 2.0 * kNear ||
+            z < island.bounds.min.z() - 2.0 * kNear || z > island.bounds.max.z() + 2.0 * kNear) {
+            continue;
+        }
+        for (const Standing& from : there) {
+            Approach approach{from};
+            spots.visit_around(from.foot, [&](const Standing& spot) {
+                if (const double apart = distance(spot.foot, from.foot); apart < approach.apart) {
+                    approach.apart = apart;
+                    approach.spot = spot.foot;
+                }
+            });
+            if (collision::horizontal_norm(approach.spot - from.foot) <= kNear && approach.apart < 1e300) {
+                approaches.push_back(approach);
+            }
+        }
+    }
+    std::ranges::stable_sort(approaches, {}, &Approach::apart);
+    if (approaches.size() > kMostStarts) {
+        approaches.resize(kMostStarts);
+    }
+    return approaches;
+}
+
+/// The heights of an island's spots by cell.
+using Heights = std::map<GridCell, std::vector<double>>;
+
+Heights heights_of(const Island& island, const WalkGrid& grid, const collision::Aabb& within) {
+    Heights heights;
+    for (const UnreachedSpot& spot : island.spots) {
+        if (within.overlaps({spot.at.foot, spot.at.foot})) {
+            heights[grid.cell_at(spot.at.foot)].push_back(spot.at.foot.y());
+        }
+    }
+    return heights;
+}
+
+std::optional<Barrier> barrier_before(const WorkerWorlds& worlds, const ExploreSettings& settings,
+                                      const WalkSpace& reached, const Island& island, const Blocks& rim) {
+    const std::vector<Approach> approaches = approaches_to(island, rim);
+    if (approaches.empty()) {
+        return std::nullopt;
+    }
+    const auto rise = [](const Approach& a) { return a.spot.y() - a.from.foot.y(); };
+    const Approach& lowest = *std::ranges::min_element(approaches, {}, rise);
+    if (rise(lowest) > kHighestLedge) {
+        Barrier ledge;
+        ledge.kind = BarrierKind::ledge;
+        ledge.measured = rise(lowest);
+        ledge.allowed = settings.strides.body.step_height;
+        ledge.at = lowest.spot;
+        ledge.from = lowest.from.foot;
+        return ledge;
+    }
+    PassageQuery query;
+    for (const Approach& approach : approaches) {
+        query.from.push_back(approach.from);
+        query.within.extend(approach.from.foot);
+        query.within.extend(approach.spot);
+    }
+    query.within = query.within.grown(kAround);
+    const Heights heights = heights_of(island, reached.grid, query.within);
+    query.is_beyond = [&](const GridCell& cell, double y) {
+        const auto there = heights.find(cell);
+        return there != heights.end() && std::ranges::any_of(there->second, [&](double height) {
+                   return std::abs(height - y) <= kSameGround;
+               });
+    };
+    query.known = &reached;
+    return why_not(worlds, settings, query);
+}
+
+}  // namespace
+
+std::vector<std::optional<Barrier>> find_island_barriers(const WorkerWorlds& worlds,
+                                                         const ExploreSettings& settings,
+                                                         const WalkSpace& reached,
+                                                         const std::vector<Island>& islands,
+                                                         std::size_t count) {
+    Blocks rim;
+    for (const WalkTile& tile : reached.tiles) {
+        for (const WalkTile::Keyframe& at : tile.rim) {
+            rim.add(at.at);
+        }
+    }
+    std::vector<std::optional<Barrier>> barriers(std::min(count, islands.size()));
+    for_each_item(barriers.size(), worlds.size(), [&](std::size_t worker, std::size_t island) {
+        const WorkerWorlds own(worlds[worker], 1, {});
+        barriers[island] = barrier_before(own, settings, reached, islands[island], rim);
+    });
+    return barriers;
+}
+
+}  // namespace campuswalk::engine

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/walkspace/explore.h"
+#include "engine/walkspace/unreached_ground.h"
+#include "engine/walkspace/why_not.h"
+#include "engine/walkspace/worker_worlds.h"
+
+namespace campuswalk::engine {
+
+/// Why each of the first `count` islands isn't reached; none where nothing that is reached lies near it. The
+/// space must have its rim (ExploreSettings::keep_rim). The islands share the workers.
+std::vector<std::optional<Barrier>> find_island_barriers(const WorkerWorlds& worlds,
+                                                         const ExploreSettings& settings,
+                                                         const WalkSpace& reached,
+                                                         const std::vector<Island>& islands,
+                                                         std::size_t count);
+
+}  // namespace campuswalk::engine
