@@ -22,10 +22,11 @@ constexpr std::size_t kMostStarts = 200;
 /// A spot's ground, in its cell, metres.
 constexpr double kSameGround = 0.3;
 
-/// Points by blocks of 2 m.
+/// Places by blocks of 2 m.
+template <typename Place>
 class Blocks {
 public:
-    void add(const Standing& at) { blocks_[block_of(at.foot)].push_back(at); }
+    void add(const Vec3& at, const Place& place) { blocks_[block_of(at)].push_back(place); }
 
     /// Calls `visit` for those in the block of `place` and around it.
     template <typename Visit>
@@ -40,18 +41,20 @@ public:
             }
         }
     }
-    const std::map<GridCell, std::vector<Standing>>& all() const { return blocks_; }
+    const std::map<GridCell, std::vector<Place>>& all() const { return blocks_; }
 
 private:
     static GridCell block_of(const Vec3& place) { return WalkGrid{kNear}.cell_at(place); }
 
-    std::map<GridCell, std::vector<Standing>> blocks_;
+    std::map<GridCell, std::vector<Place>> blocks_;
 };
+
+using Rim = Blocks<Standing>;
 
 /// A place on the rim and the island's nearest spot.
 struct Approach {
     Standing from;
-    Vec3 spot = Vec3::Zero();
+    const UnreachedSpot* spot = nullptr;
     double apart = 1e300;
 };
 
@@ -60,10 +63,10 @@ double distance(const Vec3& a, const Vec3& b) {
     return collision::horizontal_norm(a - b) + 0.5 * std::abs(a.y() - b.y());
 }
 
-std::vector<Approach> approaches_to(const Island& island, const Blocks& rim) {
-    Blocks spots;
+std::vector<Approach> approaches_to(const Island& island, const Rim& rim) {
+    Blocks<const UnreachedSpot*> spots;
     for (const UnreachedSpot& spot : island.spots) {
-        spots.add(spot.at);
+        spots.add(spot.at.foot, &spot);
     }
     std::vector<Approach> approaches;
     for (const auto& [block, there] : rim.all()) {
@@ -75,13 +78,14 @@ std::vector<Approach> approaches_to(const Island& island, const Blocks& rim) {
         }
         for (const Standing& from : there) {
             Approach approach{from};
-            spots.visit_around(from.foot, [&](const Standing& spot) {
-                if (const double apart = distance(spot.foot, from.foot); apart < approach.apart) {
+            spots.visit_around(from.foot, [&](const UnreachedSpot* spot) {
+                if (const double apart = distance(spot->at.foot, from.foot); apart < approach.apart) {
                     approach.apart = apart;
-                    approach.spot = spot.foot;
+                    approach.spot = spot;
                 }
             });
-            if (collision::horizontal_norm(approach.spot - from.foot) <= kNear && approach.apart < 1e300) {
+            if (approach.spot != nullptr &&
+                collision::horizontal_norm(approach.spot->at.foot - from.foot) <= kNear) {
                 approaches.push_back(approach);
             }
         }
@@ -107,19 +111,21 @@ Heights heights_of(const Island& island, const WalkGrid& grid, const collision::
 }
 
 std::optional<Barrier> barrier_before(const WorkerWorlds& worlds, const ExploreSettings& settings,
-                                      const WalkSpace& reached, const Island& island, const Blocks& rim) {
+                                      const WalkSpace& reached, const Island& island, const Rim& rim) {
     const std::vector<Approach> approaches = approaches_to(island, rim);
     if (approaches.empty()) {
         return std::nullopt;
     }
-    const auto rise = [](const Approach& a) { return a.spot.y() - a.from.foot.y(); };
+    const auto rise = [](const Approach& a) { return a.spot->at.foot.y() - a.from.foot.y(); };
     const Approach& lowest = *std::ranges::min_element(approaches, {}, rise);
     if (rise(lowest) > kHighestLedge) {
         Barrier ledge;
         ledge.kind = BarrierKind::ledge;
         ledge.measured = rise(lowest);
         ledge.allowed = settings.strides.body.step_height;
-        ledge.at = lowest.spot;
+        ledge.at = lowest.spot->at.foot;
+        ledge.object = lowest.spot->object;
+        ledge.triangle = lowest.spot->triangle;
         ledge.from = lowest.from.foot;
         return ledge;
     }
@@ -127,7 +133,7 @@ std::optional<Barrier> barrier_before(const WorkerWorlds& worlds, const ExploreS
     for (const Approach& approach : approaches) {
         query.from.push_back(approach.from);
         query.within.extend(approach.from.foot);
-        query.within.extend(approach.spot);
+        query.within.extend(approach.spot->at.foot);
     }
     query.within = query.within.grown(kAround);
     const Heights heights = heights_of(island, reached.grid, query.within);
@@ -148,10 +154,10 @@ std::vector<std::optional<Barrier>> find_island_barriers(const WorkerWorlds& wor
                                                          const WalkSpace& reached,
                                                          const std::vector<Island>& islands,
                                                          std::size_t count) {
-    Blocks rim;
+    Rim rim;
     for (const WalkTile& tile : reached.tiles) {
         for (const WalkTile::Keyframe& at : tile.rim) {
-            rim.add(at.at);
+            rim.add(at.at.foot, at.at);
         }
     }
     std::vector<std::optional<Barrier>> barriers(std::min(count, islands.size()));

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/walkspace/disjoint_sets.h"
+#include "engine/walkspace/node_numbers.h"
 
 namespace campuswalk::engine {
 
@@ -21,23 +22,6 @@ constexpr double kSameHeight = 0.5;
 /// before a trap is reported, every way out of it has been tried.
 constexpr std::size_t kTries = 200;
 
-/// The nodes of a space, numbered.
-class NodeNumbers {
-public:
-    explicit NodeNumbers(const WalkSpace& space) {
-        for (const WalkTile& tile : space.tiles) {
-            first_.push_back(count_);
-            count_ += tile.nodes.size();
-        }
-    }
-    std::size_t count() const { return count_; }
-    std::size_t operator()(const WalkNodeId& ref) const { return first_[ref.tile] + ref.node; }
-
-private:
-    std::vector<std::size_t> first_;
-    std::size_t count_ = 0;
-};
-
 /// Parts of a walk space in which one can walk back wherever one came from, and which of them lead home to a
 /// start.
 class Parts {
@@ -48,7 +32,7 @@ public:
           sets_(numbers_.count()),
           strider_(worlds[0], settings.strides, settings.solids),
           step_(settings.strides.body.step_height) {
-        for_each_node([&](const WalkNodeId& ref) {
+        numbers_.for_each([&](const WalkNodeId& ref) {
             if (const auto parent = space.parent(ref); parent && space.node(ref).returns == 1) {
                 sets_.join(numbers_(ref), numbers_(*parent));
             }
@@ -92,21 +76,12 @@ public:
     }
 
 private:
-    template <typename Visit>
-    void for_each_node(const Visit& visit) const {
-        for (std::uint32_t t = 0; t < space_.tiles.size(); ++t) {
-            for (std::uint16_t n = 0; n < space_.tiles[t].nodes.size(); ++n) {
-                visit(WalkNodeId{t, n});
-            }
-        }
-    }
-
     std::size_t part_of(const WalkNodeId& ref) { return sets_.root(numbers_(ref)); }
     bool leads_home(std::size_t part) const { return home_.contains(part); }
 
     std::map<std::size_t, std::vector<WalkNodeId>> others() {
         std::map<std::size_t, std::vector<WalkNodeId>> parts;
-        for_each_node([&](const WalkNodeId& ref) {
+        numbers_.for_each([&](const WalkNodeId& ref) {
             if (const std::size_t part = part_of(ref); !leads_home(part)) {
                 parts[part].push_back(ref);
             }
@@ -127,7 +102,7 @@ private:
     template <typename Visit>
     void for_each_start_of(std::size_t part, const Visit& visit) {
         if (entered_.empty()) {
-            for_each_node([&](const WalkNodeId& ref) {
+            numbers_.for_each([&](const WalkNodeId& ref) {
                 const auto parent = space_.parent(ref);
                 if (parent && space_.node(ref).returns == 0) {
                     entered_[part_of(ref)].push_back(*parent);
@@ -180,6 +155,34 @@ private:
     std::map<std::size_t, std::vector<WalkNodeId>> entered_;  ///< by part: from where
 };
 
+/// Parts of one pit, between which one can't walk back, are one trap.
+void join_neighbours(std::vector<Trap>& traps, const WalkSpace& space) {
+    std::map<GridCell, std::vector<std::pair<double, std::size_t>>> cells;
+    DisjointSets sets(traps.size());
+    for (std::size_t i = 0; i < traps.size(); ++i) {
+        for (const WalkNodeId& id : traps[i].nodes) {
+            const GridCell cell = space.cell_of(id);
+            const double y = static_cast<double>(space.node(id).y);
+            cells[cell].emplace_back(y, i);
+            for (int k = 0; k < 9; ++k) {
+                const auto near = cells.find({cell.x + k % 3 - 1, cell.z + k / 3 - 1});
+                for (std::size_t n = 0; near != cells.end() && n < near->second.size(); ++n) {
+                    if (std::abs(near->second[n].first - y) <= kSameHeight) {
+                        sets.join(i, near->second[n].second);
+                    }
+                }
+            }
+        }
+    }
+    for (std::size_t i = 0; i < traps.size(); ++i) {
+        if (Trap& whole = traps[sets.root(i)]; &whole != &traps[i]) {
+            whole.nodes.insert(whole.nodes.end(), traps[i].nodes.begin(), traps[i].nodes.end());
+            traps[i].nodes.clear();
+        }
+    }
+    std::erase_if(traps, [](const Trap& trap) { return trap.nodes.empty(); });
+}
+
 }  // namespace
 
 std::vector<Trap> find_traps(const WorkerWorlds& worlds, const ExploreSettings& settings,
@@ -204,6 +207,7 @@ std::vector<Trap> find_traps(const WorkerWorlds& worlds, const ExploreSettings& 
         trap.drop = trap.edge.y() - static_cast<double>(space.node(trap.entrance).y);
         traps.push_back(std::move(trap));
     }
+    join_neighbours(traps, space);
     std::ranges::stable_sort(traps, std::greater(), [](const Trap& trap) { return trap.nodes.size(); });
     return traps;
 }

@@ -1,124 +1,137 @@
 #include "engine/walkspace/storeys.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
-#include <set>
+#include <numeric>
 #include <utility>
+
+#include "engine/walkspace/disjoint_sets.h"
+#include "engine/walkspace/node_numbers.h"
 
 namespace campuswalk::engine {
 
 namespace {
 
-/// Heights are counted in bands of this, metres.
-constexpr double kBand = 0.25;
-/// Ground closer above other ground than this is the same storey: stairs, furniture.
+/// What lies less than this above other ground is no storey above it: stairs, furniture. Metres.
 constexpr double kLeastHeight = 1.8;
-/// Storeys overlap by at most this share of the lower one's cells.
-constexpr double kOverlap = 0.02;
+/// Neighbours whose heights differ by no more are one level floor, metres.
+constexpr double kFlat = 0.03;
+/// A floor belongs to the highest storey that this share of it reaches.
+constexpr double kShare = 0.1;
+/// A storey has at least this much ground, m².
+constexpr double kLeastArea = 10.0;
+constexpr std::size_t kMostStoreys = 255;
 
-int band_of(float y) {
-    return static_cast<int>(std::floor(static_cast<double>(y) / kBand));
-}
-
-/// How many nodes each band has, and how many of them have others below them, by the band of those.
-struct Bands {
-    std::map<int, std::size_t> nodes;
-    std::map<int, std::map<int, std::size_t>> above;  ///< above[band][lower band]
-};
-
-Bands count_bands(const WalkSpace& space) {
-    Bands bands;
-    std::vector<float> heights;
-    for (const WalkTile& tile : space.tiles) {
-        for (const std::uint16_t newest : tile.newest) {
-            heights.clear();
-            for (std::uint16_t i = newest; i != WalkNode::kNone; i = tile.nodes[i].next) {
-                heights.push_back(tile.nodes[i].y);
+/// For each node of the tile, how many floors lie below it.
+std::vector<std::uint8_t> floors_below(const WalkTile& tile) {
+    std::vector<std::uint8_t> floors(tile.nodes.size(), 0);
+    std::vector<std::pair<float, std::uint16_t>> column;
+    for (const std::uint16_t newest : tile.newest) {
+        column.clear();
+        for (std::uint16_t i = newest; i != WalkNode::kNone; i = tile.nodes[i].next) {
+            column.emplace_back(tile.nodes[i].y, i);
+        }
+        std::ranges::sort(column);
+        std::size_t below = 0;
+        for (std::size_t i = 0, floor = 0; i < column.size(); ++i) {
+            if (static_cast<double>(column[i].first - column[floor].first) >= kLeastHeight) {
+                below = std::min(below + 1, kMostStoreys - 1);
+                floor = i;
             }
-            std::ranges::sort(heights);
-            for (std::size_t i = 0; i < heights.size(); ++i) {
-                ++bands.nodes[band_of(heights[i])];
-                for (std::size_t k = 0; k < i; ++k) {
-                    if (heights[i] - heights[k] >= kLeastHeight) {
-                        ++bands.above[band_of(heights[i])][band_of(heights[k])];
-                    }
-                }
-            }
+            floors[column[i].second] = static_cast<std::uint8_t>(below);
         }
     }
-    return bands;
+    return floors;
 }
 
-/// The first band of the next storey, if the one that begins with `first` ends before the last band.
-std::optional<int> next_storey(const Bands& bands, int first) {
-    std::size_t own = 0;
-    std::size_t overlapping = 0;
-    for (auto at = bands.nodes.lower_bound(first); at != bands.nodes.end(); ++at) {
-        const auto [band, count] = *at;
-        if (const auto lower = bands.above.find(band); lower != bands.above.end()) {
-            for (auto below = lower->second.lower_bound(first); below != lower->second.end(); ++below) {
-                overlapping += below->second;
+/// Joins neighbours on a level floor.
+DisjointSets level_floors(const WalkSpace& space, const NodeNumbers& numbers) {
+    DisjointSets floors(numbers.count());
+    numbers.for_each([&](const WalkNodeId& id) {
+        const GridCell cell = space.cell_of(id);
+        const double y = static_cast<double>(space.node(id).y);
+        for (const GridCell& beside : {GridCell{cell.x + 1, cell.z}, GridCell{cell.x, cell.z + 1}}) {
+            if (const auto other = space.find(beside, y, kFlat)) {
+                floors.join(numbers(id), numbers(*other));
             }
         }
-        if (own > 0 && static_cast<double>(overlapping) > kOverlap * static_cast<double>(own)) {
-            // Cut where there is least ground, up to a storey's height below.
-            int cut = band;
-            std::size_t least = count;
-            const int lowest = std::max(first + 1, band - static_cast<int>(kLeastHeight / kBand));
-            for (int candidate = band; candidate >= lowest; --candidate) {
-                const auto found = bands.nodes.find(candidate);
-                const std::size_t ground = found == bands.nodes.end() ? 0 : found->second;
-                if (ground < least) {
-                    least = ground;
-                    cut = candidate;
-                }
-            }
-            return cut;
-        }
-        own += count;
+    });
+    return floors;
+}
+
+/// By level floor, how many of its nodes are above how many others; empty where there is none.
+using StoreyCounts = std::vector<std::vector<std::size_t>>;
+
+std::size_t storey_of(const std::vector<std::size_t>& counts) {
+    const std::size_t total = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+    std::size_t storey = counts.size() - 1;
+    while (storey > 0 && static_cast<double>(counts[storey]) < kShare * static_cast<double>(total)) {
+        --storey;
     }
-    return std::nullopt;
+    return storey;
+}
+
+/// Storeys of a few square metres, such as the top of a table, belong to the one below.
+std::vector<std::size_t> numbers_without_small(const std::vector<std::size_t>& nodes, double cell_area) {
+    std::vector<std::size_t> numbers;
+    std::size_t next = 0;
+    for (const std::size_t count : nodes) {
+        const bool own = numbers.empty() || static_cast<double>(count) * cell_area >= kLeastArea;
+        numbers.push_back(own ? next++ : next - 1);
+    }
+    return numbers;
+}
+
+void describe(const WalkSpace& space, const NodeNumbers& numbers, Storeys& storeys) {
+    std::vector<std::map<int, std::size_t>> heights(storeys.list.size());
+    numbers.for_each([&](const WalkNodeId& id) {
+        Storey& own = storeys.list[storeys.of(id)];
+        const double y = static_cast<double>(space.node(id).y);
+        own.low = std::min(own.low, y);
+        own.high = std::max(own.high, y);
+        own.area += space.grid.cell * space.grid.cell;
+        ++heights[storeys.of(id)][static_cast<int>(std::floor(10.0 * y + 0.5))];
+    });
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+        const auto most = std::ranges::max_element(heights[i], {}, [](const auto& h) { return h.second; });
+        storeys.list[i].main_height = most == heights[i].end() ? 0.0 : 0.1 * most->first;
+    }
 }
 
 }  // namespace
 
-std::vector<Storey> find_storeys(const WalkSpace& space) {
-    const Bands bands = count_bands(space);
-    std::vector<Storey> storeys;
-    if (bands.nodes.empty()) {
-        return storeys;
-    }
-    std::vector<int> firsts{bands.nodes.begin()->first};
-    while (const auto next = next_storey(bands, firsts.back())) {
-        firsts.push_back(*next);
-    }
-    storeys.resize(firsts.size(), {1e300, -1e300, 0.0});
-    const double cell = space.grid.cell * space.grid.cell;
+Storeys find_storeys(const WalkSpace& space) {
+    Storeys storeys;
     for (const WalkTile& tile : space.tiles) {
-        for (const WalkNode& node : tile.nodes) {
-            const auto after = std::ranges::upper_bound(firsts, band_of(node.y));
-            Storey& storey = storeys[static_cast<std::size_t>(after - firsts.begin()) - 1];
-            storey.low = std::min(storey.low, static_cast<double>(node.y));
-            storey.high = std::max(storey.high, static_cast<double>(node.y));
-            storey.area += cell;
+        storeys.of_nodes.push_back(floors_below(tile));
+    }
+    const NodeNumbers numbers(space);
+    DisjointSets floors = level_floors(space, numbers);
+    StoreyCounts counts(numbers.count());
+    numbers.for_each([&](const WalkNodeId& id) {
+        std::vector<std::size_t>& count = counts[floors.root(numbers(id))];
+        count.resize(std::max<std::size_t>(count.size(), storeys.of(id) + 1), 0);
+        ++count[storeys.of(id)];
+    });
+    std::vector<std::size_t> nodes;
+    numbers.for_each([&](const WalkNodeId& id) {
+        const std::size_t storey = storey_of(counts[floors.root(numbers(id))]);
+        storeys.of_nodes[id.tile][id.node] = static_cast<std::uint8_t>(storey);
+        nodes.resize(std::max(nodes.size(), storey + 1), 0);
+        ++nodes[storey];
+    });
+    const std::vector<std::size_t> renumbered =
+        numbers_without_small(nodes, space.grid.cell * space.grid.cell);
+    for (std::vector<std::uint8_t>& tile : storeys.of_nodes) {
+        for (std::uint8_t& storey : tile) {
+            storey = static_cast<std::uint8_t>(renumbered[storey]);
         }
     }
-    std::erase_if(storeys, [](const Storey& storey) { return storey.area <= 0.0; });
+    storeys.list.resize(renumbered.empty() ? 0 : renumbered.back() + 1);
+    describe(space, numbers, storeys);
     return storeys;
-}
-
-std::size_t storey_at(const std::vector<Storey>& storeys, double y) {
-    std::size_t nearest = 0;
-    double least = 1e300;
-    for (std::size_t i = 0; i < storeys.size(); ++i) {
-        const double apart = std::max({storeys[i].low - y, y - storeys[i].high, 0.0});
-        if (apart < least) {
-            least = apart;
-            nearest = i;
-        }
-    }
-    return nearest;
 }
 
 }  // namespace campuswalk::engine

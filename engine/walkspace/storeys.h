@@ -1,25 +1,31 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "engine/walkspace/walk_space.h"
 
 namespace campuswalk::engine {
 
-/// A range of heights of a walk space in which hardly any ground lies above other ground: what one plan can
-/// show. A storey of a building, or all of a hilly landscape.
+/// Ground that one plan can show: hardly any of it lies above other ground of the same storey. The ground,
+/// however hilly, the first floors of all buildings, and so on.
 struct Storey {
-    double low = 0.0;  ///< of its nodes, metres
-    double high = 0.0;
-    double area = 0.0;  ///< reached, m²
+    double low = 1e300;  ///< of its nodes, metres
+    double high = -1e300;
+    double area = 0.0;         ///< reached, m²
+    double main_height = 0.0;  ///< of most of it, to a tenth of a metre
 };
 
-/// The storeys from below. A new one begins where ground comes to lie above ground of the storey below; the
-/// cut between them is at the height with the least ground.
-std::vector<Storey> find_storeys(const WalkSpace& space);
+struct Storeys {
+    std::vector<Storey> list;                         ///< from below
+    std::vector<std::vector<std::uint8_t>> of_nodes;  ///< by tile and node: index into `list`
 
-/// The storey that a height belongs to; the nearest if it is between or beyond them. There must be one.
-std::size_t storey_at(const std::vector<Storey>& storeys, double y);
+    std::size_t of(const WalkNodeId& node) const { return of_nodes[node.tile][node.node]; }
+};
+
+/// A node's storey is how many floors lie below it. Where a level floor lies only partly above others, all of
+/// it counts.
+Storeys find_storeys(const WalkSpace& space);
 
 }  // namespace campuswalk::engine

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -185,41 +186,101 @@ std::vector<UnreachedSpot> standing_spots(const WorkerWorlds& worlds, const Expl
     return spots;
 }
 
+/// Joins the spots between which one can walk.
+class SpotJoiner {
+public:
+    SpotJoiner(const WorkerWorlds& worlds, const ExploreSettings& settings, const WalkGrid& grid,
+               const std::vector<UnreachedSpot>& spots)
+        : grid_(grid),
+          spots_(spots),
+          sets_(spots.size()),
+          strider_(worlds[0], settings.strides, settings.solids),
+          step_(settings.strides.body.step_height + collision::kHeightSlack) {
+        const double min_up = settings.strides.body.min_up;
+        slope_ = std::max(step_, std::sqrt(1.0 - min_up * min_up) / min_up * grid.cell);
+        join_neighbours();
+        join_by_steps();
+    }
+
+    std::size_t root(std::size_t spot) { return sets_.root(spot); }
+
+private:
+    GridCell cell_of(const UnreachedSpot& spot) const { return grid_.cell_at(spot.at.foot); }
+
+    /// Calls `visit` for the number of each spot in the cell, up to so far above or below.
+    template <typename Visit>
+    void visit_spots(const GridCell& cell, double y, double apart, const Visit& visit) const {
+        const auto own_cell = [&](const UnreachedSpot& spot) { return cell_of(spot); };
+        auto spot = std::ranges::lower_bound(spots_, cell, {}, own_cell);
+        for (; spot != spots_.end() && cell_of(*spot) == cell; ++spot) {
+            if (std::abs(spot->at.foot.y() - y) <= apart) {
+                visit(static_cast<std::size_t>(spot - spots_.begin()));
+            }
+        }
+    }
+
+    void join_neighbours() {
+        for (std::size_t i = 0; i < spots_.size(); ++i) {
+            const GridCell cell = cell_of(spots_[i]);
+            for (const GridCell& beside : {GridCell{cell.x + 1, cell.z}, GridCell{cell.x, cell.z + 1}}) {
+                visit_spots(beside, spots_[i].at.foot.y(), slope_,
+                            [&](std::size_t other) { sets_.join(i, other); });
+            }
+        }
+    }
+
+    /// On stairs there is no room to stand in every cell: between the treads it is walked.
+    void join_by_steps() {
+        for (std::size_t i = 0; i < spots_.size(); ++i) {
+            const GridCell cell = cell_of(spots_[i]);
+            for (int k = 0; k < 49; ++k) {
+                visit_spots({cell.x + k % 7 - 3, cell.z + k / 7 - 3}, spots_[i].at.foot.y() + 0.5 * step_,
+                            0.5 * step_, [&](std::size_t higher) { join_if_walkable(i, higher); });
+            }
+        }
+    }
+
+    void join_if_walkable(std::size_t lower, std::size_t higher) {
+        constexpr int kTries = 4;
+        const auto pair = std::pair(sets_.root(lower), sets_.root(higher));
+        if (pair.first == pair.second || tries_[pair]++ >= kTries) {
+            return;
+        }
+        const Vec3& goal = spots_[higher].at.foot;
+        const StrideEnd end = strider_.walk_to(spots_[lower].at, goal, 0.05, 1.5);
+        if (end.kind == StrideEnd::Kind::standing && (end.at.foot - goal).norm() <= WalkNode::kLevel) {
+            sets_.join(lower, higher);
+        }
+    }
+
+    const WalkGrid& grid_;
+    const std::vector<UnreachedSpot>& spots_;  ///< by cell
+    DisjointSets sets_;
+    Strider strider_;
+    double step_;
+    double slope_ = 0.0;
+    std::map<std::pair<std::size_t, std::size_t>, int> tries_;
+};
+
 }  // namespace
 
 std::vector<Island> find_unreached_ground(const WorkerWorlds& worlds, const ExploreSettings& settings,
                                           const WalkSpace& reached, double least_area) {
     const std::vector<Surface> surfaces = unreached_surfaces(worlds[0], settings, reached);
     const std::vector<UnreachedSpot> spots = standing_spots(worlds, settings, reached, surfaces);
-    const WalkGrid& grid = reached.grid;
-    const collision::MoverSettings& body = settings.strides.body;
-    const double slope = std::sqrt(1.0 - body.min_up * body.min_up) / body.min_up * grid.cell;
-    const double level = std::max(body.step_height, slope) + collision::kHeightSlack;
-    DisjointSets sets(spots.size());
-    const auto cell_of = [&](const UnreachedSpot& s) { return grid.cell_at(s.at.foot); };
+    SpotJoiner joiner(worlds, settings, reached.grid, spots);
+    std::map<std::size_t, Island> by_root;
     for (std::size_t i = 0; i < spots.size(); ++i) {
-        const GridCell cell = cell_of(spots[i]);
-        for (const GridCell& beside : {GridCell{cell.x + 1, cell.z}, GridCell{cell.x, cell.z + 1}}) {
-            auto other = std::ranges::lower_bound(spots, beside, {}, cell_of);
-            for (; other != spots.end() && cell_of(*other) == beside; ++other) {
-                if (std::abs(other->at.foot.y() - spots[i].at.foot.y()) <= level) {
-                    sets.join(i, static_cast<std::size_t>(other - spots.begin()));
-                }
-            }
-        }
+        Island& island = by_root[joiner.root(i)];
+        island.spots.push_back(spots[i]);
+        island.bounds.extend(spots[i].at.foot);
     }
-    std::vector<std::size_t> number(spots.size(), spots.size());
     std::vector<Island> islands;
-    for (std::size_t i = 0; i < spots.size(); ++i) {
-        std::size_t& island = number[sets.root(i)];
-        if (island == spots.size()) {
-            island = islands.size();
-            islands.emplace_back();
+    for (auto& [root, island] : by_root) {
+        if (island.area(reached.grid) >= least_area) {
+            islands.push_back(std::move(island));
         }
-        islands[island].spots.push_back(spots[i]);
-        islands[island].bounds.extend(spots[i].at.foot);
     }
-    std::erase_if(islands, [&](const Island& island) { return island.area(grid) < least_area; });
     std::ranges::stable_sort(islands, std::greater(), [](const Island& i) { return i.spots.size(); });
     return islands;
 }

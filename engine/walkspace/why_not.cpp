@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kDegree = 0.017453292519943295;
 /// A local search that has reached this many cells has found no barrier, but another place.
-constexpr std::size_t kMostNodes = 20'000;
+constexpr std::size_t kMostNodes = 4'000;
 /// Objects that are taken away for a try, the nearest to where the body stopped first.
 constexpr std::size_t kMostObjects = 12;
 /// How far around the way that was found the exact number is looked for, metres.

@@ -66,7 +66,7 @@ int explore_campus(const ExploreOptions& options) {
         const auto& is = islands[i];
         print_line("  %.1f m2 y %.2f..%.2f at %.2f %.2f %.2f on %s: %s", is.area(space.grid), is.bounds.min.y(), is.bounds.max.y(), is.spots[0].at.foot.x(), is.spots[0].at.foot.y(), is.spots[0].at.foot.z(), engine::object_text(*campus, is.spots[0].object, is.spots[0].at.foot).c_str(), barriers[i] ? engine::barrier_text(*campus, *barriers[i]).c_str() : "nothing near");
     }
-    for (const auto& st : engine::find_storeys(space)) print_line("storey %.2f to %.2f: %.1f m2", st.low, st.high, st.area);
+    for (const auto& st : engine::find_storeys(space).list) print_line("storey %.2f to %.2f: %.1f m2", st.low, st.high, st.area);
     t0 = std::chrono::steady_clock::now();
     const auto traps = engine::find_traps(worlds, settings, space);
     s = std::chrono::duration<double>(std::chrono::steady_clock::now() - t0).count();
