@@ -60,6 +60,41 @@ AvatarProfile open_avatar(const fs::path& path, const ReadRoots& roots, const So
     return profile;
 }
 
+/// Adds the profile's file to `profiles`.
+AvatarProfile named_avatar(const CheckedNode& node, const fs::path& folder, const SearchPaths& search,
+                           const ReadRoots& roots, std::vector<fs::path>& profiles) {
+    const std::optional<std::string> name = kebab_name(node);
+    const auto file =
+        name ? find_profile(kAvatars, node, *name, profile_folders(kAvatars, folder, search.avatars))
+             : std::nullopt;
+    if (!file) {
+        return {};
+    }
+    profiles.push_back(*file);
+    return open_avatar(*file, roots, node.mark(), node.diagnostics());
+}
+
+/// A profile's name, or a map that overrides keys of a profile.
+AvatarProfile read_avatar_of(const CheckedNode& node, const fs::path& folder, const SearchPaths& search,
+                             const ReadRoots& roots, const CampusNames& names,
+                             std::vector<fs::path>& profiles) {
+    if (node.is_scalar()) {
+        return named_avatar(node, folder, search, roots, profiles);
+    }
+    if (!node.is_map()) {
+        node.diagnose("wrong-type", "'avatar' must be a profile's name or {profile: NAME, …}");
+        return {};
+    }
+    CheckedMap map(node, "'avatar'");
+    const auto name = map.require("profile");
+    AvatarProfile profile = name ? named_avatar(*name, folder, search, roots, profiles) : AvatarProfile{};
+    for (const CheckedNode& layer : read_avatar_fields(map, profile)) {
+        names.check_layer(layer, layer.text().value_or(""));
+    }
+    map.refuse_other_keys();
+    return profile;
+}
+
 engine::LightSettings open_light(const fs::path& path, const ReadRoots& roots, const SourceMark& named_at,
                                  DiagnosticList& diagnostics) {
     engine::LightSettings light;
@@ -136,10 +171,10 @@ public:
         const CampusNames names(run.campus.get());
         const auto avatar = map.find("avatar");
         if (overrides_.avatar) {
-            run.walk.avatar =
-                read_avatar_of(node_of(overrides_.avatar, "'avatar'"), overrides_.avatar.folder, names);
+            run.walk.avatar = read_avatar_of(node_of(overrides_.avatar, "'avatar'"), overrides_.avatar.folder,
+                                             search_, roots_, names, profiles_);
         } else if (avatar) {
-            run.walk.avatar = read_avatar_of(*avatar, folder_, names);
+            run.walk.avatar = read_avatar_of(*avatar, folder_, search_, roots_, names, profiles_);
         }
         if (const auto light = map.find("light")) {
             run.walk.light = read_light_of(*light, folder_, search_, roots_, profiles_);
@@ -159,7 +194,8 @@ public:
         }
         const CampusNames names(campus.get());
         if (overrides_.avatar) {
-            read_avatar_of(node_of(overrides_.avatar, "'avatar'"), overrides_.avatar.folder, names);
+            read_avatar_of(node_of(overrides_.avatar, "'avatar'"), overrides_.avatar.folder, search_, roots_,
+                           names, profiles_);
         }
         if (overrides_.spawn) {
             names.placement(node_of(overrides_.spawn, "'spawn'"));
@@ -209,37 +245,6 @@ private:
             campuses_.emplace(key, shared);
         }
         return shared;
-    }
-
-    /// A profile's name, or a map that overrides keys of a profile.
-    AvatarProfile read_avatar_of(const CheckedNode& node, const fs::path& folder, const CampusNames& names) {
-        if (node.is_scalar()) {
-            return named_avatar(node, folder);
-        }
-        if (!node.is_map()) {
-            node.diagnose("wrong-type", "'avatar' must be a profile's name or {profile: NAME, …}");
-            return {};
-        }
-        CheckedMap map(node, "'avatar'");
-        const auto name = map.require("profile");
-        AvatarProfile profile = name ? named_avatar(*name, folder) : AvatarProfile{};
-        for (const CheckedNode& layer : read_avatar_fields(map, profile)) {
-            names.check_layer(layer, layer.text().value_or(""));
-        }
-        map.refuse_other_keys();
-        return profile;
-    }
-
-    AvatarProfile named_avatar(const CheckedNode& node, const fs::path& folder) {
-        const std::optional<std::string> name = kebab_name(node);
-        const auto file =
-            name ? find_profile(kAvatars, node, *name, profile_folders(kAvatars, folder, search_.avatars))
-                 : std::nullopt;
-        if (!file) {
-            return {};
-        }
-        profiles_.push_back(*file);
-        return open_avatar(*file, roots_, node.mark(), diagnostics_);
     }
 
     void replace_spawn(const CampusNames& names, engine::Walk& walk) {
@@ -370,6 +375,19 @@ engine::LightSettings read_light_text(const std::string& text, const std::string
     }
     throw_in_order(diagnostics, {source, 0, 0});
     return light;
+}
+
+AvatarProfile read_avatar_text(const std::string& text, const std::string& source, const fs::path& folder,
+                               const CampusDescription& campus, const SearchPaths& search) {
+    DiagnosticList diagnostics;
+    AvatarProfile avatar;
+    if (const auto root = parse_yaml(text, source, diagnostics)) {
+        std::vector<fs::path> profiles;
+        avatar = read_avatar_of(CheckedNode(*root, "'avatar'", source, diagnostics), folder, search,
+                                read_roots(folder / "", search), CampusNames(&campus), profiles);
+    }
+    throw_in_order(diagnostics, {source, 0, 0});
+    return avatar;
 }
 
 }  // namespace campuswalk::config

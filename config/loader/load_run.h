@@ -98,4 +98,10 @@ engine::LightSettings load_light(const std::filesystem::path& light_file, const 
 engine::LightSettings read_light_text(const std::string& text, const std::string& source,
                                       const std::filesystem::path& folder, const SearchPaths& search);
 
+/// Reads an avatar as written in a walk: a profile's name or `{profile: adult, speed: 1.8}`. Profiles are
+/// searched for near `folder`. Diagnostics name `source` as the file.
+engine::AvatarProfile read_avatar_text(const std::string& text, const std::string& source,
+                                       const std::filesystem::path& folder,
+                                       const scene::CampusDescription& campus, const SearchPaths& search);
+
 }  // namespace campuswalk::config

@@ -1,24 +1,19 @@
-#include <algorithm>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
-#include <chrono>
 
 #include "collision/world/bullet_broad_phase.h"
-#include "engine/script/avatar_body.h"
-#include "engine/walkspace/explore.h"
-#include "engine/walkspace/unreached_ground.h"
-#include "engine/walkspace/island_barriers.h"
-#include "engine/walkspace/barrier_text.h"
-#include "engine/walkspace/storeys.h"
-#include "engine/walkspace/one_way.h"
+#include "config/loader/load_run.h"
+#include "engine/walkspace/walk_report.h"
+#include "scene/base/glob.h"
 #include "tools/campuswalk/base/exit_codes.h"
-#include "tools/campuswalk/base/print.h"
+#include "tools/campuswalk/base/text.h"
 #include "tools/campuswalk/commands/commands.h"
+#include "tools/campuswalk/explore/findings.h"
+#include "tools/campuswalk/explore/report_text.h"
 #include "tools/campuswalk/loading/model_importer.h"
 #include "tools/campuswalk/loading/walk_loader.h"
 
@@ -28,63 +23,151 @@ namespace {
 
 struct ExploreOptions {
     std::filesystem::path campus;
-    int workers = 2;
-    double step = 0.3;
-    double slope = 50;
+    std::string avatar = "adult";
+    std::vector<std::string> from;      ///< spawns; empty: all
+    std::vector<std::string> allow;     ///< run, jump
+    std::vector<std::string> disable;   ///< globs over objects
+    std::vector<std::string> required;  ///< places, or "all"
+    std::vector<std::string> fail_on;   ///< kinds of findings
+    std::optional<int> workers;
 };
+
+const char* const kFromOption = "--from";
+
+collision::Vec3 spawn_position(const scene::CampusDescription& campus, const std::string& name) {
+    std::vector<std::string> names;
+    for (const scene::Spawn& spawn : campus.spawns) {
+        if (spawn.name == name) {
+            return spawn.position;
+        }
+        names.push_back(spawn.name);
+    }
+    throw scene::InputError({kFromOption, 1, 1}, "unknown-name",
+                            "the campus has no spawn '" + name + "'" + scene::did_you_mean(name, names));
+}
+
+/// By object. Throws for a glob that matches none.
+std::vector<bool> disabled_objects(const scene::Campus& campus, const std::vector<std::string>& globs) {
+    std::vector<bool> disabled(campus.objects.size(), false);
+    for (const std::string& glob : globs) {
+        bool known = false;
+        for (std::size_t i = 0; i < disabled.size(); ++i) {
+            if (scene::glob_matches(glob, campus.objects[i].id)) {
+                disabled[i] = true;
+                known = true;
+            }
+        }
+        if (!known) {
+            throw scene::InputError({"--disable", 1, 1}, "unknown-name",
+                                    "the campus has no object '" + glob + "'");
+        }
+    }
+    return disabled;
+}
+
+bool has(const std::vector<std::string>& words, const std::string& word) {
+    return std::ranges::find(words, word) != words.end();
+}
+
+engine::ExploreSettings settings_for(const ExploreOptions& options, const scene::Campus& campus,
+                                     const engine::AvatarProfile& avatar, const std::vector<bool>& disabled) {
+    engine::ExploreSettings settings =
+        engine::explore_settings(campus, avatar, engine::SimSettings().ticks_per_second);
+    settings.solids.disabled = &disabled;
+    settings.run = has(options.allow, "run");
+    settings.jump = has(options.allow, "jump");
+    if (!options.from.empty()) {
+        settings.starts.clear();
+        for (const std::string& name : options.from) {
+            settings.starts.push_back(spawn_position(campus.description, name));
+        }
+    }
+    if (settings.starts.empty()) {
+        throw scene::InputError(campus.description.mark, "missing-key",
+                                "the campus has no spawn to start from; add one under 'spawns'");
+    }
+    return settings;
+}
+
+std::size_t workers_of(const ExploreOptions& options) {
+    return static_cast<std::size_t>(
+        options.workers.value_or(static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))));
+}
+
+/// Whether the report is as the options demand.
+bool is_accepted(const ExploreOptions& options, const scene::Campus& campus,
+                 const engine::WalkReport& report) {
+    for (const engine::SubjectReport& entry : report.subjects) {
+        const engine::Subject& subject = entry.subject;
+        const bool required =
+            subject.kind == engine::SubjectKind::place
+                ? has(options.required, "all") || has(options.required, subject.name)
+                : has(options.required, "all") && subject.kind != engine::SubjectKind::solid;
+        if (required && !subject.reached) {
+            return false;
+        }
+    }
+    return std::ranges::none_of(explore::find_findings(campus, report), [&](const explore::Finding& finding) {
+        return has(options.fail_on, explore::name_of(finding.kind));
+    });
+}
+
+void check_places(const ExploreOptions& options, const scene::CampusDescription& campus) {
+    for (const std::string& name : options.required) {
+        const bool known =
+            name == "all" ||
+            std::ranges::any_of(campus.places, [&](const scene::Place& place) { return place.name == name; });
+        if (!known) {
+            throw scene::InputError({"--require", 1, 1}, "unknown-name",
+                                    "the campus has no place '" + name + "'");
+        }
+    }
+}
 
 int explore_campus(const ExploreOptions& options) {
     WalkLoader loader;
-    const auto campus = loader.load_campus(options.campus);
-    engine::AvatarProfile avatar;
-    avatar.step_height = options.step;
-    avatar.max_slope = options.slope * 3.14159265358979 / 180;
-    engine::ExploreSettings settings;
-    settings.strides.body = engine::mover_settings(avatar);
-    settings.strides.walk_speed = avatar.speed;
-    settings.strides.run_speed = engine::running_speed(avatar);
-    settings.keep_rim = true;
-    settings.solids = {collision::Detection::solid, 0, nullptr};
-    for (const auto& spawn : campus->description.spawns) settings.starts.push_back(spawn.position);
-    const engine::WorkerWorlds worlds(campus->world, static_cast<std::size_t>(options.workers), collision::make_bullet_broad_phase);
-    auto t0 = std::chrono::steady_clock::now();
-    const engine::WalkSpace space = engine::explore(worlds, settings);
-    double s = std::chrono::duration<double>(std::chrono::steady_clock::now() - t0).count();
-    double top = -1e9, bottom = 1e9; std::uint64_t h = 1469598103934665603ull; std::size_t oneway = 0, drops = 0, bytes = 0;
-    for (const auto& t : space.tiles) { for (const auto& n : t.nodes) { top = std::max<double>(top, n.y); bottom = std::min<double>(bottom, n.y); oneway += !n.returns;
-        std::uint32_t b = 0; std::memcpy(&b, &n.y, 4); h = (h ^ b) * 1099511628211ull; h = (h ^ n.cell ^ static_cast<std::uint32_t>(n.direction) << 10U) * 1099511628211ull; } drops += t.drops.size(); bytes += sizeof t + t.nodes.capacity() * 12 + t.keyframes.capacity() * sizeof(t.keyframes[0]) + t.drops.capacity() * sizeof(t.drops[0]); }
-    print_line("%zu nodes, %.1f m2, %.2f to %.2f, %lu strides, %lu ticks, %.3f s, %.3f us/tick, hash %016lx, one-way %zu, drops %zu, %.1f B/m2, starts %zu", space.node_count(), space.area(), bottom, top, space.strides, space.ticks, s, 1e6 * s / static_cast<double>(space.ticks), h, oneway, drops, static_cast<double>(bytes) / space.area(), space.starts.size());
-    t0 = std::chrono::steady_clock::now();
-    const auto islands = engine::find_unreached_ground(worlds, settings, space, 1.0);
-    s = std::chrono::duration<double>(std::chrono::steady_clock::now() - t0).count();
-    print_line("islands %zu in %.3f s", islands.size(), s);
-    t0 = std::chrono::steady_clock::now();
-    const auto barriers = engine::find_island_barriers(worlds, settings, space, islands, 1000);
-    s = std::chrono::duration<double>(std::chrono::steady_clock::now() - t0).count();
-    print_line("barriers %zu in %.3f s", barriers.size(), s);
-    for (std::size_t i = 0; i < barriers.size(); ++i) {
-        const auto& is = islands[i];
-        print_line("  %.1f m2 y %.2f..%.2f at %.2f %.2f %.2f on %s: %s", is.area(space.grid), is.bounds.min.y(), is.bounds.max.y(), is.spots[0].at.foot.x(), is.spots[0].at.foot.y(), is.spots[0].at.foot.z(), engine::object_text(*campus, is.spots[0].object, is.spots[0].at.foot).c_str(), barriers[i] ? engine::barrier_text(*campus, *barriers[i]).c_str() : "nothing near");
-    }
-    for (const auto& st : engine::find_storeys(space).list) print_line("storey %.2f to %.2f: %.1f m2", st.low, st.high, st.area);
-    t0 = std::chrono::steady_clock::now();
-    const auto traps = engine::find_traps(worlds, settings, space);
-    s = std::chrono::duration<double>(std::chrono::steady_clock::now() - t0).count();
-    print_line("traps %zu in %.3f s", traps.size(), s);
-    for (const auto& t : traps) { auto p = space.position(t.entrance); print_line("  %.2f m2 at %.2f %.2f %.2f, drop %.2f", static_cast<double>(t.nodes.size()) * .0625, p.x(), p.y(), p.z(), t.drop); }
-    for (const auto& hole : engine::find_holes(space)) { auto p = hole.edges[0].at; print_line("  hole %.2f m at %.2f %.2f %.2f", hole.length, p.x(), p.y(), p.z()); }
-    return kPass;
+    const std::shared_ptr<const scene::Campus> campus = loader.load_campus(options.campus);
+    check_places(options, campus->description);
+    const engine::AvatarProfile avatar = config::read_avatar_text(
+        options.avatar, "--avatar", options.campus.parent_path(), campus->description, search_paths());
+    const std::vector<bool> disabled = disabled_objects(*campus, options.disable);
+    const engine::WorkerWorlds worlds(campus->world, workers_of(options), collision::make_bullet_broad_phase);
+    const engine::WalkReport report =
+        engine::report_walks(*campus, avatar, worlds, settings_for(options, *campus, avatar, disabled));
+    explore::print_report(*campus, report, avatar);
+    return is_accepted(options, *campus, report) ? kPass : kExpectationFailed;
 }
 
 }  // namespace
 
 void add_explore(Command program, CommandAction& chosen) {
     const auto options = std::make_shared<ExploreOptions>();
-    Command command = program.add("explore", "Find out where a visitor can get to");
-    command.option({.names = "CAMPUS", .help = "NAME.campus.yaml", .value = "FILE", .required = true}, options->campus);
-    command.option({.names = "-j,--workers", .help = "Threads", .show_default = true}, options->workers, Limits<int>{1, 256});
-    command.option({.names = "--step", .help = "Step", .show_default = true}, options->step, Limits<double>{0, 5});
-    command.option({.names = "--slope", .help = "Slope", .show_default = true}, options->slope, Limits<double>{0, 90});
+    Command command =
+        program.add("explore", "Walk everywhere: find out where a visitor gets to, and why not elsewhere");
+    command.option({.names = "CAMPUS", .help = "NAME.campus.yaml", .value = "FILE", .required = true},
+                   options->campus);
+    command.option({.names = "--avatar",
+                    .help = "A profile, or as in a walk: '{profile: adult, step_height: 0.4}'",
+                    .value = "AVATAR",
+                    .show_default = true},
+                   options->avatar);
+    command.option(
+        {.names = kFromOption, .help = "Start at this spawn only; may be repeated", .value = "SPAWN"},
+        options->from);
+    command.choices({.names = "--allow", .help = "What the visitor may do besides walking; may be repeated"},
+                    {"run", "jump"}, options->allow);
+    command.option({.names = "--disable",
+                    .help = "Objects that aren't there, such as a gate: a glob; may be repeated",
+                    .value = "OBJECT"},
+                   options->disable);
+    command.option({.names = "--require",
+                    .help = "Exit with 1 unless this place is reached, or 'all'; may be repeated",
+                    .value = "PLACE"},
+                   options->required);
+    command.choices({.names = "--fail-on", .help = "Exit with 1 if there are such findings; may be repeated"},
+                    {"unreached", "traps", "holes", "islands"}, options->fail_on);
+    command.option({.names = "-j,--workers", .help = "Threads; all cores by default"}, options->workers,
+                   Limits<int>{1, 256});
     add_import_options(command);
     add_root_option(command);
     command.choose(chosen, [options] { return explore_campus(*options); });

@@ -1,0 +1,335 @@
+#include "engine/walkspace/subjects.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <variant>
+
+#include "collision/mesh/mesh_collider.h"
+#include "collision/world/cast.h"
+#include "collision/world/obstacle.h"
+#include "collision/world/overlap_span.h"
+#include "collision/world/placement.h"
+#include "engine/events/decimals.h"
+#include "engine/script/avatar_body.h"
+
+namespace campuswalk::engine {
+
+using collision::Aabb;
+using collision::Detection;
+using collision::ObjectId;
+using collision::Vec3;
+
+namespace {
+
+/// A place this far above or below the feet is reached, metres; see the step walk_to.
+constexpr double kLevel = 0.5;
+/// A body is at most this far from the middle of its node's cell, as a share of the cell.
+constexpr double kOffCenter = 0.71;
+/// Nodes whose exact state is computed to test one object, the nearest to its middle first.
+constexpr std::size_t kMostExact = 64;
+/// Nodes, and points of an object, between which lines of sight are tried.
+constexpr std::size_t kMostEyes = 256;
+constexpr std::size_t kMostPoints = 24;
+
+class Finder {
+public:
+    explicit Finder(const SubjectSearch& search)
+        : s_(search),
+          world_(search.campus.world),
+          body_(search.settings.strides.body),
+          strider_(search.worlds[0], search.settings.strides, search.settings.solids) {}
+
+    std::vector<Subject> run() {
+        const scene::CampusDescription& description = s_.campus.description;
+        for (const scene::Spawn& spawn : description.spawns) {
+            add_point(SubjectKind::spawn, spawn.name, spawn.position);
+        }
+        for (const scene::Place& place : description.places) {
+            add_point(SubjectKind::place, place.name, place.position);
+        }
+        const std::size_t first_building = subjects_.size();
+        for (const scene::Building& building : description.buildings) {
+            subjects_.push_back({SubjectKind::building, building.id});
+        }
+        for (std::size_t i = 0; i < s_.campus.objects.size(); ++i) {
+            add_object(static_cast<ObjectId>(i), first_building);
+        }
+        return std::move(subjects_);
+    }
+
+private:
+    void add_point(SubjectKind kind, const std::string& name, const Vec3& at) {
+        Subject subject{kind, name};
+        subject.at = at;
+        for (const WalkNodeId& node : nodes_around(at)) {
+            const Standing from = s_.reached.standing(node, strider_);
+            const StrideEnd end = strider_.walk_to(from, at, 0.05, 2.0);
+            const Vec3 apart = end.at.foot - at;
+            if (end.kind == StrideEnd::Kind::standing && collision::horizontal_norm(apart) <= 0.05 &&
+                std::abs(apart.y()) <= kLevel) {
+                subject.reached = true;
+                subject.node = node;
+                break;
+            }
+        }
+        if (!subject.reached) {
+            explain_point(subject);
+        }
+        subjects_.push_back(std::move(subject));
+    }
+
+    /// In the point's cell and those beside it, the nearest first.
+    std::vector<WalkNodeId> nodes_around(const Vec3& at) const {
+        std::vector<std::pair<double, WalkNodeId>> near;
+        const GridCell cell = s_.reached.grid.cell_at(at);
+        for (int k = 0; k < 9; ++k) {
+            if (const auto node = s_.reached.find({cell.x + k % 3 - 1, cell.z + k / 3 - 1}, at.y(), kLevel)) {
+                near.emplace_back((s_.reached.position(*node) - at).squaredNorm(), *node);
+            }
+        }
+        std::ranges::sort(near);
+        std::vector<WalkNodeId> nodes;
+        for (const auto& [apart, node] : near) {
+            nodes.push_back(node);
+        }
+        return nodes;
+    }
+
+    void explain_point(Subject& subject) {
+        if (const auto object = collision::obstruction(
+                world_, s_.settings.solids, subject.at + Vec3(0, 0.02, 0), body_.radius, body_.height)) {
+            const auto free = collision::nearest_free_placement(world_, s_.settings.solids, subject.at,
+                                                                body_.radius, body_.height, kPlacementSearch);
+            if (!free) {
+                subject.reason = "it is inside " + s_.campus.objects[index_of(*object)].id;
+                return;
+            }
+        }
+        const StrideEnd end = strider_.put_down(subject.at);
+        if (end.kind != StrideEnd::Kind::standing) {
+            subject.reason = "there is no ground below it";
+            return;
+        }
+        if (const double drop = subject.at.y() - end.at.foot.y(); drop > kLevel) {
+            subject.reason = "the ground is " + fixed(drop, 2) + " m below it";
+            return;
+        }
+        subject.island = island_at(end.at.foot);
+        if (!subject.island) {
+            subject.reason = "nothing that is reached lies near it";
+        }
+    }
+
+    std::optional<std::size_t> island_at(const Vec3& foot) const {
+        std::optional<std::size_t> nearest;
+        double least = 0.8;
+        for (std::size_t i = 0; i < s_.islands.size(); ++i) {
+            const Aabb& box = s_.islands[i].bounds;
+            if (!box.grown(least).overlaps({foot, foot})) {
+                continue;
+            }
+            for (const UnreachedSpot& spot : s_.islands[i].spots) {
+                if (const double apart = (spot.at.foot - foot).norm(); apart < least) {
+                    least = apart;
+                    nearest = i;
+                }
+            }
+        }
+        return nearest;
+    }
+
+    void add_object(ObjectId id, std::size_t first_building) {
+        const collision::Object& object = world_.object(id);
+        const scene::CampusObject& named = s_.campus.objects[index_of(id)];
+        const auto add = [&](SubjectKind kind, void (Finder::*find)(ObjectId, Subject&)) {
+            Subject subject{kind, named.id};
+            subject.at = world_.bounds(id).center();
+            (this->*find)(id, subject);
+            if (subject.reached && named.building && kind != SubjectKind::solid) {
+                reach_building(subjects_[first_building + *named.building], subject);
+            }
+            if (subject.reached && named.building && kind == SubjectKind::solid &&
+                s_.reached.touched[index_of(id)]) {
+                reach_building(subjects_[first_building + *named.building], subject);
+            }
+            subjects_.push_back(std::move(subject));
+        };
+        if (collision::any_of(object.detection, Detection::trigger)) {
+            add(SubjectKind::trigger, &Finder::find_trigger);
+        }
+        if (collision::any_of(object.detection, Detection::ray)) {
+            add(SubjectKind::ray, &Finder::find_ray);
+        }
+        if (collision::any_of(object.detection, Detection::solid)) {
+            add(SubjectKind::solid, &Finder::find_solid);
+        }
+    }
+
+    static void reach_building(Subject& building, const Subject& by) {
+        if (!building.reached) {
+            building.reached = true;
+            building.at = by.at;
+            building.node = by.node;
+        }
+    }
+
+    /// Nodes whose body may overlap the box, the nearest to its middle first.
+    std::vector<WalkNodeId> nodes_near(const Aabb& box, std::size_t most) const {
+        const double around = body_.radius + kOffCenter * s_.reached.grid.cell;
+        const GridCell low = s_.reached.grid.cell_at(box.min.x() - around, box.min.z() - around);
+        const GridCell high = s_.reached.grid.cell_at(box.max.x() + around, box.max.z() + around);
+        std::vector<std::pair<double, WalkNodeId>> near;
+        const Vec3 center = box.center();
+        for (std::uint32_t t = 0; t < s_.reached.tiles.size(); ++t) {
+            const WalkTile& tile = s_.reached.tiles[t];
+            if (tile.corner.x > high.x || tile.corner.x + WalkTile::kCells <= low.x ||
+                tile.corner.z > high.z || tile.corner.z + WalkTile::kCells <= low.z) {
+                continue;
+            }
+            for (std::uint16_t n = 0; n < tile.nodes.size(); ++n) {
+                const GridCell cell = tile.cell_of(tile.nodes[n]);
+                const double y = static_cast<double>(tile.nodes[n].y);
+                if (cell.x >= low.x && cell.x <= high.x && cell.z >= low.z && cell.z <= high.z &&
+                    y + body_.height >= box.min.y() - 0.05 && y <= box.max.y() + 0.05) {
+                    near.emplace_back((s_.reached.position({t, n}) - center).squaredNorm(), WalkNodeId{t, n});
+                }
+            }
+        }
+        const auto end = near.begin() + static_cast<std::ptrdiff_t>(std::min(most, near.size()));
+        std::ranges::partial_sort(near, end);
+        std::vector<WalkNodeId> nodes;
+        for (auto it = near.begin(); it != end; ++it) {
+            nodes.push_back(it->second);
+        }
+        return nodes;
+    }
+
+    void find_trigger(ObjectId id, Subject& subject) {
+        const auto overlaps = [&](const Vec3& foot, double radius) {
+            return collision::overlap_span(world_, id, body_.core(foot), radius, Vec3::Zero()).has_value();
+        };
+        std::size_t exact = 0;
+        for (const WalkNodeId& node : nodes_near(world_.bounds(id), 1U << 20U)) {
+            const double slack = kOffCenter * s_.reached.grid.cell + 0.01;
+            if (!overlaps(s_.reached.position(node), body_.radius + slack)) {
+                continue;
+            }
+            const Vec3 foot = s_.reached.standing(node, strider_).foot;
+            if (overlaps(foot, body_.radius)) {
+                subject.reached = true;
+                subject.at = foot;
+                subject.node = node;
+                return;
+            }
+            if (++exact == kMostExact) {
+                break;
+            }
+        }
+        explain_trigger(id, subject);
+    }
+
+    void explain_trigger(ObjectId id, Subject& subject) const {
+        const Aabb box = world_.bounds(id).grown(body_.radius);
+        for (std::size_t i = 0; i < s_.islands.size(); ++i) {
+            for (const UnreachedSpot& spot : s_.islands[i].spots) {
+                if (box.overlaps({spot.at.foot, spot.at.foot + Vec3(0, body_.height, 0)}) &&
+                    collision::overlap_span(world_, id, body_.core(spot.at.foot), body_.radius,
+                                            Vec3::Zero())) {
+                    subject.island = i;
+                    subject.at = spot.at.foot;
+                    return;
+                }
+            }
+        }
+        subject.reason = "there is no place in it where the body could stand";
+    }
+
+    /// Its middle and some of its triangles' middles.
+    std::vector<Vec3> points_of(ObjectId id) const {
+        const collision::Object& object = world_.object(id);
+        std::vector<Vec3> points{world_.bounds(id).center()};
+        if (const auto* mesh = std::get_if<std::shared_ptr<const collision::MeshCollider>>(&object.shape)) {
+            const collision::TriangleMesh& shape = (*mesh)->mesh();
+            const std::size_t every = std::max<std::size_t>(1, shape.triangles.size() / kMostPoints);
+            for (std::size_t i = 0; i < shape.triangles.size(); i += every) {
+                Vec3 sum = Vec3::Zero();
+                for (const std::uint32_t vertex : shape.triangles[i]) {
+                    sum += shape.positions[vertex].cast<double>();
+                }
+                points.push_back(object.X_world_shape * Vec3(sum / 3.0));
+            }
+        }
+        return points;
+    }
+
+    void find_ray(ObjectId id, Subject& subject) {
+        const double reach = s_.avatar.look_distance;
+        const std::vector<Vec3> points = points_of(id);
+        const collision::QueryFilter filter{Detection::solid | Detection::ray,
+                                            s_.settings.solids.ignored_layers, s_.settings.solids.disabled};
+        const Aabb near = world_.bounds(id).grown(std::max(0.0, reach - body_.radius));
+        const std::vector<WalkNodeId> eyes = nodes_near(near, 1U << 20U);
+        const std::size_t every = std::max<std::size_t>(1, eyes.size() / kMostEyes);
+        for (std::size_t i = 0; i < eyes.size(); i += every) {
+            const Vec3 eye = s_.reached.position(eyes[i]) + Vec3(0, s_.avatar.eye_height, 0);
+            for (const Vec3& point : points) {
+                const Vec3 way = point - eye;
+                const double distance = way.norm();
+                if (distance <= 0.0 || distance > reach) {
+                    continue;
+                }
+                const collision::Ray ray{eye, eye + reach / distance * way};
+                const auto hit = collision::cast(world_, filter, ray, Detection::ray);
+                if (hit && hit->object == id) {
+                    subject.reached = true;
+                    subject.at = s_.reached.position(eyes[i]);
+                    subject.node = eyes[i];
+                    return;
+                }
+            }
+        }
+        subject.reason = eyes.empty() ? "no place within " + fixed(reach, 1) + " m of it is reached"
+                                      : "other objects hide it";
+    }
+
+    void find_solid(ObjectId id, Subject& subject) {
+        subject.reached = s_.reached.touched[index_of(id)] || carries_a_node(id);
+        if (!subject.reached) {
+            subject.reason = "nobody gets near it";
+        }
+    }
+
+    bool carries_a_node(ObjectId id) const {
+        std::vector<collision::Obstacle> pieces;
+        for (const WalkNodeId& node : nodes_near(world_.bounds(id), kMostEyes)) {
+            const Vec3 center = s_.reached.position(node) + Vec3(0, body_.radius, 0);
+            collision::gather_pieces(world_, id, {center, center}, body_.radius + 0.02, pieces);
+            if (!pieces.empty()) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    const SubjectSearch& s_;
+    const collision::World& world_;
+    const collision::MoverSettings& body_;
+    Strider strider_;
+    std::vector<Subject> subjects_;
+};
+
+}  // namespace
+
+std::vector<Subject> find_subjects(const SubjectSearch& search) {
+    return Finder(search).run();
+}
+
+const char* name_of(SubjectKind kind) {
+    constexpr std::array kNames{"spawn", "place", "building", "trigger", "ray", "solid"};
+    return kNames[static_cast<std::size_t>(kind)];
+}
+
+}  // namespace campuswalk::engine

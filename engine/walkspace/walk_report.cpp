@@ -1,0 +1,76 @@
+#include "engine/walkspace/walk_report.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/script/avatar_body.h"
+#include "engine/walkspace/island_barriers.h"
+
+namespace campuswalk::engine {
+
+namespace {
+
+double length_of(const std::vector<ChainLink>& chain) {
+    double length = 0.0;
+    for (std::size_t i = 1; i < chain.size(); ++i) {
+        length += (chain[i].at.foot - chain[i - 1].at.foot).norm();
+    }
+    return length;
+}
+
+/// The most islands that are explained: those that are worth a line or that a subject is on.
+std::size_t explained(const std::vector<Island>& islands, const std::vector<Subject>& subjects,
+                      const WalkGrid& grid) {
+    std::size_t count = 0;
+    while (count < islands.size() && islands[count].area(grid) > kNotableIsland) {
+        ++count;
+    }
+    for (const Subject& subject : subjects) {
+        count = std::max(count, subject.island ? *subject.island + 1 : 0);
+    }
+    return count;
+}
+
+}  // namespace
+
+WalkReport report_walks(const scene::Campus& campus, const AvatarProfile& avatar, const WorkerWorlds& worlds,
+                        ExploreSettings settings) {
+    settings.keep_rim = true;
+    WalkReport report{explore(worlds, settings)};
+    report.storeys = find_storeys(report.space);
+    std::vector<Island> islands = find_unreached_ground(worlds, settings, report.space, 0.0);
+    const std::vector<Subject> subjects =
+        find_subjects({campus, avatar, worlds, settings, report.space, islands});
+    std::vector<std::optional<Barrier>> barriers = find_island_barriers(
+        worlds, settings, report.space, islands, explained(islands, subjects, report.space.grid));
+    barriers.resize(islands.size());
+    for (std::size_t i = 0; i < islands.size(); ++i) {
+        report.islands.push_back({std::move(islands[i]), std::move(barriers[i])});
+    }
+    Strider strider(worlds[0], settings.strides, settings.solids);
+    for (const Subject& subject : subjects) {
+        const bool has_way = subject.node && subject.kind != SubjectKind::solid;
+        report.subjects.push_back(
+            {subject,
+             has_way ? std::optional(length_of(report.space.chain(*subject.node, strider))) : std::nullopt});
+    }
+    report.traps = find_traps(worlds, settings, report.space);
+    report.holes = find_holes(report.space);
+    return report;
+}
+
+ExploreSettings explore_settings(const scene::Campus& campus, const AvatarProfile& avatar,
+                                 int ticks_per_second) {
+    ExploreSettings settings;
+    settings.strides.body = mover_settings(avatar);
+    settings.strides.seconds = 1.0 / ticks_per_second;
+    settings.strides.walk_speed = avatar.speed;
+    settings.strides.run_speed = running_speed(avatar);
+    settings.solids = {collision::Detection::solid, ignored_layers(campus, avatar), nullptr};
+    for (const scene::Spawn& spawn : campus.description.spawns) {
+        settings.starts.push_back(spawn.position);
+    }
+    return settings;
+}
+
+}  // namespace campuswalk::engine

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/script/avatar.h"
+#include "engine/walkspace/explore.h"
+#include "engine/walkspace/one_way.h"
+#include "engine/walkspace/storeys.h"
+#include "engine/walkspace/subjects.h"
+#include "engine/walkspace/unreached_ground.h"
+#include "engine/walkspace/why_not.h"
+#include "scene/campus/campus.h"
+
+namespace campuswalk::engine {
+
+/// Walkable ground that isn't reached, and why not.
+struct IslandReport {
+    Island island;
+    std::optional<Barrier> barrier;  ///< none: nothing that is reached lies near it
+};
+
+/// A subject, and how far one walks to it.
+struct SubjectReport {
+    Subject subject;
+    std::optional<double> way;  ///< reached: from the nearest start, along the chain of strides, metres
+};
+
+/// Where a visitor gets to on a campus, where not, and why not.
+struct WalkReport {
+    WalkSpace space;
+    Storeys storeys = {};
+    std::vector<SubjectReport> subjects = {};
+    std::vector<IslandReport> islands = {};  ///< also those below `least_island`: subjects may be on them
+    std::vector<Trap> traps = {};
+    std::vector<Hole> holes = {};
+};
+
+/// Explores the campus and finds all that a report tells. `settings` as for `explore`; the campus and what
+/// they refer to must outlive the call.
+WalkReport report_walks(const scene::Campus& campus, const AvatarProfile& avatar, const WorkerWorlds& worlds,
+                        ExploreSettings settings);
+
+/// Islands that are worth a line: of more than 1 m².
+inline constexpr double kNotableIsland = 1.0;
+
+/// Of a body of this profile, on a campus from all its spawns.
+ExploreSettings explore_settings(const scene::Campus& campus, const AvatarProfile& avatar,
+                                 int ticks_per_second);
+
+}  // namespace campuswalk::engine

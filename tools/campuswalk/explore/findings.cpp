@@ -1,0 +1,128 @@
+#include "tools/campuswalk/explore/findings.h"
+
+#include <map>
+
+#include "engine/events/decimals.h"
+#include "engine/walkspace/barrier_text.h"
+
+namespace campuswalk::tools::explore {
+
+using engine::fixed;
+using engine::SubjectKind;
+using engine::WalkReport;
+
+namespace {
+
+/// A square metre, as people say it.
+std::string area_text(double area) {
+    return fixed(area, area < 10.0 ? 1 : 0) + " m²";
+}
+
+std::string why(const scene::Campus& campus, const engine::IslandReport& island) {
+    return island.barrier ? engine::barrier_text(campus, *island.barrier)
+                          : "nothing that is reached lies near it";
+}
+
+std::string named(const engine::Subject& subject) {
+    return std::string(engine::name_of(subject.kind)) + " " + subject.name;
+}
+
+/// Solids are findings only by themselves; where nobody gets, nobody touches them.
+bool is_wanted(const engine::Subject& subject) {
+    return subject.kind != SubjectKind::solid;
+}
+
+/// Adds a finding for each unreached subject; those on one island share it.
+void add_unreached(const scene::Campus& campus, const WalkReport& report, std::vector<Finding>& findings) {
+    std::map<std::size_t, std::size_t> by_island;
+    for (const engine::SubjectReport& entry : report.subjects) {
+        const engine::Subject& subject = entry.subject;
+        if (subject.reached || !is_wanted(subject)) {
+            continue;
+        }
+        if (subject.kind == SubjectKind::building && subject.reason.empty() && !subject.island) {
+            findings.push_back(
+                {FindingKind::unreached, named(subject), "no contact with it is possible", subject.at});
+            continue;
+        }
+        if (!subject.island) {
+            findings.push_back({FindingKind::unreached, named(subject), subject.reason, subject.at});
+            continue;
+        }
+        const auto [known, added] = by_island.emplace(*subject.island, findings.size());
+        if (!added) {
+            findings[known->second].subject += ", " + named(subject);
+            continue;
+        }
+        const engine::IslandReport& island = report.islands[*subject.island];
+        Finding finding{FindingKind::unreached, named(subject), why(campus, island), subject.at,
+                        island.barrier,         subject.island};
+        if (island.barrier) {
+            finding.at = island.barrier->at;
+        }
+        findings.push_back(std::move(finding));
+    }
+}
+
+void add_traps(const WalkReport& report, std::vector<Finding>& findings) {
+    const double cell = report.space.grid.cell * report.space.grid.cell;
+    for (const engine::Trap& trap : report.traps) {
+        const double area = static_cast<double>(trap.nodes.size()) * cell;
+        findings.push_back({FindingKind::trap, "trap of " + area_text(area),
+                            "one gets in over an edge of " + fixed(trap.drop, 2) + " m and not out again",
+                            trap.edge});
+    }
+}
+
+void add_holes(const WalkReport& report, std::vector<Finding>& findings) {
+    for (const engine::Hole& hole : report.holes) {
+        findings.push_back({FindingKind::hole, "hole",
+                            "one falls out of the world along " + fixed(hole.length, 1) + " m of an edge",
+                            hole.edges.front().at});
+    }
+}
+
+void add_islands(const scene::Campus& campus, const WalkReport& report, std::vector<Finding>& findings) {
+    for (std::size_t i = 0; i < report.islands.size(); ++i) {
+        const engine::IslandReport& entry = report.islands[i];
+        const double area = entry.island.area(report.space.grid);
+        if (area <= engine::kNotableIsland || is_top(entry)) {
+            continue;
+        }
+        const engine::UnreachedSpot& spot = entry.island.spots.front();
+        const std::string on = engine::object_text(campus, spot.object, spot.at.foot);
+        findings.push_back({FindingKind::island, "island of " + area_text(area) + " on " + on,
+                            why(campus, entry), spot.at.foot, entry.barrier, i});
+    }
+}
+
+}  // namespace
+
+bool is_top(const engine::IslandReport& island) {
+    return !island.barrier || island.barrier->kind == engine::BarrierKind::ledge;
+}
+
+std::vector<Finding> find_findings(const scene::Campus& campus, const WalkReport& report) {
+    std::vector<Finding> findings;
+    add_unreached(campus, report, findings);
+    add_traps(report, findings);
+    add_holes(report, findings);
+    add_islands(campus, report, findings);
+    return findings;
+}
+
+const char* name_of(FindingKind kind) {
+    switch (kind) {
+        case FindingKind::unreached:
+            return "unreached";
+        case FindingKind::trap:
+            return "traps";
+        case FindingKind::hole:
+            return "holes";
+        case FindingKind::island:
+            return "islands";
+    }
+    return "";
+}
+
+}  // namespace campuswalk::tools::explore

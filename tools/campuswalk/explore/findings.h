@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "collision/geometry/shapes.h"
+#include "engine/walkspace/walk_report.h"
+#include "scene/campus/campus.h"
+
+namespace campuswalk::tools::explore {
+
+enum class FindingKind { unreached, trap, hole, island };
+
+/// Something that an author of the campus would want to know.
+struct Finding {
+    FindingKind kind = FindingKind::island;
+    std::string subject;  ///< "place desk", "island"
+    std::string text;     ///< what is wrong, and why; one line without its full stop
+    collision::Vec3 at = collision::Vec3::Zero();
+    std::optional<engine::Barrier> barrier = {};
+    std::optional<std::size_t> island = {};  ///< index into WalkReport::islands
+};
+
+/// Unreached subjects first, then traps, holes and islands. Subjects on one island are one finding; islands
+/// that are the tops of things, higher than anyone climbs, are left to `count_tops`.
+std::vector<Finding> find_findings(const scene::Campus& campus, const engine::WalkReport& report);
+
+/// Roofs, the tops of walls and the like: islands that are only reached over a ledge.
+bool is_top(const engine::IslandReport& island);
+
+/// What it is called in files and in `--fail-on`: "unreached", "traps", "holes", "islands".
+const char* name_of(FindingKind kind);
+
+}  // namespace campuswalk::tools::explore

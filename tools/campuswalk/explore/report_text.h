@@ -1,0 +1,12 @@
+#pragma once
+
+#include "engine/walkspace/walk_report.h"
+#include "scene/campus/campus.h"
+
+namespace campuswalk::tools::explore {
+
+/// Prints a report for people: what is reached, then the findings, numbered, the most important first.
+void print_report(const scene::Campus& campus, const engine::WalkReport& report,
+                  const engine::AvatarProfile& avatar);
+
+}  // namespace campuswalk::tools::explore
