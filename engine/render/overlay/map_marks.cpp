@@ -5,9 +5,10 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
-#include <optional>
 
 #include <cairo.h>
+
+#include "engine/render/overlay/free_box.h"
 
 namespace campuswalk::engine::render {
 namespace {
@@ -30,27 +31,9 @@ void stroke_outlined(const Canvas& canvas, const Rgba& color, double width, doub
     cairo_stroke(cr);
 }
 
-bool overlap(const Eigen::Vector4d& a, const Eigen::Vector4d& b) {
-    return a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
-}
-
-// A free box of half size `half` for a label: centred on `at`, else below, above or beside it. None if all
-// are taken or outside of the image.
-std::optional<Eigen::Vector4d> free_box(const Canvas& canvas, const Eigen::Vector2d& at,
-                                        const Eigen::Vector2d& half, std::span<const Eigen::Vector4d> taken) {
-    static constexpr std::array<std::array<double, 2>, 9> kShifts = {
-        {{0, 0}, {0, 2}, {0, -2}, {1, 0}, {-1, 0}, {1, 2}, {-1, 2}, {1, -2}, {-1, -2}}};
-    for (const auto& shift : kShifts) {
-        const Eigen::Vector2d middle = at + half.cwiseProduct(Eigen::Vector2d(shift[0], shift[1]));
-        const Eigen::Vector4d box(middle.x() - half.x(), middle.y() - half.y(), middle.x() + half.x(),
-                                  middle.y() + half.y());
-        const bool inside = box[0] > 0 && box[1] > 0 && box[2] < canvas.width() && box[3] < canvas.height();
-        if (inside && std::ranges::none_of(taken, [&](const auto& other) { return overlap(box, other); })) {
-            return box;
-        }
-    }
-    return std::nullopt;
-}
+// Where a label may be in units of half its size: at its point, below or above it, beside it.
+const std::array<Eigen::Vector2d, 9> kLabelShifts = {
+    {{0, 0}, {0, 2}, {0, -2}, {1, 0}, {-1, 0}, {1, 2}, {-1, 2}, {1, -2}, {-1, -2}}};
 
 }  // namespace
 
@@ -64,11 +47,24 @@ double round_length(double metres) {
     return power;
 }
 
+std::string length_text(double metres) {
+    std::array<char, 40> text{};
+    if (metres >= 1000.0) {
+        std::snprintf(text.data(), text.size(), "%g km", metres / 1000.0);
+    } else {
+        std::snprintf(text.data(), text.size(), "%g m", metres);
+    }
+    return text.data();
+}
+
 void draw_scale_bar(const Canvas& canvas, const Viewpoint& view) {
-    const double s = canvas.scale();
     const double metres_per_pixel = view.height / canvas.height();
     const double length = round_length(0.18 * canvas.width() * metres_per_pixel);
-    const double pixels = length / metres_per_pixel;
+    draw_scale_bar(canvas, length / metres_per_pixel, length_text(length));
+}
+
+void draw_scale_bar(const Canvas& canvas, double pixels, const std::string& text) {
+    const double s = canvas.scale();
     const double x = canvas.width() - kEdge * s - pixels;
     const double y = canvas.height() - kEdge * s;
     cairo_t* cr = canvas.cairo();
@@ -77,13 +73,7 @@ void draw_scale_bar(const Canvas& canvas, const Viewpoint& view) {
     cairo_line_to(cr, x + pixels, y);
     cairo_line_to(cr, x + pixels, y - 7.0 * s);
     stroke_outlined(canvas, kForeground, 2.2 * s, 3.0 * s);
-    std::array<char, 40> text{};
-    if (length >= 1000.0) {
-        std::snprintf(text.data(), text.size(), "%g km", length / 1000.0);
-    } else {
-        std::snprintf(text.data(), text.size(), "%g m", length);
-    }
-    canvas.label(x + 0.5 * pixels, y - 16.0 * s, text.data(), {14.0 * s, true, kForeground, 0.0, 1});
+    canvas.label(x + 0.5 * pixels, y - 16.0 * s, text, {14.0 * s, true, kForeground, 0.0, 1});
 }
 
 void draw_north_arrow(const Canvas& canvas) {
@@ -118,15 +108,18 @@ void draw_labels(const Canvas& canvas, std::span<const PixelLabel> labels,
                  std::span<const WindowRect> windows) {
     const double s = canvas.scale();
     const TextStyle style = {14.0 * s, true, kForeground, 0.0, 1};
-    std::vector<Eigen::Vector4d> taken;
+    const Eigen::AlignedBox2d image(Eigen::Vector2d::Zero(),
+                                    Eigen::Vector2d(canvas.width(), canvas.height()));
+    std::vector<Eigen::AlignedBox2d> taken;
     for (const WindowRect& window : windows) {
-        taken.emplace_back(window.x, window.y, window.x + window.width, window.y + window.height);
+        const Eigen::Vector2d upper_left(window.x, window.y);
+        taken.emplace_back(upper_left, upper_left + Eigen::Vector2d(window.width, window.height));
     }
     for (const PixelLabel& label : labels) {
         const Eigen::Vector2d half = 0.5 * canvas.text_size(label.text, style) + Eigen::Vector2d(4, 2) * s;
-        if (const auto box = free_box(canvas, label.pixel, half, taken)) {
+        if (const auto box = free_box(image, label.pixel, half, kLabelShifts, taken)) {
             taken.push_back(*box);
-            canvas.label(0.5 * (box->x() + box->z()), 0.5 * (box->y() + box->w()), label.text, style);
+            canvas.label(box->center().x(), box->center().y(), label.text, style);
         }
     }
 }

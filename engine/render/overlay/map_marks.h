@@ -26,9 +26,13 @@ struct PixelLabel {
 
 /// The longest "round" length (1, 2 or 5 times a power of ten, metres) not above `metres`.
 double round_length(double metres);
+/// "20 m" or "5 km".
+std::string length_text(double metres);
 
 /// `view` is the orthographic view that the image was drawn with.
 void draw_scale_bar(const Canvas& canvas, const Viewpoint& view);
+/// Likewise in the lower right corner, of a given length.
+void draw_scale_bar(const Canvas& canvas, double pixels, const std::string& text);
 void draw_north_arrow(const Canvas& canvas);
 /// Labels, moved slightly where they would overlap.
 void draw_map_labels(const Canvas& canvas, const Viewpoint& view, std::span<const MapLabel> labels);
