@@ -87,6 +87,7 @@ struct ImageOverlays {
     bool triggers = false;   ///< edges of trigger volumes
     bool labels = false;     ///< titles of the buildings in the image
     bool compass = false;    ///< where north is
+    bool grid = false;       ///< lines at round coordinates, from above only
     /// The boxes at this level of the meshes' trees; 0 is the whole mesh's.
     std::optional<int> tree_level = {};
 };

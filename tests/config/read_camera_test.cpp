@@ -134,8 +134,19 @@ TEST_F(ReadCamera, ReadsOverlays) {
     EXPECT_EQ(a.tree_level, 3);
     EXPECT_TRUE(std::get<SnapshotStep>(walk.steps.at(2)).overlays.colliders);
     EXPECT_THAT(folder_.about_walk("campus: a.campus.yaml\n"
-                                   "steps: [{spawn: gate}, {snapshot: {name: a, overlays: grid}}]\n"),
-                ElementsAre(says("a.walk.yaml:2:55: error bad-value", {"'grid'"})));
+                                   "steps: [{spawn: gate}, {snapshot: {name: a, overlays: gird}}]\n"),
+                ElementsAre(says("a.walk.yaml:2:55: error bad-value", {"'gird'"})));
+}
+
+TEST_F(ReadCamera, AllowsAGridFromAboveOnly) {
+    ASSERT_THAT(
+        folder_.about_walk("campus: a.campus.yaml\n"
+                           "steps: [{spawn: gate}, {snapshot: {name: a, view: top, overlays: grid}}]\n"),
+        ElementsAre());
+    EXPECT_TRUE(std::get<SnapshotStep>(folder_.run().walk.steps.at(1)).overlays.grid);
+    EXPECT_THAT(folder_.about_walk("campus: a.campus.yaml\n"
+                                   "steps: [{spawn: gate}, {snapshot: {name: a, overlays: [path, grid]}}]\n"),
+                ElementsAre(says("a.walk.yaml:2:55: error bad-value", {"'grid'", "view: top"})));
 }
 
 TEST_F(ReadCamera, DiagnosesTargetsAndChannels) {

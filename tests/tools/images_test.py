@@ -38,6 +38,10 @@ class Images(ProgramCase):
         outcome = self.passes("info", "room.obj", "--map", "maps/room.png")
         self.assertEqual(outcome.out, plain)
         self.assertEqual(self.size_of("maps/room.png"), (1280, 720))
+        # With a grid, unlike a campus' plan with --no-grid.
+        self.write("room.campus.yaml", "scenes: [{file: room.obj}]\ncolliders: []\nspawns: {start: {at: [0, 0, 0]}}\n")
+        self.passes("snapshot", "room.campus.yaml", "-o", "plan.png")
+        self.assertEqual(self.read("plan.png"), self.read("maps/room.png"))
         # From above north is up: turned about x, the room shows another side.
         self.passes("info", "room.obj", "--up", "z", "--map", "side.png", "--rendering-backend", "osmesa")
         self.assertNotEqual(self.read("side.png"), self.read("maps/room.png"))
@@ -113,7 +117,13 @@ class Images(ProgramCase):
         for arguments, code in ((("-o", "a.jpg", "--camera", "start"), "a.jpg: error file-name: a.png"),
                                 (("-o", "a.png", "--overlay", "labels"), "--overlay: error bad-value: --camera"),
                                 (("-o", "a.png", "--camera", "top", "--tree-level", "2"),
-                                 "--tree-level: error bad-value: --camera")):
+                                 "--tree-level: error bad-value: --camera"),
+                                (("-o", "a.png", "--camera", "start", "--overlay", "grid"),
+                                 "--overlay: error bad-value: --camera top"),
+                                (("-o", "a.png", "--camera", "start", "--no-grid"),
+                                 "--no-grid: error bad-value: --camera top"),
+                                (("-o", "a.png", "--overlay", "grid", "--no-grid"),
+                                 "--no-grid: error bad-value: --overlay grid")):
             before = self.contents()
             outcome = self.run_program("snapshot", "small.campus.yaml", *arguments)
             self.assert_refused(outcome, code)
@@ -127,6 +137,20 @@ class Images(ProgramCase):
         self.assertEqual(len({drawn(), drawn("--overlay", "colliders"), drawn("--overlay", "triggers"),
                               drawn("--overlay", "labels"), drawn("--overlay", "compass"), drawn("--tree-level", "1"),
                               drawn("--overlay", "labels", "--overlay", "compass")}), 7)
+
+    def test_a_plan_has_a_grid_unless_told_otherwise(self):
+        def drawn(*arguments):
+            self.passes("snapshot", "small.campus.yaml", "-o", "a.png", "--width", "320", "--height", "200", *arguments)
+            return self.read("a.png")
+        self.assertEqual(drawn("--overlay", "grid"), drawn())
+        self.assertNotEqual(drawn("--no-grid"), drawn())
+
+    def test_a_walk_draws_a_grid_if_told_to(self):
+        for name, overlays in (("plain", ""), ("grid", ", overlays: grid")):
+            self.write(f"{name}.walk.yaml", WALK.replace(
+                "turn: 180", f"snapshot: {{name: a, view: top, width: 320, height: 200{overlays}}}"))
+            self.passes("run", f"{name}.walk.yaml")
+        self.assertNotEqual(self.read("out/plain/a.png"), self.read("out/grid/a.png"))
 
     def test_every_backend_draws_the_same_bytes(self):
         images = set()

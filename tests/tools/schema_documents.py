@@ -7,9 +7,10 @@ FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "c
 UNKNOWN_KEY = "no-such-key-here"  # similar to no known key, so that the loader lists them all
 
 
-# A camera's keys, each with a view that uses it: the view may also be that of the walk, which no schema can say.
-VIEWS = {"height_above": "top", "distance": "orbit", "around": "orbit", "position": "fixed", "look_at": "fixed",
-         "yaw_deg": "fixed", "pitch_deg": "fixed"}
+# A snapshot's keys, each with a view that uses it (for overlays: the grid). The view may also be that of the walk,
+# which no schema can say.
+VIEWS = {"height_above": "top", "overlays": "top", "distance": "orbit", "around": "orbit", "position": "fixed",
+         "look_at": "fixed", "yaw_deg": "fixed", "pitch_deg": "fixed"}
 
 
 def load_all():

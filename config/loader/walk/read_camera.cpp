@@ -135,10 +135,13 @@ engine::ImageChannels read_channels(const CheckedNode& node) {
 void read_overlays(const CheckedNode& node, engine::ImageOverlays& overlays) {
     using Overlays = engine::ImageOverlays;
     using Overlay = bool Overlays::*;
-    constexpr std::array kOverlays = {
-        Choice<Overlay>{"path", &Overlays::path},           Choice<Overlay>{"contacts", &Overlays::contacts},
-        Choice<Overlay>{"colliders", &Overlays::colliders}, Choice<Overlay>{"triggers", &Overlays::triggers},
-        Choice<Overlay>{"labels", &Overlays::labels},       Choice<Overlay>{"compass", &Overlays::compass}};
+    constexpr std::array kOverlays = {Choice<Overlay>{"path", &Overlays::path},
+                                      Choice<Overlay>{"contacts", &Overlays::contacts},
+                                      Choice<Overlay>{"colliders", &Overlays::colliders},
+                                      Choice<Overlay>{"triggers", &Overlays::triggers},
+                                      Choice<Overlay>{"labels", &Overlays::labels},
+                                      Choice<Overlay>{"compass", &Overlays::compass},
+                                      Choice<Overlay>{"grid", &Overlays::grid}};
     for (const CheckedNode& item : node.items_or_one("an overlay")) {
         if (const auto overlay = item.choice(kOverlays)) {
             overlays.** overlay = true;

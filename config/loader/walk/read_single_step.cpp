@@ -155,11 +155,16 @@ Step read_snapshot(const CheckedNode& node, StepContext& context) {
     CameraKeys camera = context.camera;
     read_camera_fields(map, context.names, camera);
     step.camera = camera.settings();
-    if (map.has("view") || !context.standalone) {
+    const bool knows_view = map.has("view") || !context.standalone;
+    if (knows_view) {
         refuse_unused_keys(map, step.camera.view);
     }
     if (const auto overlays = map.find("overlays")) {
         read_overlays(*overlays, step.overlays);
+        if (step.overlays.grid && knows_view && !std::holds_alternative<engine::TopView>(step.camera.view)) {
+            overlays->diagnose("bad-value",
+                               "'grid' has no effect on a view in perspective; it is for view: top");
+        }
     }
     if (const auto level = map.find("tree_level")) {
         constexpr int kMaxTreeLevel = 40;

@@ -9,6 +9,7 @@
 #include "engine/events/popup_text.h"
 #include "engine/render/geometry/building_bounds.h"
 #include "engine/render/geometry/visible_parts.h"
+#include "engine/render/overlay/map_grid.h"
 
 namespace campuswalk::engine::render {
 namespace {
@@ -85,13 +86,18 @@ std::optional<Figure> SnapshotRenderer::figure(const SnapshotRequest& request, c
     return Figure{request.avatar, request.profile, request.stride};
 }
 
-Image SnapshotRenderer::draw_plan(int width, int height) {
+Image SnapshotRenderer::draw_plan(int width, int height, bool grid) {
     const Viewpoint view = plan(renderer_.bounds(), static_cast<double>(width) / height);
     const Canvas canvas(renderer_.draw(view, width, height), fonts_);
+    if (grid) {
+        draw_map_grid(canvas, view);
+    }
     if (settings_.labels) {
         draw_map_labels(canvas, view, labels());
     }
-    draw_scale_bar(canvas, view);
+    if (!grid) {
+        draw_scale_bar(canvas, view);
+    }
     draw_north_arrow(canvas);
     return canvas.image();
 }
@@ -164,11 +170,16 @@ Image SnapshotRenderer::draw_overlays(const Image& image, const SnapshotRequest&
                                       const Viewpoint& view) {
     const Canvas canvas(image, fonts_);
     if (contents_of(request).map) {
+        if (request.overlays.grid) {
+            draw_map_grid(canvas, view);
+        }
         draw_path(canvas, view, request.path);
         if (const auto pixel = pixel_of(view, canvas.width(), canvas.height(), request.avatar.position)) {
             draw_heading_arrow(canvas, pixel->x(), pixel->y(), request.avatar.yaw, 13.0 * canvas.scale());
         }
-        draw_scale_bar(canvas, view);
+        if (!request.overlays.grid) {
+            draw_scale_bar(canvas, view);
+        }
         draw_north_arrow(canvas);
     } else if (request.minimap && !renderer_.bounds().empty() && contents_of(request).minimap) {
         draw_minimap(canvas, minimap(), request.avatar);

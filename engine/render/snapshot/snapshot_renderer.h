@@ -72,8 +72,9 @@ public:
     IdImage draw_ids(const SnapshotRequest& request);
     /// Maps Channels::nodes to owners.
     IdImage ids_of(const Channels& channels);
-    /// The whole campus from above with scale bar, north arrow and titles (`snapshot --camera top`).
-    Image draw_plan(int width, int height);
+    /// The whole campus from above with titles, north arrow, and a grid or a scale bar (`snapshot --camera
+    /// top`).
+    Image draw_plan(int width, int height, bool grid);
     Channels draw_plan_channels(int width, int height, const ChannelChoice& choice);
     /// Without overlays.
     Image draw_view(const Viewpoint& view, int width, int height);

@@ -166,6 +166,7 @@ void draw_map(const InfoOptions& options, scene::Model model) {
     campus.models.push_back(std::move(model));
     CampusImage image;
     image.plan = true;
+    image.overlays.grid = true;
     image.file = *options.map;
     image.backend = options.backend;
     draw_campus(campus, image);
@@ -233,7 +234,9 @@ void add_info(Command program, CommandAction& chosen) {
         options->suggest);
     command.flag({.names = "--overwrite", .help = "Let --suggest replace existing files"},
                  options->overwrite);
-    command.option({.names = "--map", .help = "Draw it from above", .value = "FILE.png"}, options->map);
+    command.option(
+        {.names = "--map", .help = "Draw it from above, with a grid of its coordinates", .value = "FILE.png"},
+        options->map);
     add_rendering_backend(command, options->backend);
     add_import_options(command);
     command.choose(chosen, [options] { return print_info(*options); });

@@ -32,6 +32,7 @@ struct SnapshotOptions {
     engine::ImageChannels channels;
     engine::ImageOverlays overlays;
     std::vector<std::string> overlay_names;  ///< set the flags of `overlays`
+    bool no_grid = false;                    ///< leave a plan without
     std::filesystem::path output;
     int width = 1280;  ///< pixels
     int height = 720;  ///< pixels
@@ -39,6 +40,7 @@ struct SnapshotOptions {
 };
 
 constexpr const char* kCameraOption = "--camera";
+constexpr const char* kGrid = "grid";  ///< an overlay's name
 
 const scene::Spawn& spawn_named(const scene::CampusDescription& campus, const std::string& name) {
     std::vector<std::string> known = {"top"};
@@ -53,11 +55,20 @@ const scene::Spawn& spawn_named(const scene::CampusDescription& campus, const st
         "'" + name + "' is neither 'top' nor a spawn of " + campus.name + scene::did_you_mean(name, known));
 }
 
-/// A plan shows whole buildings from far above; nothing is drawn over it.
+/// A plan shows whole buildings from far above; only a grid is drawn over it, and that over nothing else.
 void refuse_overlays(const SnapshotOptions& options) {
-    if (!options.overlay_names.empty() || options.overlays.tree_level) {
-        throw error_about(options.overlay_names.empty() ? "--tree-level" : "--overlay", "bad-value",
-                          "nothing is drawn over a plan; give another --camera, such as a spawn");
+    const bool plan = options.camera == "top";
+    const auto other = [](const std::string& name) { return name != kGrid; };
+    if (plan && (options.overlays.tree_level || std::ranges::any_of(options.overlay_names, other))) {
+        throw error_about(options.overlays.tree_level ? "--tree-level" : "--overlay", "bad-value",
+                          "only a grid is drawn over a plan; give another --camera, such as a spawn");
+    }
+    if (!plan && (options.no_grid || !std::ranges::all_of(options.overlay_names, other))) {
+        throw error_about(options.no_grid ? "--no-grid" : "--overlay", "bad-value",
+                          "a grid is drawn over a plan only: --camera top");
+    }
+    if (options.no_grid && !options.overlay_names.empty()) {
+        throw error_about("--no-grid", "bad-value", "--overlay grid asks for a grid; give one or the other");
     }
 }
 
@@ -67,7 +78,6 @@ void set_viewpoint(const SnapshotOptions& options, const scene::CampusDescriptio
     image.camera.width = options.width;
     image.camera.height = options.height;
     if (options.camera == "top") {
-        refuse_overlays(options);
         image.plan = true;
         return;
     }
@@ -93,6 +103,7 @@ engine::ImageOverlays overlays_of(const SnapshotOptions& options) {
     const auto named = [&](const char* name) { return std::ranges::count(options.overlay_names, name) > 0; };
     overlays.colliders = named("colliders");
     overlays.compass = named("compass");
+    overlays.grid = !options.no_grid;  // on every plan
     overlays.labels = named("labels");
     overlays.triggers = named("triggers");
     return overlays;
@@ -100,6 +111,7 @@ engine::ImageOverlays overlays_of(const SnapshotOptions& options) {
 
 /// Draws one image of a campus without a visitor. Returns the exit code.
 int draw_snapshot(const SnapshotOptions& options) {
+    refuse_overlays(options);
     require_images(options.backend);
     require_writable_png(options.output, "the picture can't be written here");
     WalkLoader loader;
@@ -173,9 +185,11 @@ void add_snapshot(Command program, CommandAction& chosen) {
          .value = "LIST",
          .check = check_channels},
         [&channels = options->channels](const std::string& list) { channels = *channels_in(list); });
-    command.choices(
-        {.names = "--overlay", .help = "Draw this over the picture, but not over a plan; may be repeated"},
-        {"colliders", "compass", "labels", "triggers"}, options->overlay_names);
+    command.choices({.names = "--overlay",
+                     .help = "Draw this over the picture, a grid over a plan only; may be repeated"},
+                    {"colliders", "compass", kGrid, "labels", "triggers"}, options->overlay_names);
+    command.flag({.names = "--no-grid", .help = "Draw a plan without the grid of coordinates"},
+                 options->no_grid);
     command.option({.names = "--tree-level",
                     .help = "Draw the boxes at this level of the collision meshes' trees",
                     .value = "N"},

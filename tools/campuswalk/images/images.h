@@ -20,7 +20,7 @@
 
 namespace campuswalk::engine::render {
 class RendererStore;
-}
+}  // namespace campuswalk::engine::render
 
 namespace campuswalk::tools {
 
@@ -103,7 +103,7 @@ struct CampusImage {
     engine::AvatarState avatar;
     engine::LightSettings light;
     engine::ImageChannels channels;  ///< written beside `file`
-    engine::ImageOverlays overlays;  ///< not on a plan
+    engine::ImageOverlays overlays;  ///< on a plan only its grid
     std::filesystem::path file;
     Backend backend = engine::render::RenderingBackend::automatic;
 };

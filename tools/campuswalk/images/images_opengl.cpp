@@ -86,9 +86,9 @@ void draw_campus(const scene::Campus& campus, const CampusImage& image) {
     request.overlays = image.overlays;
     const int width = image.camera.width;
     const int height = image.camera.height;
-    render::write_png(
-        image.plan ? snapshot_renderer.draw_plan(width, height) : snapshot_renderer.draw(request),
-        image.file);
+    render::write_png(image.plan ? snapshot_renderer.draw_plan(width, height, image.overlays.grid)
+                                 : snapshot_renderer.draw(request),
+                      image.file);
     if (image.channels.any()) {
         const render::ChannelChoice choice = render::choice_of(image.channels);
         render::write_channels(snapshot_renderer, campus,

@@ -4,6 +4,7 @@
 
 #include "collision/world/cast.h"
 #include "engine/render/overlay/canvas.h"
+#include "engine/render/overlay/map_grid.h"
 #include "engine/render/overlay/map_marks.h"
 
 namespace campuswalk::tools {
@@ -42,11 +43,11 @@ render::Image draw_map(const scene::Campus& campus, render::SnapshotRenderer& sn
     const render::Fonts fonts;
     const render::Canvas canvas(snapshot_renderer.draw_view(view, width, height), fonts);
     const double s = canvas.scale();
+    render::draw_map_grid(canvas, view);
     render::draw_path(canvas, view, state.path);
     if (const auto here = render::pixel_of(view, width, height, state.avatar.position)) {
         render::draw_heading_arrow(canvas, here->x(), here->y(), state.avatar.yaw, kArrow * s);
     }
-    render::draw_scale_bar(canvas, view);
     render::draw_north_arrow(canvas);
     const render::TextStyle style = {16.0 * s, true, {1, 1, 1, 1}, 0.0, 1};
     const Eigen::Vector2d size = canvas.text_size(state.caption, style);

@@ -22,8 +22,8 @@ struct MapState {
     std::string caption;                    ///< in the upper left corner
 };
 
-/// Draws the surroundings from above, north up, with the path walked and the direction in which the avatar
-/// looks. What is above its head is cut away if it stands under something solid.
+/// Draws the surroundings from above, north up, under a labelled grid, with the path walked and the direction
+/// in which the avatar looks. What is above its head is cut away if it stands under something solid.
 engine::render::Image draw_map(const scene::Campus& campus,
                                engine::render::SnapshotRenderer& snapshot_renderer, const MapState& state,
                                int width, int height);

@@ -186,10 +186,25 @@ TEST(SnapshotRenderer, PlanShowsTheWholeCampusWithLabels) {
     SnapshotSettings bare = settings();
     bare.labels = false;
     SnapshotRenderer nameless(campus, bare);
-    const Image plan = snapshot_renderer.draw_plan(320, 180);
+    const Image plan = snapshot_renderer.draw_plan(320, 180, true);
     EXPECT_EQ(plan.width, 320);
     EXPECT_EQ(plan.height, 180);
-    EXPECT_GT(differing_pixels(plan, nameless.draw_plan(320, 180)), 50U);
+    EXPECT_GT(differing_pixels(plan, nameless.draw_plan(320, 180, true)), 50U);
+}
+
+TEST(SnapshotRenderer, GridsAreDrawnOverPlansAndTopViewsOnRequest) {
+    const scene::Campus campus = tower_campus();
+    SnapshotRenderer snapshot_renderer(campus, settings());
+    EXPECT_GT(differing_pixels(snapshot_renderer.draw_plan(320, 180, true),
+                               snapshot_renderer.draw_plan(320, 180, false)),
+              1000U);
+    for (const View& view : {View(FirstPersonView{}), View(TopView{})}) {
+        SnapshotRequest camera = request(view, 320, 180);
+        const Image bare = snapshot_renderer.draw(camera);
+        camera.overlays.grid = true;
+        EXPECT_EQ(differing_pixels(snapshot_renderer.draw(camera), bare) > 1000U,
+                  std::holds_alternative<TopView>(view));
+    }
 }
 
 }  // namespace
