@@ -50,6 +50,8 @@ PROJECT = {
                              "scene", "collision"],
     "engine/render/overlay": ["engine/render/gl", "engine/render/geometry", "engine/render/image", "engine/record",
                               "engine/script", "engine/events", "scene", "collision"],
+    # Plans of the walk space are drawn without GL, from plain data.
+    "engine/render/plan": ["engine/render/overlay", "engine/render/image"],
     "engine/render": ["engine/record", "engine/script", "engine/events", "scene", "collision"],
     "config/loader/yaml": ["scene/base"],
     "config/loader/values": ["config/loader/yaml", "scene/base"],

@@ -114,6 +114,7 @@ double Canvas::text(double x, double y, const std::string& text, const TextStyle
     set_color(style.color);
     cairo_move_to(cairo(), x, y);
     pango_cairo_show_layout(cairo(), layout.get());
+    cairo_new_path(cairo());  // the next line doesn't start at this text
     int height = 0;
     pango_layout_get_size(layout.get(), nullptr, &height);
     return static_cast<double>(height) / PANGO_SCALE;
@@ -128,7 +129,7 @@ void Canvas::label(double x, double y, const std::string& text, const TextStyle&
     pango_cairo_layout_path(cairo(), layout.get());
     cairo_set_line_join(cairo(), CAIRO_LINE_JOIN_ROUND);
     cairo_set_line_width(cairo(), 0.22 * style.size);
-    set_color({0.05, 0.07, 0.09, 0.75});
+    set_color(style.outline);
     cairo_stroke_preserve(cairo());
     set_color(style.color);
     cairo_fill(cairo());

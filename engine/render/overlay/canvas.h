@@ -48,8 +48,9 @@ struct TextStyle {
     double size = 16.0;  ///< pixels
     bool bold = false;
     Rgba color = {1, 1, 1, 1};
-    double width = 0.0;  ///< pixels to wrap at; 0 = no wrapping
-    int max_lines = 0;   ///< then ends in an ellipsis; 0 = no limit
+    double width = 0.0;                       ///< pixels to wrap at; 0 = no wrapping
+    int max_lines = 0;                        ///< then ends in an ellipsis; 0 = no limit
+    Rgba outline = {0.05, 0.07, 0.09, 0.75};  ///< of labels
 };
 
 /// A copy of an image to draw lines and text on with cairo.
@@ -72,7 +73,7 @@ public:
     Eigen::Vector2d text_size(const std::string& text, const TextStyle& style) const;
     /// Draws with the upper left corner at (x, y); returns the height.
     double text(double x, double y, const std::string& text, const TextStyle& style) const;
-    /// Draws text centred on (x, y) with a dark outline, readable on any background.
+    /// Draws text centred on (x, y) with an outline, readable on any background.
     void label(double x, double y, const std::string& text, const TextStyle& style) const;
 
     Image image() const;

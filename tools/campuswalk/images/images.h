@@ -20,6 +20,7 @@
 
 namespace campuswalk::engine::render {
 class RendererStore;
+struct StoreyPlan;
 }  // namespace campuswalk::engine::render
 
 namespace campuswalk::tools {
@@ -108,5 +109,8 @@ struct CampusImage {
     Backend backend = engine::render::RenderingBackend::automatic;
 };
 void draw_campus(const scene::Campus& campus, const CampusImage& image);
+
+/// Draws the plan of a storey. Needs no backend.
+void draw_storey_plan(const engine::render::StoreyPlan& plan, const std::filesystem::path& file);
 
 }  // namespace campuswalk::tools

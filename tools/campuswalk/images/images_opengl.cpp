@@ -4,6 +4,7 @@
 #include "collision/world/cast.h"
 #include "engine/render/image/png.h"
 #include "engine/render/passes/light.h"
+#include "engine/render/plan/plan_image.h"
 #include "engine/render/snapshot/channel_files.h"
 #include "engine/render/snapshot/renderer_store.h"
 #include "engine/render/snapshot/snapshot_observer.h"
@@ -96,6 +97,10 @@ void draw_campus(const scene::Campus& campus, const CampusImage& image) {
                                           : snapshot_renderer.draw_channels(request, choice),
                                image.channels, image.file.parent_path() / image.file.stem());
     }
+}
+
+void draw_storey_plan(const engine::render::StoreyPlan& plan, const std::filesystem::path& file) {
+    engine::render::write_png(engine::render::draw_storey_plan(plan), file);
 }
 
 }  // namespace campuswalk::tools

@@ -73,4 +73,8 @@ void draw_campus(const scene::Campus&, const CampusImage&) {
     assert(false);
 }
 
+void draw_storey_plan(const engine::render::StoreyPlan&, const std::filesystem::path&) {
+    assert(false);
+}
+
 }  // namespace campuswalk::tools

@@ -1,0 +1,146 @@
+#include "engine/render/plan/plan_image.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include <cairo.h>
+
+#include "engine/render/overlay/map_grid.h"
+#include "engine/render/overlay/map_marks.h"
+#include "engine/render/plan/plan_legend.h"
+#include "engine/render/plan/plan_marks.h"
+#include "engine/render/plan/plan_raster.h"
+#include "engine/render/plan/plan_style.h"
+
+namespace campuswalk::engine::render {
+namespace {
+
+using Eigen::AlignedBox2d;
+using Eigen::Vector2d;
+
+// Pixels.
+constexpr int kMargin = 20;
+constexpr int kLeastWidth = 760;  // room for the legend beside a narrow map
+constexpr double kTitle = 19.0;
+constexpr double kSubtitle = 13.0;
+constexpr double kCoordinate = 12.0;
+constexpr double kLineDistance = 100.0;
+constexpr int kCoordinateRow = 24;
+constexpr int kLargest = 16384;  // a side; round_resolution() stays far below
+
+constexpr double kLongestSide = 2100.0;  // of a map in round_resolution(); the shortest is 2/5 of it
+
+constexpr Rgba kGridLine = {0.13, 0.14, 0.16, 0.20};
+const TextStyle kCoordinateStyle = {kCoordinate, false, kFaintInk, 0.0, 1};
+
+// Where things are, pixels.
+struct PlanLayout {
+    Eigen::AlignedBox2i map;
+    PlanFrame frame;
+    int width = 0;
+    int height = 0;  // without the legend, which comes below
+};
+
+// Room left of the map for the longest coordinate.
+int label_width(const Canvas& measure, const MapGrid& grid) {
+    double width = 0.0;
+    for (const MapGrid::Line& line : grid.z) {
+        width = std::max(width, measure.text_size(line.label, kCoordinateStyle).x());
+    }
+    return static_cast<int>(std::ceil(width)) + 8;
+}
+
+AlignedBox2d pixels_of(const Eigen::AlignedBox2i& box) {
+    return {box.min().cast<double>(), box.max().cast<double>()};
+}
+
+PlanLayout layout_of(const StoreyPlan& plan, const Canvas& measure) {
+    PlanLayout layout;
+    layout.frame = {plan.area.min(), 1.0 / plan.metres_per_pixel};
+    const Vector2d exact = plan.area.sizes() * layout.frame.pixels_per_metre;
+    const Eigen::Vector2i size = exact.array().ceil().max(1.0).min(kLargest).cast<int>();
+    const AlignedBox2d unplaced(Vector2d::Zero(), size.cast<double>());
+    const int left = kMargin + label_width(measure, grid_across(layout.frame, unplaced, kLineDistance));
+    const int top = kMargin + 28 + (plan.subtitle.empty() ? 0 : 20) + 8;
+    layout.map = {Eigen::Vector2i(left, top), Eigen::Vector2i(left, top) + size};
+    layout.frame.north_west -= plan.metres_per_pixel * layout.map.min().cast<double>();
+    layout.width = std::max(kLeastWidth, left + size.x() + kMargin);
+    layout.height = layout.map.max().y() + kCoordinateRow + 12;
+    return layout;
+}
+
+void draw_plan_grid(const Canvas& canvas, const MapGrid& grid, const AlignedBox2d& map) {
+    cairo_t* cr = canvas.cairo();
+    for (const MapGrid::Line& line : grid.x) {
+        cairo_move_to(cr, std::floor(line.pixel) + 0.5, map.min().y());
+        cairo_line_to(cr, std::floor(line.pixel) + 0.5, map.max().y());
+    }
+    for (const MapGrid::Line& line : grid.z) {
+        cairo_move_to(cr, map.min().x(), std::floor(line.pixel) + 0.5);
+        cairo_line_to(cr, map.max().x(), std::floor(line.pixel) + 0.5);
+    }
+    canvas.set_color(kGridLine);
+    cairo_set_line_width(cr, 1.0);
+    cairo_stroke(cr);
+    const Vector2d upper_left = map.min() - Vector2d(0.5, 0.5);
+    const Vector2d size = map.sizes() + Vector2d(1.0, 1.0);
+    cairo_rectangle(cr, upper_left.x(), upper_left.y(), size.x(), size.y());
+    canvas.set_color(kFaintInk);
+    cairo_stroke(cr);
+}
+
+// Below the map and left of it.
+void draw_coordinates_beside(const Canvas& canvas, const MapGrid& grid, const AlignedBox2d& map) {
+    double free_from = 0.0;
+    for (const MapGrid::Line& line : grid.x) {
+        const double half = 0.5 * canvas.text_size(line.label, kCoordinateStyle).x();
+        if (line.pixel - half >= free_from) {
+            canvas.text(line.pixel - half, map.max().y() + 5.0, line.label, kCoordinateStyle);
+            free_from = line.pixel + half + 6.0;
+        }
+    }
+    for (const MapGrid::Line& line : grid.z) {
+        const Vector2d size = canvas.text_size(line.label, kCoordinateStyle);
+        canvas.text(map.min().x() - 6.0 - size.x(), line.pixel - 0.5 * size.y(), line.label,
+                    kCoordinateStyle);
+    }
+}
+
+void draw_titles(const Canvas& canvas, const StoreyPlan& plan) {
+    const double width = canvas.width() - 2.0 * kMargin;
+    canvas.text(kMargin, kMargin - 2.0, plan.title, {kTitle, true, kInk, width, 1});
+    if (!plan.subtitle.empty()) {
+        canvas.text(kMargin, kMargin + 26.0, plan.subtitle, {kSubtitle, false, kFaintInk, width, 1});
+    }
+}
+
+}  // namespace
+
+double round_resolution(const Eigen::AlignedBox2d& area) {
+    const double longest = std::max(area.sizes().maxCoeff(), 1e-3);
+    return 1.0 / round_length(kLongestSide / longest);
+}
+
+Image draw_storey_plan(const StoreyPlan& plan) {
+    assert(!plan.area.isEmpty() && plan.metres_per_pixel > 0.0);
+    const Fonts fonts;
+    const Canvas measure(Image::filled(1, 1), fonts);
+    const PlanLayout layout = layout_of(plan, measure);
+    const AlignedBox2d map = pixels_of(layout.map);
+    const MapGrid grid = grid_across(layout.frame, map, kLineDistance);
+    const PlanLegend legend(measure, plan, "grid " + length_text(grid.spacing) + ", north (-z) up",
+                            layout.width - 2.0 * kMargin);
+    Image image = Image::filled(layout.width,
+                                layout.height + static_cast<int>(std::ceil(legend.height())) + kMargin, 255);
+    draw_cells(plan, layout.frame, layout.map, image);
+    const Canvas canvas(image, fonts);
+    draw_plan_grid(canvas, grid, map);
+    draw_coordinates_beside(canvas, grid, map);
+    draw_titles(canvas, plan);
+    draw_plan_marks(canvas, plan, layout.frame, map);
+    legend.draw(canvas, {kMargin, layout.height});
+    return canvas.image();
+}
+
+}  // namespace campuswalk::engine::render

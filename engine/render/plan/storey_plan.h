@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+namespace campuswalk::engine::render {
+
+/// What a cell of a storey is to a visitor.
+enum class PlanCell : std::uint8_t {
+    nothing,    ///< no walkable ground
+    reached,    ///< by a walk from a spawn
+    no_return,  ///< reached, but no way leads back
+    unreached,  ///< walkable, but no way leads there
+    solid,      ///< a wall or another object
+};
+
+/// Square cells in rows from north to south, each row from west to east.
+struct PlanRaster {
+    Eigen::Vector2d north_west =
+        Eigen::Vector2d::Zero();  ///< x and z of the first cell's north-west corner, metres
+    double cell_size = 0.25;      ///< metres
+    int columns = 0;
+    int rows = 0;
+    std::vector<PlanCell> cells;  ///< columns * rows
+    /// Width of the passage at each cell, metres, which then colours what is reached; negative if unknown.
+    /// Empty for plain colours.
+    std::vector<float> widths;
+};
+
+enum class PlanSeverity { error, warning, note };
+
+/// Drawn as a numbered marker; the text is listed below the plan.
+struct PlanFinding {
+    int number = 0;
+    Eigen::Vector2d at = Eigen::Vector2d::Zero();  ///< x and z, metres
+    std::string text;
+    PlanSeverity severity = PlanSeverity::warning;
+};
+
+enum class PlanPointKind { spawn, place };
+
+struct PlanPoint {
+    Eigen::Vector2d at = Eigen::Vector2d::Zero();  ///< x and z, metres
+    std::string name;
+    PlanPointKind kind = PlanPointKind::place;
+};
+
+struct PlanRoute {
+    std::vector<Eigen::Vector2d> points;  ///< x and z, metres; an arrow is at the last
+    std::string name;                     ///< in the legend; may be empty
+};
+
+/// What the plan of one storey shows.
+struct StoreyPlan {
+    std::string title;
+    std::string subtitle;           ///< a smaller line below the title; may be empty
+    Eigen::AlignedBox2d area;       ///< x and z that the plan covers, metres; not empty
+    double metres_per_pixel = 0.1;  ///< see round_resolution()
+    PlanRaster raster;
+    double widest = 3.0;  ///< metres: wider passages have the same colour
+    std::vector<PlanRoute> routes;
+    std::vector<PlanPoint> points;
+    std::vector<PlanFinding> findings;
+};
+
+}  // namespace campuswalk::engine::render
