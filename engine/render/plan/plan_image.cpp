@@ -21,7 +21,8 @@ using Eigen::Vector2d;
 
 // Pixels.
 constexpr int kMargin = 20;
-constexpr int kLeastWidth = 760;  // room for the legend beside a narrow map
+constexpr int kLeastLegend = 420;  // wide, right of a narrow map
+constexpr int kLeastWidth = 760;   // of the image
 constexpr double kTitle = 19.0;
 constexpr double kSubtitle = 13.0;
 constexpr double kCoordinate = 12.0;
@@ -39,7 +40,10 @@ struct PlanLayout {
     Eigen::AlignedBox2i map;
     PlanFrame frame;
     int width = 0;
-    int height = 0;  // without the legend, which comes below
+    int map_bottom = 0;  // with its coordinates
+    // The upper left pixel: below the map, or right of a narrow one.
+    Eigen::Vector2i legend = Eigen::Vector2i::Zero();
+    int legend_width = 0;
 };
 
 // Room left of the map for the longest coordinate.
@@ -57,16 +61,25 @@ AlignedBox2d pixels_of(const Eigen::AlignedBox2i& box) {
 
 PlanLayout layout_of(const StoreyPlan& plan, const Canvas& measure) {
     PlanLayout layout;
-    layout.frame = {plan.area.min(), 1.0 / plan.metres_per_pixel};
+    const double metres_per_pixel = plan.metres_per_pixel.value_or(round_resolution(plan.area));
+    layout.frame = {plan.area.min(), 1.0 / metres_per_pixel};
     const Vector2d exact = plan.area.sizes() * layout.frame.pixels_per_metre;
     const Eigen::Vector2i size = exact.array().ceil().max(1.0).min(kLargest).cast<int>();
     const AlignedBox2d unplaced(Vector2d::Zero(), size.cast<double>());
     const int left = kMargin + label_width(measure, grid_across(layout.frame, unplaced, kLineDistance));
     const int top = kMargin + 28 + (plan.subtitle.empty() ? 0 : 20) + 8;
     layout.map = {Eigen::Vector2i(left, top), Eigen::Vector2i(left, top) + size};
-    layout.frame.north_west -= plan.metres_per_pixel * layout.map.min().cast<double>();
-    layout.width = std::max(kLeastWidth, left + size.x() + kMargin);
-    layout.height = layout.map.max().y() + kCoordinateRow + 12;
+    layout.frame.north_west -= metres_per_pixel * layout.map.min().cast<double>();
+    layout.map_bottom = layout.map.max().y() + kCoordinateRow;
+    const int right = layout.map.max().x() + kMargin;
+    if (2 * size.y() > 3 * size.x()) {
+        layout.width = std::max(kLeastWidth, right + kLeastLegend + kMargin);
+        layout.legend = {right, top};
+    } else {
+        layout.width = std::max(kLeastWidth, right);
+        layout.legend = {kMargin, layout.map_bottom + 12};
+    }
+    layout.legend_width = layout.width - kMargin - layout.legend.x();
     return layout;
 }
 
@@ -123,23 +136,23 @@ double round_resolution(const Eigen::AlignedBox2d& area) {
 }
 
 Image draw_storey_plan(const StoreyPlan& plan) {
-    assert(!plan.area.isEmpty() && plan.metres_per_pixel > 0.0);
+    assert(!plan.area.isEmpty());
     const Fonts fonts;
     const Canvas measure(Image::filled(1, 1), fonts);
     const PlanLayout layout = layout_of(plan, measure);
     const AlignedBox2d map = pixels_of(layout.map);
     const MapGrid grid = grid_across(layout.frame, map, kLineDistance);
     const PlanLegend legend(measure, plan, "grid " + length_text(grid.spacing) + ", north (-z) up",
-                            layout.width - 2.0 * kMargin);
-    Image image = Image::filled(layout.width,
-                                layout.height + static_cast<int>(std::ceil(legend.height())) + kMargin, 255);
+                            layout.legend_width);
+    const int legend_bottom = layout.legend.y() + static_cast<int>(std::ceil(legend.height()));
+    Image image = Image::filled(layout.width, std::max(layout.map_bottom, legend_bottom) + kMargin, 255);
     draw_cells(plan, layout.frame, layout.map, image);
     const Canvas canvas(image, fonts);
     draw_plan_grid(canvas, grid, map);
     draw_coordinates_beside(canvas, grid, map);
     draw_titles(canvas, plan);
     draw_plan_marks(canvas, plan, layout.frame, map);
-    legend.draw(canvas, {kMargin, layout.height});
+    legend.draw(canvas, layout.legend.cast<double>());
     return canvas.image();
 }
 

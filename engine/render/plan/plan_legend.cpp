@@ -22,6 +22,8 @@ constexpr double kText = 13.0;
 constexpr double kRow = 24.0;
 constexpr double kSwatch = 26.0;
 constexpr double kRampBar = 120.0;
+constexpr double kPointWidth = 14.0;
+constexpr double kRouteWidth = 36.0;
 constexpr double kGap = 8.0;           // between symbol and text
 constexpr double kBetween = 24.0;      // entries of a row
 constexpr double kColumn = 340.0;      // at least, of the list
@@ -57,43 +59,40 @@ void draw_swatch(const Canvas& canvas, const Vector2d& middle, double width, con
 PlanLegend::PlanLegend(const Canvas& measure, const StoreyPlan& plan, const std::string& grid, double width) {
     add_cells(plan);
     add_marks(plan);
-    entries_.push_back({{}, 0.0, {}, grid, 0.0});
+    add(0.0, {}, grid);
     flow(measure, width);
     add_findings(measure, plan, width);
 }
 
+void PlanLegend::add(double symbol_width, Symbol symbol, std::string text) {
+    entries_.push_back({Vector2d::Zero(), symbol_width, std::move(symbol), std::move(text), 0.0});
+}
+
 void PlanLegend::add_cells(const StoreyPlan& plan) {
-    const auto has = [&](PlanCell cell) { return std::ranges::count(plan.raster.cells, cell) > 0; };
-    const auto add = [&](PlanCell cell, const char* text) {
-        if (has(cell)) {
+    const auto add_kind = [&](PlanCell cell, const char* text) {
+        if (std::ranges::count(plan.raster.cells, cell) > 0) {
             const auto color = [cell](int x, int y) {
                 return cell == PlanCell::no_return && is_on_stripe(x, y) ? kNoReturnStripe : color_of(cell);
             };
-            entries_.push_back({{},
-                                kSwatch,
-                                [color](const Canvas& canvas, const Vector2d& middle) {
-                                    draw_swatch(canvas, middle, kSwatch, color);
-                                },
-                                text,
-                                0.0});
+            const auto swatch = [color](const Canvas& canvas, const Vector2d& middle) {
+                draw_swatch(canvas, middle, kSwatch, color);
+            };
+            add(kSwatch, swatch, text);
         }
     };
     if (plan.raster.widths.empty()) {
-        add(PlanCell::reached, "reached");
+        add_kind(PlanCell::reached, "reached");
     } else {
-        const auto color = [](int x, int) { return width_color(x / (kRampBar - 1.0)); };
-        entries_.push_back(
-            {{},
-             kRampBar,
-             [color](const Canvas& canvas, const Vector2d& middle) {
-                 draw_swatch(canvas, middle, kRampBar, color);
-             },
-             "reached, by the width of the passage: 0 to " + length_text(plan.widest) + " and more",
-             0.0});
+        const auto ramp = [](const Canvas& canvas, const Vector2d& middle) {
+            draw_swatch(canvas, middle, kRampBar,
+                        [](int x, int) { return width_color(x / (kRampBar - 1.0)); });
+        };
+        add(kRampBar, ramp,
+            "reached, by the width of the passage: 0 to " + length_text(plan.widest) + " and more");
     }
-    add(PlanCell::no_return, "reached, but no way back");
-    add(PlanCell::unreached, "walkable, not reached");
-    add(PlanCell::solid, "wall or object");
+    add_kind(PlanCell::no_return, "reached, but no way back");
+    add_kind(PlanCell::unreached, "walkable, not reached");
+    add_kind(PlanCell::solid, "wall or object");
 }
 
 void PlanLegend::add_marks(const StoreyPlan& plan) {
@@ -101,22 +100,18 @@ void PlanLegend::add_marks(const StoreyPlan& plan) {
                                     std::pair(PlanPointKind::place, "place")};
     for (const auto& [kind, text] : kPoints) {
         if (std::ranges::count(plan.points, kind, &PlanPoint::kind) > 0) {
-            entries_.push_back({{},
-                                14.0,
-                                [kind = kind](const Canvas& canvas, const Vector2d& middle) {
-                                    draw_point_symbol(canvas, middle, kind);
-                                },
-                                text,
-                                0.0});
+            const auto symbol = [kind = kind](const Canvas& canvas, const Vector2d& middle) {
+                draw_point_symbol(canvas, middle, kind);
+            };
+            add(kPointWidth, symbol, text);
         }
     }
     for (std::size_t i = 0; i < plan.routes.size(); ++i) {
         const auto line = [i](const Canvas& canvas, const Vector2d& middle) {
-            const Vector2d half(16.0, 0.0);
+            const Vector2d half(0.5 * kRouteWidth, 0.0);
             draw_route(canvas, std::array<Vector2d, 2>{middle - half, middle + half}, i);
         };
-        entries_.push_back(
-            {{}, 36.0, line, plan.routes[i].name.empty() ? "route" : plan.routes[i].name, 0.0});
+        add(kRouteWidth, line, plan.routes[i].name.empty() ? "route" : plan.routes[i].name);
     }
     constexpr std::array kSeverities = {std::pair(PlanSeverity::error, "error"),
                                         std::pair(PlanSeverity::warning, "warning"),
@@ -126,7 +121,7 @@ void PlanLegend::add_marks(const StoreyPlan& plan) {
             const auto marker = [severity = severity](const Canvas& canvas, const Vector2d& middle) {
                 draw_marker(canvas, middle, severity, 0);
             };
-            entries_.push_back({{}, 2.0 * kMarker, marker, text, 0.0});
+            add(2.0 * kMarker, marker, text);
         }
     }
 }
@@ -170,11 +165,9 @@ void PlanLegend::add_findings(const Canvas& measure, const StoreyPlan& plan, dou
         height_ = std::max(height_, at.y());
     }
     if (listed < plan.findings.size()) {
-        entries_.push_back({{0.0, height_},
-                            0.0,
-                            {},
-                            "and " + std::to_string(plan.findings.size() - listed) + " more: see the report",
-                            0.0});
+        const std::string rest =
+            "and " + std::to_string(plan.findings.size() - listed) + " more: see the report";
+        entries_.push_back({{0.0, height_}, 0.0, {}, rest, 0.0});
         height_ += kRow;
     }
 }

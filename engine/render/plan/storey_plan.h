@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,7 @@ struct PlanRaster {
 
 enum class PlanSeverity { error, warning, note };
 
-/// Drawn as a numbered marker; the text is listed below the plan.
+/// Drawn as a numbered marker; the text is listed in the legend.
 struct PlanFinding {
     int number = 0;
     Eigen::Vector2d at = Eigen::Vector2d::Zero();  ///< x and z, metres
@@ -56,9 +57,9 @@ struct PlanRoute {
 /// What the plan of one storey shows.
 struct StoreyPlan {
     std::string title;
-    std::string subtitle;           ///< a smaller line below the title; may be empty
-    Eigen::AlignedBox2d area;       ///< x and z that the plan covers, metres; not empty
-    double metres_per_pixel = 0.1;  ///< see round_resolution()
+    std::string subtitle;                    ///< a smaller line below the title; may be empty
+    Eigen::AlignedBox2d area;                ///< x and z that the plan covers, metres; not empty
+    std::optional<double> metres_per_pixel;  ///< none: round_resolution() of the area
     PlanRaster raster;
     double widest = 3.0;  ///< metres: wider passages have the same colour
     std::vector<PlanRoute> routes;

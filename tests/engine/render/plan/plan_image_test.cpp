@@ -70,14 +70,14 @@ protected:
     }
     PlanColor at(const Image& image, double x, double z) const {
         const Vector2d pixel =
-            map_start(image) + (Vector2d(x, z) - plan_.area.min()) / plan_.metres_per_pixel;
+            map_start(image) + (Vector2d(x, z) - plan_.area.min()) / *plan_.metres_per_pixel;
         return image.pixel(static_cast<int>(pixel.x()), static_cast<int>(pixel.y()));
     }
     /// How many pixels within `radius` metres have this colour.
     int count(const Image& image, const PlanColor& color, const Vector2d& middle, double radius) const {
         int pixels = 0;
-        for (double x = -radius; x <= radius; x += plan_.metres_per_pixel) {
-            for (double z = -radius; z <= radius; z += plan_.metres_per_pixel) {
+        for (double x = -radius; x <= radius; x += *plan_.metres_per_pixel) {
+            for (double z = -radius; z <= radius; z += *plan_.metres_per_pixel) {
                 pixels += at(image, middle.x() + x, middle.y() + z) == color ? 1 : 0;
             }
         }
@@ -179,8 +179,21 @@ TEST_F(StoreyPlanImage, TheSamePlanGivesTheSameImage) {
     plan_.findings = {{1, {-5, 3}, "trap", PlanSeverity::error}};
     const Image image = draw_storey_plan(plan_);
     EXPECT_EQ(draw_storey_plan(plan_).rgba, image.rgba);
+    plan_.metres_per_pixel = {};
+    const Image fitted = draw_storey_plan(plan_);
+    plan_.metres_per_pixel = round_resolution(plan_.area);
+    EXPECT_EQ(draw_storey_plan(plan_).rgba, fitted.rgba);
     EXPECT_EQ(image.rgba.size(),
               4U * static_cast<unsigned>(image.width) * static_cast<unsigned>(image.height));
+}
+
+TEST_F(StoreyPlanImage, TheLegendIsRightOfANarrowMap) {
+    plan_.findings = {{1, {-5, 3}, "trap", PlanSeverity::error}};
+    const int below = draw_storey_plan(plan_).height;
+    plan_.area = Eigen::AlignedBox2d(Vector2d(-10, -8), Vector2d(-4, 8));  // the same height
+    const Image image = draw_storey_plan(plan_);
+    EXPECT_LT(image.height, below - 50);
+    EXPECT_LT(mean_brightness(image, 220, 50, image.width, 200), 254.0) << "there";
 }
 
 TEST_F(StoreyPlanImage, AnEmptyStoreyIsDrawn) {
