@@ -20,14 +20,16 @@ constexpr double kMinSupportDrop = 0.01;
 using Piece = ContactCache::Piece;
 using Rest = MoveBuffers::Rest;
 
+/// None where it would rest below `useful`, too. What it rests on doesn't depend on that, to the last bit:
+/// that depends on the order of the pieces, which is the cache's.
 std::optional<SphereRest> rest_on(const Piece& piece, double x, double z, double reach, double highest,
-                                  double lowest) {
+                                  double lowest, double useful) {
     const Aabb& box = piece.box;
     // The sphere rests no higher than it would on the nearest point of the box's top.
     const double dx = std::max({box.min.x() - x, x - box.max.x(), 0.0});
     const double dz = std::max({box.min.z() - z, z - box.max.z(), 0.0});
     const double left = reach * reach - (dx * dx + dz * dz);
-    const double above = lowest - box.max.y();
+    const double above = useful - box.max.y();
     if (left < 0.0 || (above > 0.0 && above * above > left) || box.min.y() - reach > highest) {
         return std::nullopt;
     }
@@ -127,7 +129,8 @@ Ground find_ground(MoveContext& context, double x, double z, const Support& stan
     rests.clear();
     double best = lowest;
     for (const ContactCache::Index i : context.near) {
-        const auto sphere = rest_on(context.contacts.piece(i), x, z, reach, highest, best - 2.0 * kRestGap);
+        const auto sphere = rest_on(context.contacts.piece(i), x, z, reach, highest, lowest - 2.0 * kRestGap,
+                                    best - 2.0 * kRestGap);
         if (sphere && sphere->height <= highest && sphere->height >= best - 2.0 * kRestGap &&
             sphere->height - sphere->on.y() > kMinSupportDrop * radius) {
             rests.push_back({i, *sphere});

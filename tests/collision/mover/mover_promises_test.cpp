@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -63,6 +65,35 @@ TEST(MoverPromises, TheOrderOfTrianglesDoesNotMatter) {
     TriangleMesh doubled = yard();
     doubled.triangles.insert(doubled.triangles.end(), shuffled.triangles.begin(), shuffled.triangles.end());
     EXPECT_EQ(walk(doubled), end) << "every triangle twice";
+}
+
+/// Round solids are swept, and how far a sweep goes shows in the last bits of what it finds.
+TEST(MoverPromises, TheOrderOfSolidsDoesNotMatter) {
+    support::Dice dice(5);
+    std::vector<std::pair<double, Vec3>> mounds;  // a ball's radius and its centre
+    for (int i = 0; i < 80; ++i) {
+        const double radius = dice.between(0.3, 0.9);
+        const double top = dice.between(0.05, 0.25);
+        mounds.emplace_back(radius, Vec3(dice.between(-4, 4), top - radius, dice.between(-4, 4)));
+    }
+    const auto walk = [](const auto& balls) {
+        World world(std::make_unique<LinearBroadPhase>());
+        TriangleMesh floor;
+        add_floor(floor, 10.0);
+        add_object(world, std::move(floor));
+        for (const auto& [radius, center] : balls) {
+            add_object(world, Sphere{radius}, center);
+        }
+        AuditedBody body(world);
+        body.stand({-4, 0.3, -4});
+        std::vector<Vec3> ends;
+        for (int i = 0; i < 40; ++i) {
+            body.walk(1.4 * Vec3(i % 2 == 0 ? 1.0 : -1.0, 0, 0.2), 0.15 * (40 - i));
+            ends.push_back(body.foot());
+        }
+        return ends;
+    };
+    EXPECT_EQ(walk(mounds), walk(std::vector(mounds.rbegin(), mounds.rend()))) << "bit for bit";
 }
 
 TEST(MoverPromises, FlippedTrianglesAreJustAsSolid) {
