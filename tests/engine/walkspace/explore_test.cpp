@@ -1,0 +1,228 @@
+// What is reached, on ground whose reachable part is known.
+
+#include "engine/walkspace/explore.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/engine/small_campus.h"
+#include "tests/engine/walkspace/explored_ground.h"
+#include "tests/support/angles.h"
+#include "tests/support/course/walls.h"
+#include "tests/support/mesh_pieces.h"
+
+namespace campuswalk::engine {
+namespace {
+
+using collision::TriangleMesh;
+using collision::Vec3;
+using testing::Contains;
+using testing::IsEmpty;
+using testing::Not;
+
+/// A body stands on a rim with its middle almost its radius of 0.3 m outside, on its side: in the second cell.
+constexpr int kCellsBeyondARim = 2;
+
+template <typename Add>
+scene::Campus floor_with(double half_size, const Add& add) {
+    TriangleMesh mesh;
+    support::add_floor(mesh, half_size);
+    add(mesh);
+    return campus_of(std::move(mesh));
+}
+
+TEST(Explore, ReachesAnEmptyFloorUpToItsRim) {
+    TriangleMesh mesh;
+    support::add_quad(mesh, {-5, 0, 3}, {5, 0, 3}, {5, 0, -3}, {-5, 0, -3});
+    const scene::Campus campus = campus_of(std::move(mesh));
+    const WalkSpace space = explored(campus, {0, 0, 0});
+    std::map<GridCell, int> nodes;
+    for (const NodeRef& node : nodes_of(space)) {
+        const GridCell cell = space.cell_of(node);
+        ++nodes[cell];
+        EXPECT_TRUE(cell.x >= -20 - kCellsBeyondARim && cell.x < 20 + kCellsBeyondARim);
+        EXPECT_TRUE(cell.z >= -12 - kCellsBeyondARim && cell.z < 12 + kCellsBeyondARim);
+    }
+    for (int x = -20; x < 20; ++x) {
+        for (int z = -12; z < 12; ++z) {
+            EXPECT_EQ((nodes[{x, z}]), 1) << "cell " << x << ", " << z;
+        }
+    }
+    EXPECT_GE(space.area(), 10.0 * 6.0);
+    EXPECT_LE(space.area(), 11.0 * 7.0);
+    EXPECT_DOUBLE_EQ(space.area(), 0.0625 * static_cast<double>(space.node_count()));
+}
+
+TEST(Explore, ReachesNothingBehindAWall) {
+    const scene::Campus campus =
+        floor_with(5.0, [](TriangleMesh& mesh) { support::add_box(mesh, {1, 0, -6}, {1.2, 3, 6}); });
+    const WalkSpace space = explored(campus, {-2, 0, 0});
+    for (const NodeRef& node : nodes_of(space)) {
+        EXPECT_LE(space.position(node).x(), 1.0 - 0.3 + space.grid.cell);
+    }
+    EXPECT_TRUE(reaches(space, {0.6, 0, 0}));
+    EXPECT_GE(space.area(), (5.0 + 0.5) * 10.0);
+    EXPECT_TRUE(space.touched.front());
+}
+
+TEST(Explore, FallsFromALedgeButDoesNotGetBack) {
+    const scene::Campus campus =
+        floor_with(5.0, [](TriangleMesh& mesh) { support::add_box(mesh, {-2, 0, -2}, {2, 1, 2}); });
+    const WalkSpace from_above = explored(campus, {0, 1, 0});
+    EXPECT_TRUE(reaches(from_above, {4, 0, 4}));
+    std::size_t falls = 0;
+    for (const NodeRef& node : nodes_of(from_above)) {
+        const auto parent = from_above.parent(node);
+        if (parent && from_above.position(*parent).y() - from_above.position(node).y() > 0.5) {
+            ++falls;
+            EXPECT_EQ(from_above.node(node).returns, 0U);
+        }
+    }
+    EXPECT_GT(falls, 0U);
+    const WalkSpace from_below = explored(campus, {4, 0, 4});
+    EXPECT_FALSE(reaches(from_below, {0, 1, 0}));
+    EXPECT_EQ(from_below.position(from_below.starts.front()).y(), from_below.node(from_below.starts.front()).y);
+}
+
+TEST(Explore, KnowsThatLevelGroundIsWalkedBackToo) {
+    const WalkSpace space = explored(level_campus(3.0), {0, 0, 0});
+    for (const NodeRef& node : nodes_of(space)) {
+        EXPECT_EQ(space.node(node).returns, 1U);
+    }
+}
+
+/// Whether the top of a box of this height on the floor is reached from the floor.
+bool climbs(double riser) {
+    const scene::Campus campus = floor_with(
+        4.0, [&](TriangleMesh& mesh) { support::add_box(mesh, {-1, 0, -1}, {1, riser, 1}); });
+    return reaches(explored(campus, {3, 0, 3}), {0, riser, 0});
+}
+
+TEST(Explore, ClimbsRisersUpToTheStepHeight) {
+    EXPECT_TRUE(climbs(0.29));
+    EXPECT_FALSE(climbs(0.31));
+}
+
+/// Whether a deck is reached over a ramp of so many degrees.
+bool walks_up(double degrees) {
+    const double run = 2.0 / std::tan(support::radians(degrees));
+    const scene::Campus campus = floor_with(6.0, [&](TriangleMesh& mesh) {
+        support::add_quad(mesh, {0, 0, 2}, {run, 2, 2}, {run, 2, -2}, {0, 0, -2});
+        support::add_box(mesh, {run, 0, -2}, {run + 2, 2, 2});
+    });
+    return reaches(explored(campus, {-3, 0, 0}), {run + 1, 2, 0});
+}
+
+TEST(Explore, WalksUpSlopesOfFiftyDegrees) {
+    EXPECT_TRUE(walks_up(49.0));
+    EXPECT_FALSE(walks_up(51.0));
+}
+
+/// Whether a passage with a ceiling at this height is walked through.
+bool fits_under(double ceiling) {
+    // In a room: on the rim of a floor, a body hangs lower.
+    const scene::Campus campus = floor_with(4.0, [&](TriangleMesh& mesh) {
+        support::add_room(mesh, {-4, 0, -4}, {4, 2, 4}, 0.0);
+        support::add_box(mesh, {-1, ceiling, -4}, {1, ceiling + 1.0, 4});
+    });
+    return reaches(explored(campus, {-3, 0, 0}), {3, 0, 0});
+}
+
+TEST(Explore, NeedsHeadroom) {
+    EXPECT_TRUE(fits_under(1.81));
+    EXPECT_FALSE(fits_under(1.79));
+}
+
+TEST(Explore, RecordsFallsOutOfTheWorld) {
+    const scene::Campus campus = level_campus(3.0);
+    const WalkSpace space = explored(campus, {0, 0, 0});
+    bool rims[4] = {};
+    for (const WalkTile& tile : space.tiles) {
+        for (const WalkTile::Drop& drop : tile.drops) {
+            EXPECT_NEAR(std::max(std::abs(drop.edge.x()), std::abs(drop.edge.z())), 3.0, 0.3);
+            rims[0] = rims[0] || drop.edge.x() > 2.7;
+            rims[1] = rims[1] || drop.edge.x() < -2.7;
+            rims[2] = rims[2] || drop.edge.z() > 2.7;
+            rims[3] = rims[3] || drop.edge.z() < -2.7;
+        }
+    }
+    for (const bool rim : rims) {
+        EXPECT_TRUE(rim);
+    }
+    const scene::Campus fenced = floor_with(3.0, [](TriangleMesh& mesh) {
+        support::add_room(mesh, {-3, 0, -3}, {3, 2, 3}, 0.0);
+    });
+    for (const WalkTile& tile : explored(fenced, {0, 0, 0}).tiles) {
+        EXPECT_TRUE(tile.drops.empty());
+    }
+}
+
+TEST(Explore, SaysWhatCutItShort) {
+    const scene::Campus floor = level_campus(20.0);
+    ExploreSettings settings = explore_from({0, 0, 0});
+    settings.max_nodes = 100;
+    const WalkSpace cut = explore(floor.world, settings);
+    EXPECT_THAT(cut.bounds, Contains(Bound::nodes));
+    EXPECT_LT(cut.area(), 1000.0);
+
+    const scene::Campus fenced = floor_with(3.0, [](TriangleMesh& mesh) {
+        support::add_room(mesh, {-3, 0, -3}, {3, 2, 3}, 0.0);
+    });
+    EXPECT_THAT(explored(fenced, {0, 0, 0}).bounds, IsEmpty());
+
+    const scene::Campus tower = floor_with(5.0, [](TriangleMesh& mesh) {
+        support::add_room(mesh, {-5, 0, -5}, {5, 2, 5}, 0.0);
+        support::add_box(mesh, {-1, 0, -1}, {1, 4, 1});
+    });
+    EXPECT_THAT(explored(tower, {0, 4, 0}).bounds, Contains(Bound::steering));
+}
+
+TEST(Explore, EndsWhenItIsDone) {
+    const scene::Campus campus = level_campus(40.0);
+    ExploreSettings settings = explore_from({0, 0, 0});
+    settings.done = [](const WalkSpace& space) { return reaches(space, {5, 0, 5}); };
+    const WalkSpace space = explore(campus.world, settings);
+    EXPECT_TRUE(reaches(space, {5, 0, 5}));
+    EXPECT_FALSE(reaches(space, {39, 0, 39}));
+}
+
+TEST(Explore, LeavesOutStartsWithoutRoomOrGround) {
+    const scene::Campus campus = level_campus(3.0);
+    ExploreSettings settings = explore_from({0, 0, 0});
+    settings.starts = {{50, 0, 0}, {1, 0, 1}, {2, 0, -2}};
+    const WalkSpace space = explore(campus.world, settings);
+    EXPECT_THAT(space.start_of, testing::ElementsAre(1U, 2U));
+    EXPECT_EQ(space.cell_of(space.starts.front()), space.grid.cell_at({1, 0, 1}));
+    EXPECT_FALSE(space.parent(space.starts.back()));
+}
+
+TEST(Explore, RunsAndJumpsWhereItMay) {
+    // Decks of 1.5 m, 1.2 m apart: too far to walk over, near enough to jump.
+    const scene::Campus campus = floor_with(6.0, [](TriangleMesh& mesh) {
+        support::add_box(mesh, {-4, 0, -1}, {-0.6, 1.5, 1});
+        support::add_box(mesh, {0.6, 0, -1}, {4, 1.5, 1});
+    });
+    ExploreSettings settings = explore_from({-2, 1.5, 0});
+    EXPECT_FALSE(reaches(explore(campus.world, settings), {3, 1.5, 0}));
+    settings.jump = true;
+    EXPECT_TRUE(reaches(explore(campus.world, settings), {3, 1.5, 0}));
+}
+
+TEST(Explore, IgnoresDisabledObjects) {
+    scene::Campus campus = level_campus(4.0);
+    add_box(campus, "gate", {1, 0, -5}, {1.2, 3, 5});
+    std::vector<bool> disabled = {false, true};
+    ExploreSettings settings = explore_from({-2, 0, 0});
+    EXPECT_FALSE(reaches(explore(campus.world, settings), {3, 0, 0}));
+    settings.solids.disabled = &disabled;
+    EXPECT_TRUE(reaches(explore(campus.world, settings), {3, 0, 0}));
+}
+
+}  // namespace
+}  // namespace campuswalk::engine

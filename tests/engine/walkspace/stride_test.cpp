@@ -1,0 +1,178 @@
+#include "engine/walkspace/stride.h"
+
+#include <cmath>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "tests/engine/small_campus.h"
+#include "tests/engine/walkspace/explored_ground.h"
+#include "tests/support/mesh_pieces.h"
+
+namespace campuswalk::engine {
+namespace {
+
+using collision::TriangleMesh;
+using collision::Vec3;
+using Kind = StrideEnd::Kind;
+
+constexpr std::uint8_t kEast = 0;
+constexpr std::uint8_t kSouth = 1;
+constexpr WalkGrid kGrid;
+
+void add_nothing(TriangleMesh&) {}
+
+/// A floor of 20 m by 20 m with what `add` adds to it.
+template <typename Add>
+scene::Campus floor_with(const Add& add) {
+    TriangleMesh mesh;
+    support::add_floor(mesh, 10.0);
+    add(mesh);
+    return campus_of(std::move(mesh));
+}
+
+/// A body on it.
+struct StrideOn {
+    template <typename Add>
+    explicit StrideOn(const Add& add) : campus(floor_with(add)), strider(campus.world, strides_of(), {}) {}
+
+    /// Where a body put down there stands.
+    Standing standing(const Vec3& foot) { return strider.put_down(foot).at; }
+
+    scene::Campus campus;
+    Strider strider;
+};
+
+TEST(Strider, WalksToTheNextCellInEachDirection) {
+    StrideOn floor(add_nothing);
+    const Standing start = floor.standing({0.1, 0.0, -0.1});
+    const GridCell cell = kGrid.cell_at(start.foot);
+    for (std::uint8_t i = 0; i < 8; ++i) {
+        const StrideEnd end = floor.strider.take(start, {.direction = i}, kGrid);
+        const GridDirection& direction = grid_directions()[i];
+        const GridCell next{cell.x + direction.x, cell.z + direction.z};
+        EXPECT_EQ(end.kind, Kind::standing);
+        EXPECT_EQ(kGrid.cell_at(end.at.foot), next);
+        // Not across its own direction, and to the middle within half a tick's way.
+        EXPECT_NEAR((kGrid.center(next) - end.at.foot).dot(direction.unit), 0.0, 0.5 * 1.4 / 60.0 + 1e-9);
+        EXPECT_TRUE(end.clean);
+        EXPECT_FALSE(end.left_ground);
+        EXPECT_EQ(static_cast<std::size_t>(end.ticks), floor.strider.path().size());
+        EXPECT_EQ(floor.strider.path().back(), end.at.foot);
+    }
+}
+
+TEST(Strider, TakesTheSameStrideAgain) {
+    StrideOn floor([](TriangleMesh& mesh) { support::add_box(mesh, {0.5, 0, -2}, {1, 2, 2}); });
+    const Standing start = floor.standing({0.1, 0.0, 0.1});
+    const StrideEnd first = floor.strider.take(start, {.direction = 4}, kGrid);
+    floor.strider.take(start, {.direction = kEast}, kGrid);
+    floor.standing({-3, 0, 3});
+    const StrideEnd again = floor.strider.take(start, {.direction = 4}, kGrid);
+    EXPECT_EQ(first.at, again.at) << "whatever came in between";
+    EXPECT_EQ(first.ticks, again.ticks);
+}
+
+TEST(Strider, StopsAtAWall) {
+    StrideOn floor([](TriangleMesh& mesh) { support::add_box(mesh, {0.5, 0, -2}, {1, 2, 2}); });
+    const Standing start = floor.standing({0.15, 0.0, 0.1});
+    const StrideEnd end = floor.strider.take(start, {.direction = kEast}, kGrid);
+    EXPECT_EQ(end.kind, Kind::standing);
+    EXPECT_LE(end.at.foot.x(), 0.5 - 0.3);
+    EXPECT_FALSE(end.clean);
+    EXPECT_LT(end.ticks, 10) << "it doesn't go on pushing";
+    EXPECT_TRUE(floor.strider.touched().front());
+}
+
+TEST(Strider, DoesNotCallAStepClean) {
+    StrideOn floor([](TriangleMesh& mesh) { support::add_box(mesh, {0.5, 0, -2}, {3, 0.2, 2}); });
+    Standing at = floor.standing({-0.1, 0.0, 0.1});
+    bool clean = true;
+    for (int i = 0; i < 5; ++i) {
+        const StrideEnd end = floor.strider.take(at, {.direction = kEast}, kGrid);
+        clean = clean && end.clean;
+        at = end.at;
+    }
+    EXPECT_NEAR(at.foot.y(), 0.2, 1e-3);
+    EXPECT_FALSE(clean);
+}
+
+/// Of a box 3 m high that ends at x = 0.
+Standing on_the_rim(StrideOn& floor) {
+    const Standing before = floor.standing({-0.1, 3.0, 0.1});
+    return floor.strider.take(before, {.direction = kEast}, kGrid).at;
+}
+
+TEST(Strider, FallsStraightOn) {
+    StrideOn floor([](TriangleMesh& mesh) { support::add_box(mesh, {-2, 0, -2}, {0, 3, 2}); });
+    const Standing start = on_the_rim(floor);
+    const StrideEnd end = floor.strider.take(start, {.direction = kEast}, kGrid);
+    EXPECT_EQ(end.kind, Kind::standing);
+    EXPECT_TRUE(end.left_ground);
+    EXPECT_FALSE(end.clean);
+    EXPECT_NEAR(end.at.foot.y(), 0.0, 1e-3);
+    EXPECT_NEAR(end.edge.y(), 3.0, 0.3) << "on the rim it hangs lower";
+    // As far as 1.4 m/s get in the time that a fall of 3 m takes.
+    EXPECT_NEAR(end.at.foot.x() - end.edge.x(), 1.4 * std::sqrt(2.0 * 3.0 / 9.81), 0.06);
+    EXPECT_NEAR(end.at.foot.z(), start.foot.z(), 1e-9);
+}
+
+TEST(Strider, FallsWhereItIsSteered) {
+    StrideOn floor([](TriangleMesh& mesh) { support::add_box(mesh, {-2, 0, -2}, {0, 3, 2}); });
+    const Standing start = on_the_rim(floor);
+    const StrideEnd down =
+        floor.strider.take(start, {.direction = kEast, .steering = Stride::kLetGo}, kGrid);
+    EXPECT_EQ(down.kind, Kind::standing);
+    EXPECT_NEAR(down.at.foot.x(), down.edge.x(), 0.15);
+    const StrideEnd south = floor.strider.take(start, {.direction = kEast, .steering = kSouth}, kGrid);
+    EXPECT_EQ(south.kind, Kind::standing);
+    EXPECT_GT(south.at.foot.z(), 1.0);
+    EXPECT_NEAR(south.at.foot.x(), south.edge.x(), 0.15);
+}
+
+TEST(Strider, JumpsAheadAtTheSpeedOfItsRun) {
+    StrideOn floor(add_nothing);
+    const Standing start = floor.standing({0.1, 0.0, 0.1});
+    const StrideEnd end = floor.strider.take(start, {.direction = kEast, .gait = Gait::jump}, kGrid);
+    EXPECT_EQ(end.kind, Kind::standing);
+    EXPECT_TRUE(end.left_ground);
+    // In the air for 2 v / g.
+    EXPECT_NEAR(end.at.foot.x() - start.foot.x(), 2.8 * 2.0 * 2.8 / 9.81, 0.1);
+}
+
+TEST(Strider, FallsOutOfTheWorld) {
+    StrideOn floor(add_nothing);
+    const Standing start = floor.standing({9.9, 0.0, 0.1});
+    Standing at = start;
+    StrideEnd end;
+    for (int i = 0; i < 3 && end.kind == Kind::standing; ++i) {
+        end = floor.strider.take(at, {.direction = kEast}, kGrid);
+        at = end.at;
+    }
+    EXPECT_EQ(end.kind, Kind::gone);
+    EXPECT_NEAR(end.edge.x(), 10.0, 0.3);
+}
+
+TEST(Strider, WalksToAPoint) {
+    StrideOn floor([](TriangleMesh& mesh) { support::add_box(mesh, {3, 0, -9}, {4, 2, 9}); });
+    const Standing start = floor.standing({0.1, 0.0, 0.1});
+    const StrideEnd end = floor.strider.walk_to(start, {2, 0, 1}, 0.02, 5.0);
+    EXPECT_LE(collision::horizontal_norm(end.at.foot - Vec3(2, 0, 1)), 0.02);
+    const StrideEnd late = floor.strider.walk_to(start, {2, 0, 1}, 0.02, 0.5);
+    EXPECT_EQ(late.ticks, 30);
+    const StrideEnd blocked = floor.strider.walk_to(start, {6, 0, 0.1}, 0.02, 60.0);
+    EXPECT_LT(blocked.at.foot.x(), 3.0);
+    EXPECT_LT(blocked.ticks, 600) << "ends at a standstill";
+}
+
+TEST(Strider, PutsDownWhereThereIsRoomAndGround) {
+    StrideOn floor([](TriangleMesh& mesh) { support::add_box(mesh, {3, 0, -9}, {9, 5, 9}); });
+    const StrideEnd dropped = floor.strider.put_down({0, 4, 0});
+    EXPECT_EQ(dropped.kind, Kind::standing);
+    EXPECT_NEAR(dropped.at.foot.y(), 0.0, 1e-3);
+    EXPECT_EQ(floor.strider.put_down({6, 1, 0}).kind, Kind::gone) << "inside a solid";
+    EXPECT_EQ(floor.strider.put_down({-20, 1, 0}).kind, Kind::gone) << "beside the world";
+}
+
+}  // namespace
+}  // namespace campuswalk::engine
