@@ -14,6 +14,8 @@ PAIRS = [31, 142, 238, 347, 429, 666, 815, 961, 1081, 1295]
 COLUMNS = "case,pairs,engine,query,us_min,us_median,nv,np,set_equal".split(",")
 WALK_COLUMNS = ("triangles,controller,us_mean,us_p50,us_p99,us_max,goals,reached,forbidden,max_penetration_mm,"
                 "crossings").split(",")
+EXPLORE_COLUMNS = ("campus,triangles,engine,threads,s_least,s_median,s_processor,reachable_m2,nodes,ticks,bytes_per_m2,"
+                   "m2_of_it_alone,walks_outside,steered_walks_outside").split(",")
 DRAWN_LOOKS = ["no-aa", "fxaa", "msaa4", "shadows+fxaa", "shadows+msaa4", "default"]
 OF_THE_PAPER = ["paper", "obb", "sphere"]
 CASES = ["table1", "million", "nested", "build", "memory", "rays", "probes", "avatars", "points", "import"]
@@ -42,7 +44,7 @@ class Bench(ProgramCase):
         self.assert_bad_usage(self.run_bench(*arguments), f"campuswalk-bench {where}".strip(), expected)
 
     def test_bad_usage_is_refused(self):
-        self.refused(expected="table1 million nested trees campus import walk draw all")
+        self.refused(expected="table1 million nested trees campus import walk explore draw all")
         self.refused("table2", expected="'table2' 'table1'")
         self.refused("table1", "--rounds", "0", expected="--rounds 0 1 100000", where="table1 ")
         self.refused("table1", "--plot", "a.jpg", expected="--plot 'a.jpg' .svg .png", where="table1 ")
@@ -50,7 +52,7 @@ class Bench(ProgramCase):
 
     def test_every_case_takes_the_same_options(self):
         self.write("file", "")
-        for case in ("million", "nested", "trees", "campus", "import", "walk", "draw"):
+        for case in ("million", "nested", "trees", "campus", "import", "walk", "explore", "draw"):
             self.refused(case, "--quick", "--rounds", "100001", expected="--rounds 100001 1 100000", where=case + " ")
             outcome = self.run_bench(case, "--quick", "--rounds", "1", "--csv", "file/a.csv")
             self.assertEqual((outcome.code, outcome.out), (2, ""))
@@ -169,6 +171,31 @@ class Bench(ProgramCase):
         for line in verdicts:
             if "MISSED" in line:
                 self.assertRegex(line, "mean tick|worst tick|two minutes")
+
+    def test_an_exploration(self):
+        """Of a campus of some thousand triangles; speed doesn't matter here."""
+        outcome = self.run_bench("explore", "--quick", "--csv", "new/e.csv")
+        self.assertEqual((outcome.code, outcome.err), (0, ""), outcome.out)
+        rows = list(csv.DictReader(io.StringIO(self.read("new/e.csv").decode())))
+        self.assertEqual(list(rows[0]), EXPLORE_COLUMNS)
+        self.assertIn([(row["engine"], row["threads"]) for row in rows],
+                      [[("ours", "1"), ("ours", "2")], [("ours", "1"), ("ours", "2"), ("recast", "1"), ("recast", "2")]])
+        self.assertEqual({row["campus"] for row in rows}, {"small"})
+        for row in rows:
+            self.assertLess(0.0, float(row["s_least"]))
+            self.assertLessEqual(float(row["s_least"]), float(row["s_median"]))
+            self.assertAlmostEqual(float(row["reachable_m2"]) / 72 ** 2, 1.0, delta=0.15)
+        for row in rows[:2]:
+            self.assertAlmostEqual(float(row["reachable_m2"]), int(row["nodes"]) / 16, delta=0.1)
+            self.assertEqual((row["walks_outside"], row["steered_walks_outside"]), ("0", "0"))
+        verdicts = outcome.out[outcome.out.index("Compared with the targets"):].splitlines()[1:]
+        self.assertEqual(len(verdicts), 5)
+
+    def test_models_that_are_missing_are_named(self):
+        out = self.passes_bench("explore", "--campus", "dungeon", "--campus", "nav_test", "--data", self.path("")).out
+        self.assertRegex(out, "absent: dungeon: no model at .*/recast/dungeon.obj")
+        self.assertRegex(out, "absent: nav_test: ")
+        self.assertNotIn("demo", out)
 
     def test_images(self):
         """Of two small campuses, beside a peer that only prints times; speed doesn't matter here."""

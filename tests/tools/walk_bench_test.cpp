@@ -283,8 +283,8 @@ TEST(WalkCsv, HasALinePerCampusAndController) {
               "60000,bullet,50.000,25.000,100.000,500.000,60,58,2,0.025,3\n");
 }
 
-const WalkVerdict& verdict(const std::vector<WalkVerdict>& verdicts, const std::string& what) {
-    for (const WalkVerdict& each : verdicts) {
+const Verdict& verdict(const std::vector<Verdict>& verdicts, const std::string& what) {
+    for (const Verdict& each : verdicts) {
         if (each.what.starts_with(what)) {
             return each;
         }

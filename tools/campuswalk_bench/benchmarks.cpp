@@ -9,6 +9,7 @@
 #include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk_bench/campus/campus_cases.h"
 #include "tools/campuswalk_bench/draw/draw_bench.h"
+#include "tools/campuswalk_bench/explore/explore_bench.h"
 #include "tools/campuswalk_bench/import/import_cases.h"
 #include "tools/campuswalk_bench/measure/summary.h"
 #include "tools/campuswalk_bench/measure/write_csv.h"
@@ -70,13 +71,16 @@ constexpr BenchCommand kCommands[] = {
     {kBenchWalk,
      "The avatar's mover compared with Bullet's on campuses of up to 2 million triangles: goals reached, "
      "forbidden goals reached, and speed"},
+    {kBenchExplore,
+     "Everywhere that a body can walk to, beside Recast's navigation mesh, and random walks that try to get "
+     "farther"},
     {kBenchDraw,
      "Pictures of campuses of half a million and two million triangles, compared with other programs that "
      "draw"},
 };
-// Without `walk` and `draw`, which have other CSVs.
+// Without `walk`, `explore` and `draw`, which have other CSVs.
 constexpr CaseResult (*kCases[])(const BenchOptions&) = {table1, million, nested, trees, campus, import};
-static_assert(std::size(kCommands) == std::size(kCases) + 2);
+static_assert(std::size(kCommands) == std::size(kCases) + 3);
 
 void check_output(const std::filesystem::path& file) {
     if (const std::string why = file.empty() ? "" : why_file_unwritable(file); !why.empty()) {
@@ -98,6 +102,22 @@ void draw(const BenchOptions& options) {
     run_draw_bench(bench);
 }
 
+bool explore(const BenchOptions& options) {
+    ExploreBench bench;
+    bench.rounds = rounds_of(options, bench.rounds);
+    bench.quick = options.quick;
+    bench.csv = options.csv;
+    bench.data = options.data;
+    bench.campuses = options.campuses;
+    if (options.walks) {
+        bench.walks = static_cast<std::size_t>(*options.walks);
+    }
+    if (options.steered_walks) {
+        bench.steered_walks = static_cast<std::size_t>(*options.steered_walks);
+    }
+    return run_explore_bench(bench);
+}
+
 }  // namespace
 
 std::span<const BenchCommand> bench_commands() {
@@ -116,6 +136,9 @@ int run_bench(const BenchOptions& options) {
     if (options.which == kBenchWalk) {
         const bool right = run_walk_bench(rounds_of(options, 7), options.quick, options.csv);
         return right ? kPass : kExpectationFailed;
+    }
+    if (options.which == kBenchExplore) {
+        return explore(options) ? kPass : kExpectationFailed;
     }
     if (options.which == kBenchDraw) {
         draw(options);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,8 +16,12 @@ struct BenchOptions {
     std::filesystem::path folder;    ///< of draw: where the models and images are saved; empty: nowhere
     std::vector<std::string> peers;  ///< of draw: NAME=COMMAND of another program that draws
     std::vector<std::filesystem::path> models;  ///< of import: more files to read
-    bool mixed = false;                         ///< of table1: include the paper's mixed reading
-    bool quick = false;                         ///< small scenes, one round: to see that it works
+    std::filesystem::path data;         ///< of explore: the folder of models of others; empty: without them
+    std::vector<std::string> campuses;  ///< of explore: only these; empty: all
+    std::optional<int> walks;           ///< of explore: random walks on each campus
+    std::optional<int> steered_walks;   ///< of explore: likewise, steering in falls
+    bool mixed = false;                 ///< of table1: include the paper's mixed reading
+    bool quick = false;                 ///< small scenes, one round: to see that it works
 };
 
 struct BenchCommand {
@@ -24,8 +29,9 @@ struct BenchCommand {
     const char* description = "";
 };
 
-inline constexpr const char* kBenchAll = "all";  ///< except for kBenchDraw and kBenchWalk
+inline constexpr const char* kBenchAll = "all";  ///< except for the three below
 inline constexpr const char* kBenchDraw = "draw";
+inline constexpr const char* kBenchExplore = "explore";
 inline constexpr const char* kBenchWalk = "walk";
 
 /// The benchmarks, without kBenchAll.

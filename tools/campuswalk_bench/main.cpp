@@ -48,6 +48,23 @@ void add_draw_options(Command& command, BenchOptions& options) {
         options.peers);
 }
 
+/// The options of `explore` alone.
+void add_explore_options(Command& command, BenchOptions& options) {
+    command.option(
+        {.names = "--data",
+         .help = "Folder of the models of others: recast/, gazebo/ and ufaz/; without it, only the "
+                 "demo campus is explored",
+         .value = "DIR"},
+        options.data);
+    command.option({.names = "--campus", .help = "Only this one; may be repeated", .value = "NAME"},
+                   options.campuses);
+    command.option({.names = "--walks", .help = "Random walks on each campus; 10000 by default"},
+                   options.walks, {0, 10000000});
+    command.option({.names = "--steered-walks",
+                    .help = "Random walks that steer in falls, on `dungeon`; 100000 by default"},
+                   options.steered_walks, {0, 10000000});
+}
+
 /// The options of `import` alone.
 void add_import_options(Command& command, BenchOptions& options) {
     command.option(
@@ -75,6 +92,12 @@ Command add_measurement(Command program, const std::string& name, const std::str
             "tools/bench draw runs three.js and VTK like this. The CSV has one line per campus, program\n"
             "and look. Exit code: 0 measured, however fast, 2 bad usage, 3 something failed while\n"
             "running.");
+    } else if (name == kBenchExplore) {
+        command.footer(
+            "The CSV has one line per campus, engine and number of threads.\n"
+            "Exit code: 0 ours is the same for any number of threads, and no random walk that goes straight\n"
+            "on in falls got outside, 1 otherwise, 2 bad usage, 3 something failed while running; speed has\n"
+            "no influence. Recast is built by tools/bench.");
     } else if (name == kBenchWalk) {
         command.footer(
             "The CSV has one line per campus and controller; forbidden: how many goals it reached that\n"
@@ -99,11 +122,14 @@ void add_benchmarks(Command program, CommandAction& chosen) {
             add_table1_options(command, *options);
         } else if (it.name == std::string("import")) {
             add_import_options(command, *options);
+        } else if (it.name == kBenchExplore) {
+            add_explore_options(command, *options);
         } else if (it.name == kBenchDraw) {
             add_draw_options(command, *options);
         }
     }
-    add_measurement(program, kBenchAll, "All of these except walk and draw, into one CSV", options, chosen);
+    add_measurement(program, kBenchAll, "All of these except walk, explore and draw, into one CSV", options,
+                    chosen);
 }
 
 }  // namespace

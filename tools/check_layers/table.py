@@ -163,6 +163,7 @@ THIRD_PARTY = {
     "embree3/": ["tools/campuswalk_bench/peers"],
     "tbb/": ["tools/campuswalk_bench/peers"],
     "ode/": ["tools/campuswalk_bench/peers"],
+    "recastnavigation/": ["tools/campuswalk_bench/peers"],
 }
 OPTIONAL_PREFIXES = ("bullet/", "eigen3/")
 

@@ -26,7 +26,8 @@ using testing::Contains;
 using testing::IsEmpty;
 using testing::Not;
 
-/// A body stands on a rim with its middle almost its radius of 0.3 m outside, on its side: in the second cell.
+/// A body stands on a rim with its middle almost its radius of 0.3 m outside, on its side: in the second
+/// cell.
 constexpr int kCellsBeyondARim = 2;
 
 template <typename Add>
@@ -60,8 +61,9 @@ TEST(Explore, ReachesAnEmptyFloorUpToItsRim) {
 }
 
 TEST(Explore, ReachesNothingBehindAWall) {
-    const scene::Campus campus =
-        floor_with(5.0, [](TriangleMesh& mesh) { support::add_box(mesh, {1, 0, -6}, {1.2, 3, 6}); });
+    const scene::Campus campus = floor_with(5.0, [](TriangleMesh& mesh) {
+        support::add_box(mesh, {1, 0, -6}, {1.2, 3, 6});
+    });
     const WalkSpace space = explored(campus, {-2, 0, 0});
     for (const NodeRef& node : nodes_of(space)) {
         EXPECT_LE(space.position(node).x(), 1.0 - 0.3 + space.grid.cell);
@@ -72,8 +74,9 @@ TEST(Explore, ReachesNothingBehindAWall) {
 }
 
 TEST(Explore, FallsFromALedgeButDoesNotGetBack) {
-    const scene::Campus campus =
-        floor_with(5.0, [](TriangleMesh& mesh) { support::add_box(mesh, {-2, 0, -2}, {2, 1, 2}); });
+    const scene::Campus campus = floor_with(5.0, [](TriangleMesh& mesh) {
+        support::add_box(mesh, {-2, 0, -2}, {2, 1, 2});
+    });
     const WalkSpace from_above = explored(campus, {0, 1, 0});
     EXPECT_TRUE(reaches(from_above, {4, 0, 4}));
     std::size_t falls = 0;
@@ -87,7 +90,8 @@ TEST(Explore, FallsFromALedgeButDoesNotGetBack) {
     EXPECT_GT(falls, 0U);
     const WalkSpace from_below = explored(campus, {4, 0, 4});
     EXPECT_FALSE(reaches(from_below, {0, 1, 0}));
-    EXPECT_EQ(from_below.position(from_below.starts.front()).y(), from_below.node(from_below.starts.front()).y);
+    EXPECT_EQ(from_below.position(from_below.starts.front()).y(),
+              from_below.node(from_below.starts.front()).y);
 }
 
 TEST(Explore, KnowsThatLevelGroundIsWalkedBackToo) {
@@ -99,8 +103,9 @@ TEST(Explore, KnowsThatLevelGroundIsWalkedBackToo) {
 
 /// Whether the top of a box of this height on the floor is reached from the floor.
 bool climbs(double riser) {
-    const scene::Campus campus = floor_with(
-        4.0, [&](TriangleMesh& mesh) { support::add_box(mesh, {-1, 0, -1}, {1, riser, 1}); });
+    const scene::Campus campus = floor_with(4.0, [&](TriangleMesh& mesh) {
+        support::add_box(mesh, {-1, 0, -1}, {1, riser, 1});
+    });
     return reaches(explored(campus, {3, 0, 3}), {0, riser, 0});
 }
 

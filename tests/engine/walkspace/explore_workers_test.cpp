@@ -17,7 +17,8 @@ namespace {
 using collision::Vec3;
 
 auto fields_of(const WalkNode& n) {
-    return std::tuple(n.y, n.next, n.parent, +n.cell, +n.direction, +n.gait, +n.steering, +n.parent_tile, +n.returns);
+    return std::tuple(n.y, n.next, n.parent, +n.cell, +n.direction, +n.gait, +n.steering, +n.parent_tile,
+                      +n.returns);
 }
 
 void expect_same(const WalkTile& a, const WalkTile& b) {

@@ -18,8 +18,8 @@ WalkSpace explored(const scene::Campus& campus, const collision::Vec3& start,
 
 /// A campus of one solid mesh.
 scene::Campus campus_of(collision::TriangleMesh mesh);
-/// A floor of 20 m by 20 m with stairs to a landing, a ramp to a deck of 1.2 m, a wall with a door, a ledge that one can
-/// only fall from, and a rim that leads out of the world.
+/// A floor of 20 m by 20 m with stairs to a landing, a ramp to a deck of 1.2 m, a wall with a door, a ledge
+/// that one can only fall from, and a rim that leads out of the world.
 scene::Campus varied_ground();
 /// Where all of it can be reached from.
 inline const collision::Vec3 kOnVariedGround(0.0, 0.0, 6.0);

@@ -120,8 +120,7 @@ TEST(Strider, FallsStraightOn) {
 TEST(Strider, FallsWhereItIsSteered) {
     StrideOn floor([](TriangleMesh& mesh) { support::add_box(mesh, {-2, 0, -2}, {0, 3, 2}); });
     const Standing start = on_the_rim(floor);
-    const StrideEnd down =
-        floor.strider.take(start, {.direction = kEast, .steering = Stride::kLetGo}, kGrid);
+    const StrideEnd down = floor.strider.take(start, {.direction = kEast, .steering = Stride::kLetGo}, kGrid);
     EXPECT_EQ(down.kind, Kind::standing);
     EXPECT_NEAR(down.at.foot.x(), down.edge.x(), 0.15);
     const StrideEnd south = floor.strider.take(start, {.direction = kEast, .steering = kSouth}, kGrid);

@@ -114,7 +114,8 @@ void expect_simulation_agrees(const std::vector<NodeRef>& nodes, const WalkSpace
                               const scene::Campus& campus, const ExploreSettings& settings) {
     for (const NodeRef& node : nodes) {
         Strider strider(campus.world, settings.strides, settings.solids);
-        const std::vector<PlannedTick> plan = plan_of(space.chain(node, strider), space, settings.starts.front(), strider);
+        const std::vector<PlannedTick> plan =
+            plan_of(space.chain(node, strider), space, settings.starts.front(), strider);
         EXPECT_EQ(differing_ticks(campus, settings, plan), 0U)
             << "to " << space.position(node).transpose() << " in " << plan.size() << " ticks";
     }
@@ -170,15 +171,16 @@ TEST(Chains, OfSteeredFallsRunsAndJumpsAreWalksOfTheSimulation) {
         expect_simulation_agrees(nodes, space, campus, settings);
         expect_chains_lead_to(nodes, space, campus, settings);
     }
-    const auto steered = nodes_with(
-        space, [](const Stride& stride) { return stride.steering != Stride::kStraightOn; });
+    const auto steered =
+        nodes_with(space, [](const Stride& stride) { return stride.steering != Stride::kStraightOn; });
     expect_simulation_agrees(steered, space, campus, settings);
     expect_chains_lead_to(steered, space, campus, settings);
 }
 
 /// recastnavigation's test level; none where the shared data are missing.
 std::unique_ptr<scene::Campus> dungeon() {
-    const auto model = std::filesystem::path(CAMPUSWALK_SOURCE_DIR) / ".." / "shared" / "data" / "recast" / "dungeon.obj";
+    const auto model =
+        std::filesystem::path(CAMPUSWALK_SOURCE_DIR) / ".." / "shared" / "data" / "recast" / "dungeon.obj";
     if (!std::filesystem::exists(model)) {
         return nullptr;
     }

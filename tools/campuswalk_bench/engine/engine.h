@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -105,5 +106,30 @@ using MakeWalkEngine = WalkEngine*(const collision::TriangleMesh& mesh, const Wa
 inline constexpr const char* kMakeWalkEngine = "campuswalk_make_walk_engine";
 /// The same with tuned settings; the above has the library's defaults.
 inline constexpr const char* kMakeTunedWalkEngine = "campuswalk_make_tuned_walk_engine";
+
+/// How a navigation mesh is built.
+struct NavMeshSettings {
+    WalkBody body;
+    double cell = 0.15;  ///< of its grid, metres
+    double cell_height = 0.1;
+    std::size_t threads = 1;
+};
+
+/// A navigation mesh: polygons that a body can walk on, computed from a static mesh.
+class NavMeshEngine {
+public:
+    virtual ~NavMeshEngine() = default;
+
+    /// Computes the polygons, in place of those computed earlier.
+    virtual void build() = 0;
+
+    /// Replaces `out` with the polygons, as triangles, that are linked to the one nearest to `foot`, directly
+    /// or by others; with none if there is no polygon within a metre along each axis.
+    virtual void reachable_from(const collision::Vec3& foot, std::vector<collision::Triangle>& out) = 0;
+};
+
+using MakeNavMeshEngine = NavMeshEngine*(const collision::TriangleMesh& mesh,
+                                         const NavMeshSettings& settings);
+inline constexpr const char* kMakeNavMeshEngine = "campuswalk_make_nav_mesh_engine";
 
 }  // namespace campuswalk::tools::bench

@@ -39,6 +39,7 @@ bool run_walk_bench(int rounds, bool quick, const std::filesystem::path& csv) {
         std::printf("Our mover's working memory on %zu triangles: %zu bytes\n", campus.triangles,
                     campus.working_memory);
     }
+    std::printf("\nCompared with the targets; Bullet's is the faster of its two\n");
     print_verdicts(walk_verdicts(campuses, tour_ms));
     if (!csv.empty()) {
         write_walk_csv(campuses, csv);

@@ -1,7 +1,6 @@
 #include "tools/campuswalk_bench/walk/walk_verdicts.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace campuswalk::tools::bench {
 
@@ -9,24 +8,7 @@ namespace {
 
 constexpr double kAllowedPenetration = 1e-4;  ///< metres
 
-bool reaches(const WalkVerdict& verdict, double bound) {
-    return verdict.more_is_better ? *verdict.value >= bound : *verdict.value <= bound;
-}
-
-WalkVerdict at_most(std::string what, std::optional<double> value, const char* unit, double must) {
-    WalkVerdict verdict{std::move(what), value, unit, false, must, std::nullopt, false};
-    verdict.holds = value && reaches(verdict, must);
-    return verdict;
-}
-
-WalkVerdict at_least(std::string what, std::optional<double> value, const char* unit, double must,
-                     double aim) {
-    WalkVerdict verdict{std::move(what), value, unit, true, must, aim, false};
-    verdict.holds = value && reaches(verdict, must);
-    return verdict;
-}
-
-void add_quality_verdicts(const std::vector<WalkedCampus>& campuses, std::vector<WalkVerdict>& verdicts) {
+void add_quality_verdicts(const std::vector<WalkedCampus>& campuses, std::vector<Verdict>& verdicts) {
     WalkScore all;
     for (const WalkedCampus& campus : campuses) {
         const WalkScore& ours = campus.scores.front();
@@ -58,24 +40,17 @@ void add_quality_verdicts(const std::vector<WalkedCampus>& campuses, std::vector
 
 /// The growth from the smallest campus to the largest.
 void add_growth_verdicts(const WalkedCampus& small, const WalkedCampus& large,
-                         std::vector<WalkVerdict>& verdicts) {
+                         std::vector<Verdict>& verdicts) {
     verdicts.push_back(at_most(
         "growth of working memory",
         static_cast<double>(large.working_memory) / static_cast<double>(small.working_memory), "x", 1.2));
     const double mean = large.scores.front().us_mean;
-    WalkVerdict growth = at_most("growth of the mean tick", mean / small.scores.front().us_mean, "x", 2.5);
+    Verdict growth = at_most("growth of the mean tick", mean / small.scores.front().us_mean, "x", 2.5);
     if (large.fastest_peer && mean * 60.0 <= *large.fastest_peer) {
         growth.what += " (at 1/60 of Bullet's)";
         growth.holds = true;
     }
     verdicts.push_back(growth);
-}
-
-std::string value_of(const WalkVerdict& verdict) {
-    char text[32];
-    std::snprintf(text, sizeof(text), "%.*f%s", *verdict.value >= 1000.0 ? 0 : 2, *verdict.value,
-                  verdict.unit);
-    return text;
 }
 
 }  // namespace
@@ -85,9 +60,8 @@ bool is_correct(const WalkScore& ours) {
            ours.differing_paths == 0 && ours.max_penetration <= kAllowedPenetration;
 }
 
-std::vector<WalkVerdict> walk_verdicts(const std::vector<WalkedCampus>& campuses,
-                                       std::optional<double> tour_ms) {
-    std::vector<WalkVerdict> verdicts;
+std::vector<Verdict> walk_verdicts(const std::vector<WalkedCampus>& campuses, std::optional<double> tour_ms) {
+    std::vector<Verdict> verdicts;
     for (const WalkedCampus& campus : campuses) {
         std::optional<double> ratio;
         if (campus.fastest_peer) {
@@ -102,22 +76,6 @@ std::vector<WalkVerdict> walk_verdicts(const std::vector<WalkedCampus>& campuses
     }
     verdicts.push_back(at_most("two minutes of the demo tour", tour_ms, " ms", 50.0));
     return verdicts;
-}
-
-void print_verdicts(const std::vector<WalkVerdict>& verdicts) {
-    std::printf("\nCompared with the targets; Bullet's is the faster of its two\n");
-    for (const WalkVerdict& verdict : verdicts) {
-        if (!verdict.value) {
-            std::printf("  %-46snot measured\n", verdict.what.c_str());
-            continue;
-        }
-        std::printf("  %-46s%20s  (must %g", verdict.what.c_str(), value_of(verdict).c_str(), verdict.must);
-        if (verdict.aim) {
-            std::printf(", aim %g", *verdict.aim);
-        }
-        const bool is_aim = verdict.aim && reaches(verdict, *verdict.aim);
-        std::printf(")  %s\n", !verdict.holds ? "MISSED" : is_aim ? "aim reached" : "reached");
-    }
 }
 
 }  // namespace campuswalk::tools::bench

@@ -1,0 +1,207 @@
+#include "tools/campuswalk_bench/explore/adversary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "collision/geometry/trigonometry.h"
+#include "collision/mover/mover.h"
+#include "engine/walkspace/worker_threads.h"
+#include "tools/campuswalk_bench/procedural/split_mix.h"
+
+namespace campuswalk::tools::bench {
+
+using collision::Vec3;
+using engine::GridCell;
+using engine::NodeRef;
+using engine::Standing;
+using engine::WalkSpace;
+
+namespace {
+
+constexpr double kTurn = 6.283185307179586;
+constexpr double kHighFall = 2.0;  ///< metres
+/// Nodes are looked for in this many cells around.
+constexpr int kFarthest = 40;
+
+/// Whether a body stands within a cell and a step's height of a node.
+bool is_inside(const WalkSpace& space, const Vec3& foot, double step_height) {
+    const GridCell cell = space.grid.cell_at(foot);
+    if (space.find(cell, foot.y(), step_height)) {
+        return true;
+    }
+    for (int z = -1; z <= 1; ++z) {
+        for (int x = -1; x <= 1; ++x) {
+            if (space.find({cell.x + x, cell.z + z}, foot.y(), step_height)) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/// Metres to the middle of the nearest cell with a node at this height.
+double distance_to_nodes(const WalkSpace& space, const Vec3& foot, double step_height) {
+    const GridCell cell = space.grid.cell_at(foot);
+    double least = kFarthest * space.grid.cell;
+    for (int z = -kFarthest; z <= kFarthest; ++z) {
+        for (int x = -kFarthest; x <= kFarthest; ++x) {
+            const GridCell other{cell.x + x, cell.z + z};
+            const double apart = collision::horizontal_norm(space.grid.center(other) - foot);
+            if (apart < least && space.find(other, foot.y(), step_height)) {
+                least = apart;
+            }
+        }
+    }
+    return least;
+}
+
+/// Turns at random times.
+class Steering {
+public:
+    explicit Steering(SplitMix& random) : random_(random) { turn(3.0); }
+
+    /// The desired direction of the next tick.
+    const Vec3& next(double seconds, bool grounded, bool steers_in_falls) {
+        left_ -= seconds;
+        if (grounded && in_air_) {
+            turn(3.0);  // it may have let go
+        } else if (left_ <= 0.0 && (grounded || steers_in_falls)) {
+            turn(grounded ? 3.0 : 0.5);
+            if (!grounded && random_.between(0.0, 1.0) < 0.2) {
+                direction_ = Vec3::Zero();
+            }
+        }
+        in_air_ = !grounded && steers_in_falls;
+        return direction_;
+    }
+
+private:
+    /// Until some time has passed; short times are more frequent.
+    void turn(double longest) {
+        const auto angle = collision::sin_cos(random_.between(0.0, kTurn));
+        direction_ = Vec3(angle.sin, 0.0, angle.cos);
+        const double part = random_.between(0.0, 1.0);
+        left_ = longest * part * part;
+    }
+
+    SplitMix& random_;
+    Vec3 direction_ = Vec3::Zero();
+    double left_ = 0.0;
+    bool in_air_ = false;
+};
+
+/// A body of a thread's own, in a world of its own: queries of Bullet's broad phase aren't thread-safe.
+class Adversary {
+public:
+    Adversary(const WalkSpace& space, const collision::World& world, const engine::ExploreSettings& explored,
+              const AdversarySettings& settings)
+        : space_(space),
+          settings_(settings),
+          explored_(explored),
+          world_(explored.broad_phase()),
+          bottom_(world.bounds().min.y()) {
+        for (std::size_t i = 0; i < world.size(); ++i) {
+            world_.add(world.object(static_cast<collision::ObjectId>(i)));
+        }
+        strider_.emplace(world_, explored.strides, explored.solids);
+    }
+
+    /// All nodes, by which those are numbered at which walks start.
+    void walk(std::uint64_t seed, const std::vector<NodeRef>& nodes) {
+        SplitMix random(seed);
+        const auto any = static_cast<std::size_t>(random.between(0.0, static_cast<double>(nodes.size())));
+        const NodeRef& first = seed % 2 == 0 ? space_.starts.front() : nodes[std::min(any, nodes.size() - 1)];
+        walk_from(space_.standing(first, *strider_), seed, random);
+    }
+
+    AdversaryResult result;
+
+private:
+    void walk_from(const Standing& start, std::uint64_t seed, SplitMix& random) {
+        const engine::StrideSettings& strides = explored_.strides;
+        const collision::CapsuleMover mover(world_, strides.body, explored_.solids);
+        Steering steering(random);
+        collision::MoverState state;
+        state.foot = start.foot;
+        state.support_y = start.support_y;
+        state.grounded = true;
+        std::optional<Escape> escape;
+        Vec3 left_ground = start.foot;
+        const auto most = static_cast<std::size_t>(settings_.seconds / strides.seconds);
+        for (std::size_t tick = 1; tick <= most && state.foot.y() >= bottom_; ++tick) {
+            const Vec3& direction = steering.next(strides.seconds, state.grounded, settings_.steers_in_falls);
+            const Vec3 before = state.foot;
+            const bool grounded = state.grounded;
+            mover.move(state, strides.walk_speed * strides.seconds * direction, strides.seconds, cache_, trace_);
+            ++result.ticks;
+            result.falls += trace_.landed && trace_.fall_height > kHighFall ? 1U : 0U;
+            if (grounded && !state.grounded) {
+                left_ground = before;
+            }
+            if (state.grounded && state.foot != before && !is_inside(space_, state.foot, strides.body.step_height)) {
+                if (!escape) {
+                    escape = Escape{seed, start.foot, tick, state.foot, left_ground, 0.0, 0};
+                }
+                ++escape->ticks_outside;
+                escape->apart = std::max(escape->apart,
+                                         distance_to_nodes(space_, state.foot, strides.body.step_height));
+            }
+        }
+        if (escape) {
+            result.escapes.push_back(*escape);
+        }
+        ++result.walks;
+    }
+
+    const WalkSpace& space_;
+    const AdversarySettings& settings_;
+    const engine::ExploreSettings& explored_;
+    collision::World world_;
+    double bottom_;
+    std::optional<engine::Strider> strider_;
+    collision::MoverCache cache_;
+    collision::MoveTrace trace_;
+};
+
+std::vector<NodeRef> nodes_of(const WalkSpace& space) {
+    std::vector<NodeRef> nodes;
+    for (std::uint32_t tile = 0; tile < space.tiles.size(); ++tile) {
+        for (std::size_t i = 0; i < space.tiles[tile].nodes.size(); ++i) {
+            nodes.push_back({tile, static_cast<std::uint16_t>(i)});
+        }
+    }
+    return nodes;
+}
+
+}  // namespace
+
+AdversaryResult attack(const WalkSpace& space, const collision::World& world,
+                       const engine::ExploreSettings& explored, const AdversarySettings& settings) {
+    AdversaryResult all;
+    const std::vector<NodeRef> nodes = nodes_of(space);
+    if (nodes.empty()) {
+        return all;
+    }
+    std::vector<std::unique_ptr<Adversary>> adversaries;
+    for (std::size_t i = 0; i < std::max<std::size_t>(explored.workers, 1); ++i) {
+        adversaries.push_back(std::make_unique<Adversary>(space, world, explored, settings));
+    }
+    engine::for_each_item(settings.walks, adversaries.size(), [&](std::size_t worker, std::size_t walk) {
+        adversaries[worker]->walk(settings.first_seed + walk, nodes);
+    });
+    for (const auto& adversary : adversaries) {
+        const AdversaryResult& one = adversary->result;
+        all.walks += one.walks;
+        all.ticks += one.ticks;
+        all.falls += one.falls;
+        all.escapes.insert(all.escapes.end(), one.escapes.begin(), one.escapes.end());
+    }
+    std::ranges::sort(all.escapes, [](const Escape& a, const Escape& b) {
+        return a.apart != b.apart ? a.apart > b.apart : a.seed < b.seed;
+    });
+    return all;
+}
+
+}  // namespace campuswalk::tools::bench

@@ -1,0 +1,52 @@
+#include "tools/campuswalk_bench/explore/explore_csv.h"
+
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+#include "engine/events/decimals.h"
+
+namespace campuswalk::tools::bench {
+
+namespace {
+
+std::string line(const ExploreScore& score, const ExploreTime& time) {
+    const bool ours = time.engine == "ours";
+    std::string text = score.campus + ',' + std::to_string(score.triangles) + ',' + time.engine + ',' +
+                       std::to_string(time.threads) + ',' + engine::fixed(time.least, 4) + ',' +
+                       engine::fixed(time.median, 4) + ',' + engine::fixed(time.processor, 4) + ',';
+    if (ours) {
+        text += engine::fixed(score.area, 1) + ',' + std::to_string(score.nodes) + ',' +
+                std::to_string(score.ticks) + ',' +
+                (score.bytes_per_area ? engine::fixed(*score.bytes_per_area, 1) : "") + ',' +
+                (score.disagreement ? engine::fixed(score.disagreement->only_ours.area, 1) : "") + ',' +
+                std::to_string(score.adversary.escapes.size()) + ',' +
+                std::to_string(score.steered.escapes.size());
+    } else {
+        text += engine::fixed(score.disagreement->polygon_area, 1) + ",,,," +
+                engine::fixed(score.disagreement->only_peer.area, 1) + ",,";
+    }
+    return text + '\n';
+}
+
+}  // namespace
+
+void write_explore_csv(const std::vector<ExploreScore>& scores, const std::filesystem::path& file) {
+    if (file.has_parent_path()) {
+        std::filesystem::create_directories(file.parent_path());
+    }
+    std::ofstream out(file, std::ios::binary);
+    out << "campus,triangles,engine,threads,s_least,s_median,s_processor,reachable_m2,nodes,ticks,bytes_per_m2,"
+           "m2_of_it_alone,walks_outside,steered_walks_outside\n";
+    for (const ExploreScore& score : scores) {
+        for (const ExploreTime& time : score.times) {
+            out << line(score, time);
+        }
+    }
+    out.close();
+    if (!out) {
+        throw std::runtime_error("'" + file.string() + "' couldn't be written");
+    }
+}
+
+}  // namespace campuswalk::tools::bench

@@ -1,0 +1,65 @@
+#include "tools/campuswalk_bench/explore/explore_verdicts.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "tools/campuswalk_bench/measure/measurement.h"
+
+namespace campuswalk::tools::bench {
+
+namespace {
+
+/// Of ours over Recast's; none unless all campuses have both.
+std::optional<double> mean_ratio(const std::vector<ExploreScore>& scores, std::size_t threads) {
+    std::vector<double> ratios;
+    for (const ExploreScore& score : scores) {
+        const ExploreTime* ours = score.time("ours", threads);
+        const ExploreTime* peer = score.time("recast", threads);
+        if (ours == nullptr || peer == nullptr) {
+            return std::nullopt;
+        }
+        ratios.push_back(ours->median / peer->median);
+    }
+    return ratios.empty() ? std::nullopt : std::optional(geometric_mean(ratios));
+}
+
+std::optional<double> most_bytes(const std::vector<ExploreScore>& scores) {
+    std::optional<double> most;
+    for (const ExploreScore& score : scores) {
+        if (score.bytes_per_area) {
+            most = std::max(most.value_or(0.0), *score.bytes_per_area);
+        }
+    }
+    return most;
+}
+
+/// None without walks.
+std::optional<double> share_outside(const std::vector<ExploreScore>& scores,
+                                    AdversaryResult ExploreScore::*of) {
+    std::size_t walks = 0;
+    std::size_t outside = 0;
+    for (const ExploreScore& score : scores) {
+        walks += (score.*of).walks;
+        outside += (score.*of).escapes.size();
+    }
+    return walks == 0 ? std::nullopt
+                      : std::optional(1e4 * static_cast<double>(outside) / static_cast<double>(walks));
+}
+
+}  // namespace
+
+std::vector<Verdict> explore_verdicts(const std::vector<ExploreScore>& scores) {
+    return {at_most("time, one thread each", mean_ratio(scores, 1), "x Recast's", 6.0, 2.0),
+            at_most("time, two threads each", mean_ratio(scores, 2), "x Recast's", 6.0, 2.0),
+            at_most("most memory at the peak", most_bytes(scores), " bytes/m2", 400.0, 150.0),
+            at_most("walks outside, of 10,000", share_outside(scores, &ExploreScore::adversary), "", 0.0),
+            at_most("walks outside that steer in falls, of 10,000",
+                    share_outside(scores, &ExploreScore::steered), "", 1.0, 0.0)};
+}
+
+bool is_correct(const ExploreScore& score) {
+    return score.is_same_by_threads && score.adversary.escapes.empty();
+}
+
+}  // namespace campuswalk::tools::bench

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "collision/geometry/triangle_mesh.h"
+#include "collision/world/world.h"
+#include "engine/script/avatar.h"
+#include "engine/walkspace/explore.h"
+#include "scene/campus/campus.h"
+
+namespace campuswalk::tools::bench {
+
+/// A campus that is explored, from one spawn.
+struct ExploredCampus {
+    std::string name;
+    std::shared_ptr<const scene::Campus> campus;
+    collision::Vec3 spawn = collision::Vec3::Zero();
+    engine::AvatarProfile avatar;
+
+    const collision::World& world() const { return campus->world; }
+    /// For so many workers.
+    engine::ExploreSettings settings(std::size_t workers = 1) const;
+};
+
+/// Where a campus comes from.
+struct ExploredCampusSource {
+    std::string name;
+    std::function<ExploredCampus()> load;  ///< throws, with the reason, where it is missing
+};
+
+/// The demo campus, and models of others below `data`: recastnavigation's, Gazebo's, a campus game's.
+std::vector<ExploredCampusSource> explored_campuses(const std::filesystem::path& data);
+/// One lot with a course, made in code.
+ExploredCampusSource small_explored_campus();
+
+}  // namespace campuswalk::tools::bench
