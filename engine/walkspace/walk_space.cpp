@@ -1,6 +1,7 @@
 #include "engine/walkspace/walk_space.h"
 
 #include <algorithm>
+#include <array>
 
 namespace campuswalk::engine {
 
@@ -18,6 +19,11 @@ GridCell corner_of(const GridCell& cell) {
 }
 
 }  // namespace
+
+const char* name_of(Bound bound) {
+    constexpr std::array kNames{"nodes", "levels", "falls", "steering"};
+    return kNames[static_cast<std::size_t>(bound)];
+}
 
 std::size_t WalkSpace::node_count() const {
     std::size_t count = 0;

@@ -20,6 +20,9 @@ enum class Bound : std::uint8_t {
     steering,  ///< in falls, only some of the ways to steer were tried
 };
 
+/// What it is called in files: "nodes", "levels", "falls", "steering".
+const char* name_of(Bound bound);
+
 /// One stride of a chain, and where it ended.
 struct ChainLink {
     Stride stride;  ///< meaningless for the first link

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -8,12 +9,17 @@
 #include "collision/world/bullet_broad_phase.h"
 #include "config/loader/load_run.h"
 #include "engine/walkspace/walk_report.h"
+#include "scene/base/atomic_file.h"
 #include "scene/base/glob.h"
 #include "tools/campuswalk/base/exit_codes.h"
-#include "tools/campuswalk/base/text.h"
+#include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/explore/findings.h"
+#include "tools/campuswalk/explore/minimal_walks.h"
+#include "tools/campuswalk/explore/report_json.h"
 #include "tools/campuswalk/explore/report_text.h"
+#include "tools/campuswalk/explore/storey_plans.h"
+#include "tools/campuswalk/images/images.h"
 #include "tools/campuswalk/loading/model_importer.h"
 #include "tools/campuswalk/loading/walk_loader.h"
 
@@ -24,11 +30,14 @@ namespace {
 struct ExploreOptions {
     std::filesystem::path campus;
     std::string avatar = "adult";
-    std::vector<std::string> from;      ///< spawns; empty: all
-    std::vector<std::string> allow;     ///< run, jump
-    std::vector<std::string> disable;   ///< globs over objects
-    std::vector<std::string> required;  ///< places, or "all"
-    std::vector<std::string> fail_on;   ///< kinds of findings
+    std::vector<std::string> from;               ///< spawns; empty: all
+    std::vector<std::string> allow;              ///< run, jump
+    std::vector<std::string> disable;            ///< globs over objects
+    std::vector<std::string> required;           ///< places, or "all"
+    std::vector<std::string> fail_on;            ///< kinds of findings
+    std::optional<std::filesystem::path> json;   ///< a file to write
+    std::optional<std::filesystem::path> map;    ///< a folder for the storeys' plans
+    std::optional<std::filesystem::path> walks;  ///< a folder for minimal walks
     std::optional<int> workers;
 };
 
@@ -95,8 +104,8 @@ std::size_t workers_of(const ExploreOptions& options) {
 }
 
 /// Whether the report is as the options demand.
-bool is_accepted(const ExploreOptions& options, const scene::Campus& campus,
-                 const engine::WalkReport& report) {
+bool is_accepted(const ExploreOptions& options, const engine::WalkReport& report,
+                 const std::vector<explore::Finding>& findings) {
     for (const engine::SubjectReport& entry : report.subjects) {
         const engine::Subject& subject = entry.subject;
         const bool required =
@@ -107,7 +116,7 @@ bool is_accepted(const ExploreOptions& options, const scene::Campus& campus,
             return false;
         }
     }
-    return std::ranges::none_of(explore::find_findings(campus, report), [&](const explore::Finding& finding) {
+    return std::ranges::none_of(findings, [&](const explore::Finding& finding) {
         return has(options.fail_on, explore::name_of(finding.kind));
     });
 }
@@ -124,7 +133,43 @@ void check_places(const ExploreOptions& options, const scene::CampusDescription&
     }
 }
 
+/// Before an hour is spent on what can't be written.
+void check_outputs(const ExploreOptions& options) {
+    if (options.json) {
+        require_writable_file(*options.json, "the report can't be written here");
+    }
+    if (options.map) {
+        if (!can_draw()) {
+            throw scene::InputError({"--map", 1, 1}, "no-rendering", "this build can't draw plans");
+        }
+        require_writable_folder(*options.map, "the plans can't be written here");
+    }
+    if (options.walks) {
+        require_writable_folder(*options.walks, "the walks can't be written here");
+    }
+}
+
+void write_plans(const scene::Campus& campus, const engine::WalkReport& report,
+                 const std::vector<explore::Finding>& findings, const std::filesystem::path& folder) {
+    const std::vector<engine::render::StoreyPlan> plans = explore::storey_plans(campus, report, findings);
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+        draw_storey_plan(plans[i], folder / ("storey-" + std::to_string(i) + ".png"));
+    }
+}
+
+void write_walks(const ExploreOptions& options, const engine::WalkReport& report,
+                 const std::vector<explore::Finding>& findings) {
+    std::error_code ignored;
+    std::filesystem::path campus = std::filesystem::proximate(options.campus, *options.walks, ignored);
+    for (const explore::MinimalWalk& walk :
+         explore::minimal_walks(report, findings, {campus.generic_string(), options.avatar})) {
+        scene::write_file_atomically(*options.walks / (walk.name + std::string(config::kWalkSuffix)),
+                                     walk.yaml);
+    }
+}
+
 int explore_campus(const ExploreOptions& options) {
+    check_outputs(options);
     WalkLoader loader;
     const std::shared_ptr<const scene::Campus> campus = loader.load_campus(options.campus);
     check_places(options, campus->description);
@@ -134,8 +179,18 @@ int explore_campus(const ExploreOptions& options) {
     const engine::WorkerWorlds worlds(campus->world, workers_of(options), collision::make_bullet_broad_phase);
     const engine::WalkReport report =
         engine::report_walks(*campus, avatar, worlds, settings_for(options, *campus, avatar, disabled));
-    explore::print_report(*campus, report, avatar);
-    return is_accepted(options, *campus, report) ? kPass : kExpectationFailed;
+    const std::vector<explore::Finding> findings = explore::find_findings(*campus, report);
+    explore::print_report(*campus, report, avatar, findings);
+    if (options.json) {
+        scene::write_file_atomically(*options.json, explore::report_json(*campus, report, findings));
+    }
+    if (options.map) {
+        write_plans(*campus, report, findings, *options.map);
+    }
+    if (options.walks) {
+        write_walks(options, report, findings);
+    }
+    return is_accepted(options, report, findings) ? kPass : kExpectationFailed;
 }
 
 }  // namespace
@@ -166,6 +221,15 @@ void add_explore(Command program, CommandAction& chosen) {
                    options->required);
     command.choices({.names = "--fail-on", .help = "Exit with 1 if there are such findings; may be repeated"},
                     {"unreached", "traps", "holes", "islands"}, options->fail_on);
+    command.option({.names = "--json", .help = "Write the report for programs", .value = "FILE"},
+                   options->json);
+    command.option({.names = "--map", .help = "Draw a plan of each storey: DIR/storey-0.png", .value = "DIR"},
+                   options->map);
+    command.option(
+        {.names = "--write-walks",
+         .help = "Write a walk of two steps for each finding that walking shows; xfail until it is mended",
+         .value = "DIR"},
+        options->walks);
     command.option({.names = "-j,--workers", .help = "Threads; all cores by default"}, options->workers,
                    Limits<int>{1, 256});
     add_import_options(command);

@@ -85,15 +85,14 @@ void print_tops(const WalkReport& report) {
 
 }  // namespace
 
-void print_report(const scene::Campus& campus, const WalkReport& report,
-                  const engine::AvatarProfile& avatar) {
+void print_report(const scene::Campus& campus, const WalkReport& report, const engine::AvatarProfile& avatar,
+                  const std::vector<Finding>& findings) {
     print_line("# walk space of %s: radius %s m, height %s m, steps %s m, slopes up to %s degrees, %s m/s",
                campus.description.name.c_str(), fixed(avatar.radius, 2).c_str(),
                fixed(avatar.height, 2).c_str(), fixed(avatar.step_height, 2).c_str(),
                fixed(engine::degrees(avatar.max_slope), 1).c_str(), fixed(avatar.speed, 2).c_str());
     print_reached(report);
     print_subjects(report);
-    const std::vector<Finding> findings = find_findings(campus, report);
     print_line("findings   %zu", findings.size());
     for (std::size_t i = 0; i < findings.size(); ++i) {
         const Finding& f = findings[i];

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <vector>
+
 #include "engine/walkspace/walk_report.h"
 #include "scene/campus/campus.h"
+#include "tools/campuswalk/explore/findings.h"
 
 namespace campuswalk::tools::explore {
 
 /// Prints a report for people: what is reached, then the findings, numbered, the most important first.
 void print_report(const scene::Campus& campus, const engine::WalkReport& report,
-                  const engine::AvatarProfile& avatar);
+                  const engine::AvatarProfile& avatar, const std::vector<Finding>& findings);
 
 }  // namespace campuswalk::tools::explore

@@ -1,0 +1,112 @@
+#include "tools/campuswalk/explore/minimal_walks.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <optional>
+
+#include "engine/events/decimals.h"
+#include "tools/campuswalk/base/json_text.h"
+
+namespace campuswalk::tools::explore {
+
+using collision::Vec3;
+using engine::fixed;
+using engine::WalkReport;
+
+namespace {
+
+/// How far beyond the edge of the world a walk goes, metres.
+constexpr double kBeyond = 1.0;
+
+std::string list_of(const Vec3& p) {
+    return "[" + fixed(p.x(), 5) + ", " + fixed(p.y(), 5) + ", " + fixed(p.z(), 5) + "]";
+}
+
+/// The finding's number, kind and name: letters, digits and dashes.
+std::string file_name(std::size_t number, const Finding& finding) {
+    const std::string digits = std::to_string(number);
+    std::string name = (digits.size() < 2 ? "0" : "") + digits + "-" + name_of(finding.kind);
+    constexpr std::size_t kLongest = 60;
+    for (const char c : finding.subject) {
+        if (name.size() >= kLongest || c == ',') {
+            break;
+        }
+        const bool plain =
+            std::isalnum(static_cast<unsigned char>(c)) != 0 && static_cast<unsigned char>(c) < 128;
+        if (plain) {
+            name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        } else if (name.back() != '-') {
+            name += '-';
+        }
+    }
+    while (name.back() == '-') {
+        name.pop_back();
+    }
+    return name;
+}
+
+/// From `from` towards `to`, where the walk must end once the campus is mended.
+std::string steps_yaml(const Vec3& from, const Vec3& to, const std::string& failure, const Finding& finding) {
+    return "status: {is: xfail, because: " + json_text(finding.text) + ", failures: [" + failure +
+           "]}\nsteps:\n  - spawn: {at: " + list_of(from) + "}\n  - walk_to: " + list_of(to) +
+           "\nexpect:\n  - reaches: {place: " + list_of(to) + ", within: 0.5}\n";
+}
+
+/// The island's ground nearest to where the body was stopped; heights count half.
+Vec3 nearest_ground(const engine::Island& island, const Vec3& from) {
+    const auto apart = [&](const engine::UnreachedSpot& spot) {
+        const Vec3 way = spot.at.foot - from;
+        return collision::horizontal_norm(way) + 0.5 * std::abs(way.y());
+    };
+    return std::ranges::min_element(island.spots, {}, apart)->at.foot;
+}
+
+std::optional<std::string> yaml_of(const WalkReport& report, const Finding& finding) {
+    switch (finding.kind) {
+        case FindingKind::unreached:
+        case FindingKind::island: {
+            if (!finding.island || !finding.barrier || finding.barrier->kind == engine::BarrierKind::solid) {
+                return std::nullopt;
+            }
+            const engine::Island& island = report.islands[*finding.island].island;
+            return steps_yaml(finding.barrier->from, nearest_ground(island, finding.barrier->from), "blocked",
+                              finding);
+        }
+        case FindingKind::trap: {
+            const auto trap = std::ranges::find(report.traps, finding.at, &engine::Trap::edge);
+            return steps_yaml(report.space.position(trap->entrance), trap->edge, "blocked", finding);
+        }
+        case FindingKind::hole: {
+            const auto hole = std::ranges::find_if(
+                report.holes, [&](const engine::Hole& h) { return h.edges.front().at == finding.at; });
+            const Vec3 ahead = engine::grid_directions()[hole->edges.front().stride.direction].unit;
+            Vec3 beyond = finding.at + kBeyond * ahead;
+            return "status: {is: xfail, because: " + json_text(finding.text) +
+                   ", failures: [fell]}\nsteps:\n  - spawn: {at: " + list_of(finding.at) +
+                   "}\n  - walk_to: {to: " + list_of(beyond) +
+                   ", if_blocked: continue}\nexpect:\n  - never: \"avatar.fell *\"\n";
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<MinimalWalk> minimal_walks(const WalkReport& report, const std::vector<Finding>& findings,
+                                       const WalkHeader& header) {
+    std::vector<MinimalWalk> walks;
+    for (std::size_t i = 0; i < findings.size(); ++i) {
+        const Finding& finding = findings[i];
+        if (const auto steps = yaml_of(report, finding)) {
+            walks.push_back(
+                {file_name(i + 1, finding), "# Finding " + std::to_string(i + 1) +
+                                                " of `campuswalk explore`. Once it is mended, " +
+                                                "take away `status`.\ncampus: " + json_text(header.campus) +
+                                                "\navatar: " + header.avatar + "\n" + *steps});
+        }
+    }
+    return walks;
+}
+
+}  // namespace campuswalk::tools::explore

@@ -1,0 +1,154 @@
+#include "tools/campuswalk/explore/report_json.h"
+
+#include <cmath>
+
+#include "engine/events/decimals.h"
+#include "engine/walkspace/barrier_text.h"
+#include "scene/campus/node_at.h"
+#include "tools/campuswalk/base/json_text.h"
+
+namespace campuswalk::tools::explore {
+
+using engine::WalkReport;
+
+namespace {
+
+/// To a hundredth of a millimetre: what a walk file needs to put the avatar down there.
+double rounded(double value) {
+    return std::floor(value * 1e5 + 0.5) / 1e5;
+}
+
+Json json_of(const collision::Vec3& p) {
+    return {rounded(p.x()), rounded(p.y()), rounded(p.z())};
+}
+
+Json json_of(const scene::Campus& campus, const engine::Barrier& barrier) {
+    const bool is_slope = barrier.kind == engine::BarrierKind::slope;
+    const auto number = [&](double value) { return rounded(is_slope ? engine::degrees(value) : value); };
+    Json json = {{"kind", engine::name_of(barrier.kind)}};
+    if (barrier.kind != engine::BarrierKind::object && barrier.kind != engine::BarrierKind::several &&
+        barrier.kind != engine::BarrierKind::solid) {
+        json[is_slope ? "measured_deg" : "measured"] = number(barrier.measured);
+        json[is_slope ? "allowed_deg" : "allowed"] = number(barrier.allowed);
+    }
+    json["at"] = json_of(barrier.at);
+    json["from"] = json_of(barrier.from);
+    if (barrier.object) {
+        const scene::CampusObject& object = campus.objects[index_of(*barrier.object)];
+        json["object"] = object.id;
+        json["node"] = scene::node_at(campus, object, barrier.at);
+    }
+    json["parts"] = Json::array();
+    for (const engine::Barrier& part : barrier.parts) {
+        json["parts"].push_back(json_of(campus, part));
+    }
+    return json;
+}
+
+Json storeys_json(const WalkReport& report) {
+    Json json = Json::array();
+    for (const engine::Storey& storey : report.storeys.list) {
+        json.push_back({{"area", rounded(storey.area)},
+                        {"main_height", rounded(storey.main_height)},
+                        {"low", rounded(storey.low)},
+                        {"high", rounded(storey.high)}});
+    }
+    return json;
+}
+
+Json subjects_json(const WalkReport& report) {
+    Json json = Json::array();
+    for (const engine::SubjectReport& entry : report.subjects) {
+        const engine::Subject& subject = entry.subject;
+        Json one = {
+            {"kind", engine::name_of(subject.kind)}, {"name", subject.name}, {"reached", subject.reached}};
+        if (subject.kind != engine::SubjectKind::building || subject.reached) {
+            one["at"] = json_of(subject.at);
+        }
+        if (entry.way) {
+            one["way"] = rounded(*entry.way);
+        }
+        if (subject.island) {
+            one["island"] = *subject.island;
+        }
+        if (!subject.reason.empty()) {
+            one["reason"] = subject.reason;
+        }
+        json.push_back(std::move(one));
+    }
+    return json;
+}
+
+/// Those that are worth a line, or that a subject is on.
+Json islands_json(const scene::Campus& campus, const WalkReport& report) {
+    Json json = Json::array();
+    for (const engine::IslandReport& entry : report.islands) {
+        const double area = entry.island.area(report.space.grid);
+        const bool named = std::ranges::any_of(report.subjects, [&](const engine::SubjectReport& s) {
+            return s.subject.island && &report.islands[*s.subject.island] == &entry;
+        });
+        if (area <= engine::kNotableIsland && !named) {
+            break;  // the largest come first; what is smaller has no subject on it, or is counted before
+        }
+        const engine::UnreachedSpot& spot = entry.island.spots.front();
+        Json one = {{"area", rounded(area)},
+                    {"at", json_of(spot.at.foot)},
+                    {"object", campus.objects[index_of(spot.object)].id},
+                    {"bounds",
+                     {{"min", json_of(entry.island.bounds.min)}, {"max", json_of(entry.island.bounds.max)}}},
+                    {"top", is_top(entry)}};
+        one["barrier"] = entry.barrier ? json_of(campus, *entry.barrier) : Json();
+        json.push_back(std::move(one));
+    }
+    return json;
+}
+
+Json traps_json(const WalkReport& report) {
+    Json json = Json::array();
+    for (const engine::Trap& trap : report.traps) {
+        const double cell = report.space.grid.cell;
+        json.push_back({{"area", rounded(static_cast<double>(trap.nodes.size()) * cell * cell)},
+                        {"edge", json_of(trap.edge)},
+                        {"at", json_of(report.space.position(trap.entrance))},
+                        {"drop", rounded(trap.drop)}});
+    }
+    return json;
+}
+
+Json holes_json(const WalkReport& report) {
+    Json json = Json::array();
+    for (const engine::Hole& hole : report.holes) {
+        json.push_back({{"length", rounded(hole.length)}, {"edge", json_of(hole.edges.front().at)}});
+    }
+    return json;
+}
+
+Json bounds_json(const WalkReport& report) {
+    Json json = Json::array();
+    for (const engine::Bound bound : report.space.bounds) {
+        json.push_back(engine::name_of(bound));
+    }
+    return json;
+}
+
+}  // namespace
+
+std::string report_json(const scene::Campus& campus, const WalkReport& report,
+                        const std::vector<Finding>& findings) {
+    Json json = {{"campuswalk_explore", 1},           {"campus", campus.description.name},
+                 {"cell", report.space.grid.cell},    {"area", rounded(report.space.area())},
+                 {"incomplete", bounds_json(report)}, {"storeys", storeys_json(report)},
+                 {"subjects", subjects_json(report)}, {"islands", islands_json(campus, report)},
+                 {"traps", traps_json(report)},       {"holes", holes_json(report)},
+                 {"findings", Json::array()}};
+    for (std::size_t i = 0; i < findings.size(); ++i) {
+        json["findings"].push_back({{"number", i + 1},
+                                    {"kind", name_of(findings[i].kind)},
+                                    {"subject", findings[i].subject},
+                                    {"text", findings[i].text},
+                                    {"at", json_of(findings[i].at)}});
+    }
+    return json_text(json, 2) + "\n";
+}
+
+}  // namespace campuswalk::tools::explore

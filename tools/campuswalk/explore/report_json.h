@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/walkspace/walk_report.h"
+#include "scene/campus/campus.h"
+#include "tools/campuswalk/explore/findings.h"
+
+namespace campuswalk::tools::explore {
+
+/// The report for programs, as config/schema/explore.schema.json says.
+std::string report_json(const scene::Campus& campus, const engine::WalkReport& report,
+                        const std::vector<Finding>& findings);
+
+}  // namespace campuswalk::tools::explore

@@ -1,0 +1,165 @@
+#include "tools/campuswalk/explore/storey_plans.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "engine/events/decimals.h"
+#include "engine/walkspace/node_numbers.h"
+
+namespace campuswalk::tools::explore {
+
+using engine::fixed;
+using engine::GridCell;
+using engine::WalkNodeId;
+using engine::render::PlanCell;
+using engine::render::PlanSeverity;
+using engine::render::StoreyPlan;
+
+namespace {
+
+/// White around what a plan shows, metres.
+constexpr double kMargin = 2.0;
+
+/// The storey at a height: of those whose range has it, that with most of its ground near it.
+std::size_t storey_at(const std::vector<engine::Storey>& storeys, double y) {
+    constexpr double kAround = 0.6;
+    constexpr double kOutside = 1e6;
+    std::size_t best = 0;
+    double least = 1e300;
+    for (std::size_t i = 0; i < storeys.size(); ++i) {
+        const engine::Storey& s = storeys[i];
+        const double outside = std::max({s.low - kAround - y, y - s.high - kAround, 0.0});
+        const double apart = std::abs(s.main_height - y) + (outside > 0.0 ? kOutside * outside : 0.0);
+        if (apart < least) {
+            least = apart;
+            best = i;
+        }
+    }
+    return best;
+}
+
+/// The cells of one storey before they are laid out in rows.
+struct Cells {
+    std::vector<std::pair<GridCell, PlanCell>> list;
+    GridCell low{1 << 30, 1 << 30};
+    GridCell high{-(1 << 30), -(1 << 30)};
+
+    void add(const GridCell& cell, PlanCell kind) {
+        list.emplace_back(cell, kind);
+        low = {std::min(low.x, cell.x), std::min(low.z, cell.z)};
+        high = {std::max(high.x, cell.x), std::max(high.z, cell.z)};
+    }
+};
+
+std::vector<Cells> cells_by_storey(const engine::WalkReport& report) {
+    std::vector<Cells> cells(report.storeys.list.size());
+    for (const engine::IslandReport& entry : report.islands) {
+        if (entry.island.area(report.space.grid) <= engine::kNotableIsland || is_top(entry)) {
+            continue;
+        }
+        for (const engine::UnreachedSpot& spot : entry.island.spots) {
+            cells[storey_at(report.storeys.list, spot.at.foot.y())].add(
+                report.space.grid.cell_at(spot.at.foot), PlanCell::unreached);
+        }
+    }
+    std::set<WalkNodeId> trapped;
+    for (const engine::Trap& trap : report.traps) {
+        trapped.insert(trap.nodes.begin(), trap.nodes.end());
+    }
+    engine::NodeNumbers(report.space).for_each([&](const WalkNodeId& id) {
+        cells[report.storeys.of(id)].add(report.space.cell_of(id),
+                                         trapped.contains(id) ? PlanCell::no_return : PlanCell::reached);
+    });
+    return cells;
+}
+
+engine::render::PlanRaster raster_of(const Cells& cells, double size) {
+    engine::render::PlanRaster raster;
+    raster.cell_size = size;
+    raster.north_west = {cells.low.x * size, cells.low.z * size};
+    raster.columns = cells.high.x - cells.low.x + 1;
+    raster.rows = cells.high.z - cells.low.z + 1;
+    raster.cells.assign(static_cast<std::size_t>(raster.columns) * static_cast<std::size_t>(raster.rows),
+                        PlanCell::nothing);
+    for (const auto& [cell, kind] : cells.list) {
+        const auto row = static_cast<std::size_t>(cell.z - cells.low.z);
+        const auto column = static_cast<std::size_t>(cell.x - cells.low.x);
+        raster.cells[row * static_cast<std::size_t>(raster.columns) + column] = kind;
+    }
+    return raster;
+}
+
+PlanSeverity severity_of(FindingKind kind) {
+    switch (kind) {
+        case FindingKind::unreached:
+            return PlanSeverity::error;
+        case FindingKind::island:
+            return PlanSeverity::note;
+        default:
+            return PlanSeverity::warning;
+    }
+}
+
+void add_marks(const scene::Campus& campus, const engine::WalkReport& report,
+               const std::vector<Finding>& findings, std::vector<StoreyPlan>& plans) {
+    const auto plan_at = [&](double y) -> StoreyPlan& { return plans[storey_at(report.storeys.list, y)]; };
+    for (const scene::Spawn& spawn : campus.description.spawns) {
+        plan_at(spawn.position.y())
+            .points.push_back(
+                {{spawn.position.x(), spawn.position.z()}, spawn.name, engine::render::PlanPointKind::spawn});
+    }
+    for (const scene::Place& place : campus.description.places) {
+        plan_at(place.position.y()).points.push_back({{place.position.x(), place.position.z()}, place.name});
+    }
+    for (std::size_t i = 0; i < findings.size(); ++i) {
+        const Finding& f = findings[i];
+        plan_at(f.at.y()).findings.push_back(
+            {static_cast<int>(i + 1), {f.at.x(), f.at.z()}, f.subject + ": " + f.text, severity_of(f.kind)});
+    }
+}
+
+/// What the marks lie beyond the cells.
+void extend_area(StoreyPlan& plan) {
+    for (const auto& point : plan.points) {
+        plan.area.extend(point.at);
+    }
+    for (const auto& finding : plan.findings) {
+        plan.area.extend(finding.at);
+    }
+    const Eigen::Vector2d margin(kMargin, kMargin);
+    plan.area = {plan.area.min() - margin, plan.area.max() + margin};
+}
+
+}  // namespace
+
+std::vector<StoreyPlan> storey_plans(const scene::Campus& campus, const engine::WalkReport& report,
+                                     const std::vector<Finding>& findings) {
+    const std::vector<Cells> cells = cells_by_storey(report);
+    const double size = report.space.grid.cell;
+    std::vector<StoreyPlan> plans(cells.size());
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const engine::Storey& storey = report.storeys.list[i];
+        StoreyPlan& plan = plans[i];
+        plan.title = campus.description.name + ", storey " + std::to_string(i) + " of " +
+                     std::to_string(cells.size() - 1);
+        if (cells.size() == 1) {
+            plan.title = campus.description.name;
+        }
+        plan.subtitle = fixed(storey.area, 0) + " m² reached, most of it at " + fixed(storey.main_height, 1) +
+                        " m (" + fixed(storey.low, 2) + " to " + fixed(storey.high, 2) + " m)";
+        plan.raster = raster_of(cells[i], size);
+        plan.area.extend(plan.raster.north_west);
+        plan.area.extend(plan.raster.north_west +
+                         size * Eigen::Vector2d(plan.raster.columns, plan.raster.rows));
+    }
+    if (!plans.empty()) {
+        add_marks(campus, report, findings, plans);
+    }
+    std::ranges::for_each(plans, extend_area);
+    return plans;
+}
+
+}  // namespace campuswalk::tools::explore
