@@ -64,6 +64,7 @@ private:
     void add_point(SubjectKind kind, const std::string& name, const Vec3& at) {
         Subject subject{kind, name};
         subject.at = at;
+        double nearest = 1e300;
         for (const WalkNodeId& node : nodes_around(at)) {
             const Standing from = s_.reached.standing(node, strider_);
             const StrideEnd end = strider_.walk_to(from, at, 0.05, 2.0);
@@ -74,9 +75,10 @@ private:
                 subject.node = node;
                 break;
             }
+            nearest = std::min(nearest, apart.norm());
         }
         if (!subject.reached) {
-            explain_point(subject);
+            explain_point(subject, nearest);
         }
         subjects_.push_back(std::move(subject));
     }
@@ -98,7 +100,8 @@ private:
         return nodes;
     }
 
-    void explain_point(Subject& subject) {
+    /// `nearest`: how near to it one gets.
+    void explain_point(Subject& subject, double nearest) {
         if (const auto object = collision::obstruction(
                 world_, s_.settings.solids, subject.at + Vec3(0, 0.02, 0), body_.radius, body_.height)) {
             const auto free = collision::nearest_free_placement(world_, s_.settings.solids, subject.at,
@@ -119,8 +122,17 @@ private:
         }
         subject.island = island_at(end.at.foot);
         if (!subject.island) {
-            subject.reason = "nothing that is reached lies near it";
+            subject.reason = nearest > 1.0 ? "nothing that is reached lies near it"
+                                           : "one gets to " + fixed(nearest, 2) + " m from it, not nearer" +
+                                                 touching(subject.at);
         }
+    }
+
+    /// What a body at the place would overlap.
+    std::string touching(const Vec3& at) const {
+        const auto object = collision::obstruction(world_, s_.settings.solids, at + Vec3(0, 0.02, 0),
+                                                   body_.radius, body_.height);
+        return object ? ": " + s_.campus.objects[index_of(*object)].id + " is there" : "";
     }
 
     std::optional<std::size_t> island_at(const Vec3& foot) const {

@@ -160,7 +160,8 @@ void write_plans(const scene::Campus& campus, const engine::WalkReport& report,
 void write_walks(const ExploreOptions& options, const engine::WalkReport& report,
                  const std::vector<explore::Finding>& findings) {
     std::error_code ignored;
-    std::filesystem::path campus = std::filesystem::proximate(options.campus, *options.walks, ignored);
+    const std::filesystem::path campus = std::filesystem::proximate(
+        std::filesystem::absolute(options.campus), std::filesystem::absolute(*options.walks), ignored);
     for (const explore::MinimalWalk& walk :
          explore::minimal_walks(report, findings, {campus.generic_string(), options.avatar})) {
         scene::write_file_atomically(*options.walks / (walk.name + std::string(config::kWalkSuffix)),

@@ -1,6 +1,7 @@
 #include "tools/campuswalk/explore/findings.h"
 
 #include <map>
+#include <set>
 
 #include "engine/events/decimals.h"
 #include "engine/walkspace/barrier_text.h"
@@ -82,11 +83,18 @@ void add_holes(const WalkReport& report, std::vector<Finding>& findings) {
     }
 }
 
+/// Those that no subject's finding tells of already.
 void add_islands(const scene::Campus& campus, const WalkReport& report, std::vector<Finding>& findings) {
+    std::set<std::size_t> told;
+    for (const Finding& finding : findings) {
+        if (finding.island) {
+            told.insert(*finding.island);
+        }
+    }
     for (std::size_t i = 0; i < report.islands.size(); ++i) {
         const engine::IslandReport& entry = report.islands[i];
         const double area = entry.island.area(report.space.grid);
-        if (area <= engine::kNotableIsland || is_top(entry)) {
+        if (area <= engine::kNotableIsland || is_top(entry) || told.contains(i)) {
             continue;
         }
         const engine::UnreachedSpot& spot = entry.island.spots.front();

@@ -26,7 +26,7 @@ std::string list_of(const Vec3& p) {
 /// The finding's number, kind and name: letters, digits and dashes.
 std::string file_name(std::size_t number, const Finding& finding) {
     const std::string digits = std::to_string(number);
-    std::string name = (digits.size() < 2 ? "0" : "") + digits + "-" + name_of(finding.kind);
+    std::string name = (digits.size() < 2 ? "0" : "") + digits + "-" + name_of(finding.kind) + "-";
     constexpr std::size_t kLongest = 60;
     for (const char c : finding.subject) {
         if (name.size() >= kLongest || c == ',') {
@@ -83,7 +83,7 @@ std::optional<std::string> yaml_of(const WalkReport& report, const Finding& find
             const Vec3 ahead = engine::grid_directions()[hole->edges.front().stride.direction].unit;
             Vec3 beyond = finding.at + kBeyond * ahead;
             return "status: {is: xfail, because: " + json_text(finding.text) +
-                   ", failures: [fell]}\nsteps:\n  - spawn: {at: " + list_of(finding.at) +
+                   ", failures: [fell, never]}\nsteps:\n  - spawn: {at: " + list_of(finding.at) +
                    "}\n  - walk_to: {to: " + list_of(beyond) +
                    ", if_blocked: continue}\nexpect:\n  - never: \"avatar.fell *\"\n";
         }

@@ -1,0 +1,159 @@
+#!/usr/bin/env python3
+"""`campuswalk explore`: where a visitor gets to, and why not elsewhere, on a yard built for it."""
+
+import json
+import os
+import re
+import unittest
+
+from program import ProgramCase, main
+
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+UFAZ = os.path.join(ROOT, "..", "shared", "data", "ufaz")
+
+FLOOR = "o floor\nv -10 0 -10\nv 10 0 -10\nv 10 0 10\nv -10 0 10\nf 1 4 3\nf 1 3 2\n"
+
+
+def box(name, low, high, mode="solid"):
+    center = ["%g" % (0.5 * (a + b)) for a, b in zip(low, high)]
+    size = ["%g" % (b - a) for a, b in zip(low, high)]
+    return "  - {id: %s, shape: box, center: [%s], size: [%s], mode: %s}\n" % (name, ", ".join(center),
+                                                                           ", ".join(size), mode)
+
+
+# A yard of 20 m x 20 m: a stage 0.45 m high, a shed whose gate leaves 0.55 m, a pen that one falls into from steps, and
+# a gap in the wall at the rim of the world.
+YARD = ("scenes: [{file: floor.obj}]\n"
+        "colliders:\n"
+        "  - {id: ground, nodes: floor, shape: mesh, mode: solid}\n"
+        + box("wall/north", (-10, 0, -10.2), (10, 3, -9.8)) + box("wall/south", (-10, 0, 9.8), (10, 3, 10.2))
+        + box("wall/east", (9.8, 0, -10), (10.2, 3, 10)) + box("wall/west", (-10.2, 0, -10), (-9.8, 3, 4))
+        + box("wall/west-end", (-10.2, 0, 6), (-9.8, 3, 10))
+        + box("stage", (4, -0.1, 4), (9.8, 0.45, 9.8))
+        + box("shed/left", (2, 0, -5.2), (4.4, 2.5, -5)) + box("shed/right", (5.6, 0, -5.2), (9.8, 2.5, -5))
+        + box("shed/side", (2, 0, -9.8), (2.2, 2.5, -5))
+        + box("shed/gate-leaf", (4.4, 0, -5.13), (5.05, 2.2, -5.07))
+        + box("shed/inside", (2.2, 0, -9.8), (9.8, 2, -5.6), "trigger")
+        + box("pen/south", (-8, -0.1, -4), (-4, 1, -3)) + box("pen/west", (-8, -0.1, -8), (-7, 1, -3))
+        + box("pen/east", (-5, -0.1, -8), (-4, 1, -3)) + box("pen/north", (-8, -0.1, -8), (-4, 1, -7))
+        + box("step/1", (-8, -0.1, -2.1), (-4, 0.25, -1.5)) + box("step/2", (-8, -0.1, -2.6), (-4, 0.5, -2.1))
+        + box("step/3", (-8, -0.1, -3), (-4, 0.75, -2.6))
+        + "spawns: {start: {at: [0, 0, 0]}}\n"
+          "places: {stage: [7, 0.45, 7], shed: [6, 0, -8], corner: [-8, 0, 8], inside-the-wall: [3, 1, -5.1]}\n")
+
+
+class Explore(ProgramCase):
+    def setUp(self):
+        super().setUp()
+        self.write("floor.obj", FLOOR)
+        self.write("yard.campus.yaml", YARD)
+
+    def report(self, *arguments, code=0):
+        done = self.run_program("explore", "yard.campus.yaml", "--json", "report.json", *arguments)
+        self.assertEqual(code, done.code, done.err)
+        with open(self.path("report.json"), encoding="utf-8") as file:
+            return json.load(file)
+
+    def subject(self, report, kind, name):
+        return next(s for s in report["subjects"] if (s["kind"], s["name"]) == (kind, name))
+
+    def finding(self, report, words):
+        found = [f for f in report["findings"] if words in f["subject"] + ": " + f["text"]]
+        self.assertEqual(1, len(found), report["findings"])
+        return found[0]
+
+    def test_tells_what_is_reached_and_how_far_it_is(self):
+        report = self.report()
+        corner = self.subject(report, "place", "corner")
+        self.assertTrue(corner["reached"])
+        self.assertAlmostEqual(128 ** 0.5, corner["way"], delta=0.5)  # straight across, a diagonal of the grid
+        # Between the walls, less stage and shed, each with the body's radius around it. Steps and pen can be walked on.
+        self.assertAlmostEqual(19 ** 2 - 5.8 ** 2 - 7.8 * 4.8, report["area"], delta=12)
+
+    def test_measures_why_not(self):
+        report = self.report()
+        self.assertFalse(self.subject(report, "place", "stage")["reached"])
+        riser = self.finding(report, "place stage")
+        self.assertRegex(riser["text"], r"^riser of 0\.45 m at stage, .*; the avatar steps 0\.30 m$")
+        gate = self.finding(report, "place shed, trigger shed/inside")
+        self.assertRegex(gate["text"], r"^shed/gate-leaf stands in the way at 5\.\d\d, \d\.\d\d, -[45]\.\d\d; "
+                                       r"the opening beside it is 0\.55 m wide, the body needs 0\.60 m$")
+        self.assertIn("is inside shed/left", self.finding(report, "inside-the-wall")["text"])
+
+    def test_finds_traps_and_holes(self):
+        report = self.report()
+        trap, = report["traps"]
+        self.assertAlmostEqual(1.0, trap["drop"], delta=0.02)
+        self.assertAlmostEqual((2 - 0.6) * (3 - 0.6), trap["area"], delta=1.0)  # the pen's floor, for the body's middle
+        hole, = report["holes"]
+        self.assertAlmostEqual(2 - 0.6, hole["length"], delta=0.6)
+        self.assertAlmostEqual(-9.8, hole["edge"][0], delta=0.5)
+
+    def test_a_gate_that_is_not_there_lets_one_in(self):
+        report = self.report("--disable", "shed/gate-leaf")
+        self.assertTrue(self.subject(report, "place", "shed")["reached"])
+        self.assertTrue(self.subject(report, "trigger", "shed/inside")["reached"])
+
+    def test_the_avatar_decides(self):
+        report = self.report("--avatar", "{profile: adult, step_height: 0.46}")
+        self.assertTrue(self.subject(report, "place", "stage")["reached"])
+        report = self.report("--allow", "jump")
+        self.assertTrue(self.subject(report, "place", "stage")["reached"])
+
+    def test_the_same_bytes_for_any_number_of_workers(self):
+        texts = set()
+        for workers in ("1", "2", "3"):
+            done = self.passes("explore", "yard.campus.yaml", "--json", "r.json", "-j", workers)
+            with open(self.path("r.json"), encoding="utf-8") as file:
+                texts.add(done.out + file.read())
+        self.assertEqual(1, len(texts))
+
+    def test_exit_codes(self):
+        self.report("--require", "corner")
+        self.report("--require", "shed", code=1)
+        self.report("--require", "all", code=1)
+        self.report("--fail-on", "traps", code=1)
+        self.report("--fail-on", "islands", "--disable", "stage")
+        for arguments, words in ((("--require", "crner"), "no place 'crner'"), (("--from", "strt"), "did you mean 'start'"),
+                                 (("--disable", "gat*"), "no object 'gat*'"), (("--avatar", "adlt"), "adlt"),
+                                 (("--json", "floor.obj/report.json"), "floor.obj")):
+            done = self.run_program("explore", "yard.campus.yaml", *arguments)
+            self.assertEqual((2, ""), (done.code, done.out), done.err)
+            self.assertIn(words, done.err)
+
+    def test_its_walks_fail_until_the_campus_is_mended(self):
+        self.passes("explore", "yard.campus.yaml", "--write-walks", "walks")
+        names = sorted(os.listdir(self.path("walks")))
+        kinds = {re.sub(r"^\d+-([a-z]+)-.*", r"\1", name) for name in names}
+        self.assertLessEqual({"unreached", "traps", "holes"}, kinds)
+        self.passes("run", "walks", "--rendering-backend", "none")
+        # A ramp of two steps before the stage: the walk passes, which an xfail may not.
+        self.write("yard.campus.yaml", YARD.replace("spawns:", box("ramp", (3.4, -0.1, 4), (4, 0.2, 9.8)) + "spawns:"))
+        stage = next(name for name in names if "stage" in name)
+        done = self.run_program("run", "walks/" + stage, "--rendering-backend", "none")
+        self.assertEqual(1, done.code, done.out)
+        self.assertIn("expected to fail", done.out + done.err)
+
+    @unittest.skipUnless(os.path.isdir(UFAZ), "needs ../shared/data")
+    def test_the_known_faults_of_a_real_stair(self):
+        """Two versions of a campus game's stair; see ../shared/data/README.md."""
+        for version, step, expected in (("before128", 0.46, r"riser of 0\.50 m at floor \(platform_12\)"),
+                                        ("before128", 0.4, r"riser of 0\.45 m at floor \(platform_0\)"),
+                                        ("after150", 0.4, r"riser of 0\.45 m at floor \(platform_0\)"),
+                                        ("after150", 0.46, None)):
+            folder = os.path.join(UFAZ, version)
+            self.write("stair.campus.yaml", "scenes: [{file: %s}]\ncolliders: [{id: floor, nodes: '*', shape: mesh, "
+                       "mode: solid}]\nspawns: {start: {at: [0, 0.1, 0]}}\nplaces: {landing: [10, 4.55, -20]}\n"
+                       % json.dumps(os.path.join(folder, "ufaz-floor.obj")))
+            done = self.run_program("explore", "stair.campus.yaml", "--root", folder, "--avatar",
+                                    "{profile: adult, step_height: %g, max_slope_deg: 46}" % step)
+            self.assertEqual(0, done.code, done.err)
+            if expected:
+                self.assertRegex(done.out, expected)
+                self.assertIn("places     0 of 1", done.out)
+            else:
+                self.assertIn("places     1 of 1", done.out)
+
+
+if __name__ == "__main__":
+    main()
