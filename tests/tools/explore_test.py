@@ -6,9 +6,13 @@ import os
 import re
 import unittest
 
+import jsonschema
+
 from program import ProgramCase, main
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+with open(os.path.join(ROOT, "config", "schema", "explore.schema.json"), encoding="utf-8") as schema_file:
+    SCHEMA = json.load(schema_file)
 UFAZ = os.path.join(ROOT, "..", "shared", "data", "ufaz")
 
 FLOOR = "o floor\nv -10 0 -10\nv 10 0 -10\nv 10 0 10\nv -10 0 10\nf 1 4 3\nf 1 3 2\n"
@@ -52,7 +56,9 @@ class Explore(ProgramCase):
         done = self.run_program("explore", "yard.campus.yaml", "--json", "report.json", *arguments)
         self.assertEqual(code, done.code, done.err)
         with open(self.path("report.json"), encoding="utf-8") as file:
-            return json.load(file)
+            report = json.load(file)
+        jsonschema.validate(report, SCHEMA)
+        return report
 
     def subject(self, report, kind, name):
         return next(s for s in report["subjects"] if (s["kind"], s["name"]) == (kind, name))
