@@ -33,8 +33,9 @@ struct StepEnd {
     std::optional<EventKind> kind;  ///< avatar_arrive or avatar_blocked, about the label; none: not logged
     const std::string* label = nullptr;
     const SourceMark* mark = nullptr;
-    bool fatal = false;        ///< the walk ends here
-    std::string code = {};     ///< fatal: of the failure
+    std::optional<Eigen::Vector3d> heading = {};  ///< avatar_blocked: to where the avatar didn't get on
+    bool fatal = false;                           ///< the walk ends here
+    std::string code = {};                        ///< fatal: of the failure
     std::string message = {};  ///< fatal: what went wrong; the simulation adds the obstacle
 };
 

@@ -212,7 +212,7 @@ std::optional<StepEnd> ScriptPlayer::end_of(const WaitUntilStep& step, const Ava
     }
     const std::string message =
         "'" + to_string(step.event) + "' did not occur within " + fixed(step.timeout, 1) + " s";
-    return StepEnd{std::nullopt, nullptr, &step.mark, true, "timeout", message};
+    return StepEnd{std::nullopt, nullptr, &step.mark, std::nullopt, true, "timeout", message};
 }
 
 // ---- turn and look_at -----------------------------------------------------------------------------------
@@ -298,10 +298,12 @@ bool ScriptPlayer::gives_up(double remaining, double speed) {
 template <typename Travel>
 std::optional<StepEnd> ScriptPlayer::blocked(const char* verb, const Travel& step, const Target& target,
                                              const AvatarState& avatar) const {
+    const Vector3d heading = flat(target.point - avatar.position);
     return StepEnd{
         EventKind::avatar_blocked,
         &target.label,
         &step.mark,
+        heading.norm() > step.within ? std::optional(heading) : std::nullopt,
         step.if_blocked == IfBlocked::fail,
         "blocked",
         verb + (" " + target.label) + " was not reached" + why_not_reached(target, step.within, avatar)};

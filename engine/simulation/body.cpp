@@ -47,6 +47,21 @@ bool Body::has_fallen_out_of_the_world() const {
     return foot().y() < campus_.world.bounds().min.y() - kAbyss;
 }
 
+std::optional<StoppedBody> Body::stopped(const Vector3d& heading) const {
+    if (!mover_state_.grounded) {
+        return std::nullopt;
+    }
+    StoppedBody body;
+    body.strides.body = mover_settings(profile_);
+    body.strides.body.height = height();
+    body.strides.seconds = dt_;
+    body.strides.walk_speed = profile_.speed;
+    body.solids = solids_;
+    body.at = {foot(), mover_state_.support_y};
+    body.heading = Vector3d(heading.x(), 0.0, heading.z());
+    return body;
+}
+
 Motion Body::follow(const Intent& intent, QueryStatistics& statistics) {
     Motion motion;
     yaw_ = intent.yaw;
@@ -65,6 +80,9 @@ Motion Body::follow(const Intent& intent, QueryStatistics& statistics) {
             motion.landed_from = trace_.fall_height;
         }
         jumping_ = jumping_ && !mover_state_.grounded;
+    }
+    if (mover_state_.grounded) {
+        last_stood_ = foot();
     }
     motion.stuck = stuck_.update(foot(), intent.move.norm());
     return motion;

@@ -11,6 +11,7 @@
 #include "engine/script/avatar_body.h"
 #include "engine/script/intent.h"
 #include "engine/script/walk.h"
+#include "engine/simulation/stop_reason.h"
 #include "engine/simulation/stuck_watch.h"
 #include "scene/campus/campus.h"
 
@@ -47,6 +48,10 @@ public:
     /// The nearest of the objects that the body touches.
     std::optional<collision::ObjectId> obstacle() const;
     bool has_fallen_out_of_the_world() const;
+    /// As the walk space sees it, on its way to `heading`; none in the air.
+    std::optional<StoppedBody> stopped(const Eigen::Vector3d& heading) const;
+    /// Where it last stood on the ground, feet.
+    const Eigen::Vector3d& last_stood() const { return last_stood_; }
 
     /// One tick.
     Motion follow(const Intent& intent, collision::QueryStatistics& statistics);
@@ -81,6 +86,7 @@ private:
     double pitch_ = 0.0;
     bool jumping_ = false;  ///< in the air by a jump
     double distance_ = 0.0;
+    Eigen::Vector3d last_stood_ = Eigen::Vector3d::Zero();
     StuckWatch stuck_;
 };
 

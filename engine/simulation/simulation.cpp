@@ -31,7 +31,7 @@ const TickRecord& Simulation::step() {
     const Motion motion = move(intent);
     state_.contacts.detect(state_.body, cause_of(intent), state_.events, state_.costs.detect);
     state_.popups.open_due(state_.events);
-    report_motion(motion);
+    report_motion(intent, motion);
     settle_steps();
     check_timeout();
     end_tick();
@@ -80,7 +80,7 @@ Motion Simulation::move(const Intent& intent) {
     return motion;
 }
 
-void Simulation::report_motion(const Motion& motion) {
+void Simulation::report_motion(const Intent& intent, const Motion& motion) {
     const std::string& name = state_.walk.name;
     const Field pos{"pos", state_.body.foot()};
     if (motion.landed_from) {
@@ -88,12 +88,16 @@ void Simulation::report_motion(const Motion& motion) {
     }
     if (state_.body.has_fallen_out_of_the_world()) {
         state_.events.add(EventKind::avatar_fell, name, {pos});
-        stop_ = Stop{state_.walk.mark, "fell", "the avatar fell out of the world"};
+        stop_ = Stop{state_.walk.mark, "fell",
+                     "the avatar fell out of the world; it last stood at " + fixed(state_.body.last_stood())};
     }
     if (motion.stuck) {
         Event& event = state_.events.add(EventKind::avatar_stuck, name, {pos});
         if (std::string by = obstacle(); !by.empty()) {
             event.fields.push_back({"by", std::move(by)});
+        }
+        if (std::string why = reason(intent.move); !why.empty()) {
+            event.fields.push_back({kWhy, Text{std::move(why)}});
         }
     }
 }
@@ -122,15 +126,21 @@ void Simulation::settle_steps() {
 }
 
 void Simulation::report_step_end(const StepEnd& end) {
-    const std::string by = end.kind == EventKind::avatar_blocked ? obstacle() : "";
+    const bool blocked = end.kind == EventKind::avatar_blocked;
+    const std::string by = blocked ? obstacle() : "";
+    const std::string why = blocked && end.heading ? reason(*end.heading) : "";
     if (end.kind) {
         Event& event = state_.events.add(*end.kind, *end.label, {{"pos", state_.body.foot()}});
         if (!by.empty()) {
             event.fields.push_back({"by", by});
         }
+        if (!why.empty()) {
+            event.fields.push_back({kWhy, Text{why}});
+        }
     }
     if (end.fatal) {
-        stop_ = Stop{*end.mark, end.code, end.message + (by.empty() ? "" : ": blocked by " + by)};
+        const std::string because = why.empty() ? (by.empty() ? "" : ": blocked by " + by) : ": " + why;
+        stop_ = Stop{*end.mark, end.code, end.message + because};
     }
 }
 
@@ -158,6 +168,11 @@ void Simulation::end_tick() {
     state_.statistics += state_.costs.detect;
     record_ = state_.record();
     finished_ = stop_ || intents_.finished();
+}
+
+std::string Simulation::reason(const Eigen::Vector3d& heading) const {
+    const auto body = state_.body.stopped(heading);
+    return body ? reason_of_stop(state_.campus, *body) : "";
 }
 
 std::string Simulation::obstacle() const {

@@ -42,13 +42,15 @@ public:
 private:
     void begin_tick(Tick tick);
     Motion move(const Intent& intent);
-    void report_motion(const Motion& motion);
+    void report_motion(const Intent& intent, const Motion& motion);
     void settle_steps();
     void report_step_end(const StepEnd& end);
     void check_timeout();
     void end_tick();
     /// The id of the object that blocks the avatar; empty if none does.
     std::string obstacle() const;
+    /// Why the avatar doesn't get on towards `heading`, measured; empty if nothing is in the way.
+    std::string reason(const Eigen::Vector3d& heading) const;
 
     SimulationState state_;
     std::optional<ScriptPlayer> script_;  ///< none if the intents come from elsewhere

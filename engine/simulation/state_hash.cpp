@@ -30,8 +30,10 @@ void StateHash::add(const Event& event) {
     add(event.at);
     add(std::string_view(event.object));
     for (const Field& field : event.fields) {
-        add(field.name);
-        std::visit([&](const auto& value) { add_value(*this, value); }, field.value);
+        if (field.name != kWhy) {
+            add(field.name);
+            std::visit([&](const auto& value) { add_value(*this, value); }, field.value);
+        }
     }
 }
 

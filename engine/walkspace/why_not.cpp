@@ -110,7 +110,7 @@ public:
         settings_.within = query.within;
         settings_.known = query.known;
         settings_.is_goal = query.is_beyond;
-        settings_.max_nodes = kMostNodes;
+        settings_.max_nodes = std::min(settings.max_nodes, kMostNodes);
         settings_.keep_rim = false;
         settings_.progress = {};
         settings_.solids.disabled = &disabled_;
@@ -245,31 +245,10 @@ private:
         }
         barrier.from = at.foot;
         barrier.at = at.foot;
-        find_contact(at.foot, ahead, body, barrier);
-    }
-
-    /// Of what is within reach, what opposes the way most.
-    void find_contact(const Vec3& foot, const Vec3& ahead, const collision::MoverSettings& body,
-                      Barrier& barrier) const {
-        constexpr double kReach = 0.05;
-        const collision::Segment core = body.core(foot);
-        std::vector<collision::Obstacle> near;
-        collision::gather_obstacles(worlds_[0], settings_.solids, core, body.radius + body.skin + kReach,
-                                    near);
-        double strongest = 0.1;
-        for (const collision::Obstacle& piece : near) {
-            const collision::Closest c = collision::closest(core, piece);
-            Vec3 towards = c.on_shape - c.on_segment;
-            towards.y() = 0.0;
-            const double length = towards.norm();
-            const double against =
-                length > 0.0 && ahead.norm() > 0.0 ? towards.dot(ahead) / (length * ahead.norm()) : 0.0;
-            if (against > strongest) {
-                strongest = against;
-                barrier.object = piece.object;
-                barrier.triangle = piece.triangle;
-                barrier.at = c.on_shape;
-            }
+        if (const auto contact = opposing_contact(worlds_[0], settings_.solids, body, at.foot, ahead)) {
+            barrier.object = contact->object;
+            barrier.triangle = contact->triangle;
+            barrier.at = contact->at;
         }
     }
 
@@ -388,6 +367,31 @@ private:
 };
 
 }  // namespace
+
+std::optional<OpposingContact> opposing_contact(const collision::World& world,
+                                                const collision::QueryFilter& solids,
+                                                const collision::MoverSettings& body, const Vec3& foot,
+                                                const Vec3& ahead) {
+    constexpr double kReach = 0.05;
+    constexpr double kLeast = 0.1;  // of the cosine between the contact and the move
+    const collision::Segment core = body.core(foot);
+    std::vector<collision::Obstacle> near;
+    collision::gather_obstacles(world, solids, core, body.radius + body.skin + kReach, near);
+    std::optional<OpposingContact> contact;
+    double strongest = kLeast;
+    for (const collision::Obstacle& piece : near) {
+        const collision::Closest c = collision::closest(core, piece);
+        Vec3 towards = c.on_shape - c.on_segment;
+        towards.y() = 0.0;
+        const double lengths = towards.norm() * ahead.norm();
+        const double against = lengths > 0.0 ? towards.dot(ahead) / lengths : 0.0;
+        if (against > strongest) {
+            strongest = against;
+            contact = OpposingContact{piece.object, piece.triangle, c.on_shape};
+        }
+    }
+    return contact;
+}
 
 std::optional<Barrier> why_not(const WorkerWorlds& worlds, const ExploreSettings& settings,
                                const PassageQuery& query) {

@@ -1,0 +1,106 @@
+#include "engine/simulation/stop_reason.h"
+
+#include <cmath>
+#include <optional>
+
+#include "engine/events/decimals.h"
+#include "engine/walkspace/barrier_text.h"
+#include "engine/walkspace/explore.h"
+#include "engine/walkspace/why_not.h"
+
+namespace campuswalk::engine {
+
+using collision::Vec3;
+
+namespace {
+
+// What counts as beyond the obstacle, from where the body was stopped, along its heading and beside that,
+// metres: farther than a body is wide, near enough to be about this obstacle.
+constexpr double kNearest = 0.7;
+constexpr double kFarthest = 2.5;
+constexpr double kBeside = 0.75;
+/// Ways round are looked for this far about, and this high and low, metres.
+constexpr double kAround = 3.0;
+constexpr double kHeight = 3.2;
+constexpr std::size_t kMostNodes = 1'500;
+
+/// The length of a chain of strides, metres.
+double length_of(const std::vector<ChainLink>& chain) {
+    double length = 0.0;
+    for (std::size_t i = 1; i < chain.size(); ++i) {
+        length += (chain[i].at.foot - chain[i - 1].at.foot).norm();
+    }
+    return length;
+}
+
+class StopReason {
+public:
+    StopReason(const scene::Campus& campus, const StoppedBody& body)
+        : campus_(campus), body_(body), worlds_(campus.world, 1, {}), ahead_(body.heading.normalized()) {
+        settings_.strides = body.strides;
+        settings_.solids = body.solids;
+        settings_.max_nodes = kMostNodes;
+    }
+
+    std::string text() {
+        PassageQuery query;
+        query.from = {body_.at};
+        query.is_beyond = [this](const GridCell& cell, double y) { return is_beyond(cell, y); };
+        const Vec3 around(kAround, kHeight, kAround);
+        query.within = {body_.at.foot - around, body_.at.foot + around};
+        const std::string contact = contact_text();
+        if (const auto round = way_round(query)) {
+            return contact.empty() ? "" : contact + "; " + fixed(*round, 1) + " m lead round it";
+        }
+        const auto barrier = why_not(worlds_, settings_, query);
+        return !barrier || barrier->kind == BarrierKind::solid ? contact : barrier_text(campus_, *barrier);
+    }
+
+private:
+    bool is_beyond(const GridCell& cell, double y) const {
+        Vec3 apart = grid_.center(cell) - body_.at.foot;
+        apart.y() = 0.0;
+        const double along = apart.dot(ahead_);
+        const double beside = (apart - along * ahead_).norm();
+        return along >= kNearest && along <= kFarthest && beside <= kBeside &&
+               std::abs(y - body_.at.foot.y()) <= kHeight;
+    }
+
+    /// How far the body walks to get beyond what stops it, if it can.
+    std::optional<double> way_round(const PassageQuery& query) {
+        ExploreSettings settings = settings_;
+        settings.more_starts = query.from;
+        settings.within = query.within;
+        settings.is_goal = query.is_beyond;
+        const WalkSpace space = explore(worlds_, settings);
+        if (!space.goal) {
+            return std::nullopt;
+        }
+        Strider strider(campus_.world, settings.strides, settings.solids);
+        return length_of(space.chain(*space.goal, strider));
+    }
+
+    std::string contact_text() const {
+        const auto contact =
+            opposing_contact(campus_.world, body_.solids, body_.strides.body, body_.at.foot, ahead_);
+        return contact ? object_text(campus_, contact->object, contact->at) + " is in the way at " +
+                             fixed(contact->at.x(), 2) + ", " + fixed(contact->at.y(), 2) + ", " +
+                             fixed(contact->at.z(), 2)
+                       : "";
+    }
+
+    const scene::Campus& campus_;
+    const StoppedBody& body_;
+    WorkerWorlds worlds_;
+    Vec3 ahead_;
+    WalkGrid grid_;
+    ExploreSettings settings_;
+};
+
+}  // namespace
+
+std::string reason_of_stop(const scene::Campus& campus, const StoppedBody& body) {
+    return body.heading.isZero(0.0) ? "" : StopReason(campus, body).text();
+}
+
+}  // namespace campuswalk::engine
