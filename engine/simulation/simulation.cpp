@@ -116,6 +116,7 @@ void Simulation::settle_steps() {
     if (instant_steps_.empty()) {
         return;
     }
+    stopped_.reset();  // objects may be switched
     const std::size_t observed = events.size();
     for (const Step* step : instant_steps_) {
         if (!stop_) {
@@ -170,9 +171,21 @@ void Simulation::end_tick() {
     finished_ = stop_ || intents_.finished();
 }
 
-std::string Simulation::reason(const Eigen::Vector3d& heading) const {
+std::string Simulation::reason(const Eigen::Vector3d& heading) {
     const auto body = state_.body.stopped(heading);
-    return body ? reason_of_stop(state_.campus, *body) : "";
+    if (!body) {
+        return "";
+    }
+    constexpr double kSamePlace = 0.01;      // metres
+    constexpr double kSameDirection = 0.99;  // cosine
+    const bool same = stopped_ && (stopped_->at.foot - body->at.foot).norm() <= kSamePlace &&
+                      stopped_->heading.normalized().dot(body->heading.normalized()) >= kSameDirection &&
+                      stopped_->strides.body == body->strides.body;
+    if (!same) {
+        stop_reason_ = reason_of_stop(state_.campus, *body);
+        stopped_ = body;
+    }
+    return stop_reason_;
 }
 
 std::string Simulation::obstacle() const {

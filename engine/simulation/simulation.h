@@ -50,13 +50,16 @@ private:
     /// The id of the object that blocks the avatar; empty if none does.
     std::string obstacle() const;
     /// Why the avatar doesn't get on towards `heading`, measured; empty if nothing is in the way.
-    std::string reason(const Eigen::Vector3d& heading) const;
+    std::string reason(const Eigen::Vector3d& heading);
 
     SimulationState state_;
     std::optional<ScriptPlayer> script_;  ///< none if the intents come from elsewhere
     IntentSource& intents_;
     std::vector<const Step*> instant_steps_;  ///< a member to reuse its memory
     TickRecord record_;
+    /// Where the avatar was last stopped, and why: it is often stuck first and then gives up.
+    std::optional<StoppedBody> stopped_;
+    std::string stop_reason_;
     bool finished_ = false;
     std::optional<Stop> stop_;
     StateHash hash_;

@@ -118,20 +118,21 @@ public:
 
     std::optional<Barrier> run() {
         const collision::MoverSettings& body = settings_.strides.body;
-        if (find_way(body, query_.from)) {
+        if (!query_.surely_blocked && find_way(body, query_.from)) {
             return std::nullopt;
         }
-        const std::vector<ObjectId> touched = touched_;
         const std::vector<Ability> abilities = abilities_of(body);
+        const std::optional<Way> easiest = find_way(easiest_of(abilities), query_.from);
+        const std::vector<ObjectId> touched = touched_;
         std::vector<Barrier> found;
         for (const Ability& ability : abilities) {
-            if (auto barrier = try_ability(ability, body)) {
+            if (auto barrier = easiest ? try_ability(ability, body) : std::nullopt) {
                 found.push_back(std::move(*barrier));
             }
         }
         try_objects(touched, found);
         if (found.empty()) {
-            return all_at_once(abilities);
+            return easiest ? all_at_once(abilities, *easiest) : closed_off();
         }
         std::ranges::stable_sort(found, {}, change_of);
         Barrier smallest = found.front();
@@ -300,19 +301,24 @@ private:
         });
     }
 
-    /// With every ability at its easiest; then each is made as hard as the others allow.
-    Barrier all_at_once(const std::vector<Ability>& abilities) {
+    collision::MoverSettings easiest_of(const std::vector<Ability>& abilities) const {
         collision::MoverSettings easiest = settings_.strides.body;
         for (const Ability& ability : abilities) {
             ability.apply(ability.easier.back(), easiest);
         }
+        return easiest;
+    }
+
+    Barrier closed_off() const {
         Barrier barrier;
-        std::optional<Way> way = find_way(easiest, query_.from);
-        if (!way) {
-            barrier.from = query_.from.empty() ? Vec3(Vec3::Zero()) : query_.from.front().foot;
-            barrier.at = barrier.from;
-            return barrier;
-        }
+        barrier.from = query_.from.empty() ? Vec3(Vec3::Zero()) : query_.from.front().foot;
+        barrier.at = barrier.from;
+        return barrier;
+    }
+
+    /// There is a way with every ability at its easiest; now each is made as hard as the others allow.
+    Barrier all_at_once(const std::vector<Ability>& abilities, Way way) {
+        Barrier barrier;
         barrier.kind = BarrierKind::several;
         std::vector<double> values;
         for (const Ability& ability : abilities) {
@@ -326,14 +332,14 @@ private:
             abilities[i].apply(values[i], needed);
         }
         if (auto exact = find_way(needed, query_.from)) {
-            way = std::move(exact);
+            way = std::move(*exact);
         }
         for (std::size_t i = 0; i < abilities.size(); ++i) {
             if (values[i] != abilities[i].have) {
-                barrier.parts.push_back(measured(abilities[i], values[i], settings_.strides.body, *way));
+                barrier.parts.push_back(measured(abilities[i], values[i], settings_.strides.body, way));
             }
         }
-        locate(*way, settings_.strides.body, barrier);
+        locate(way, settings_.strides.body, barrier);
         return barrier;
     }
 
