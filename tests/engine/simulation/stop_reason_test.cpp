@@ -1,0 +1,75 @@
+#include "engine/simulation/stop_reason.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/engine/short_walk.h"
+#include "tests/engine/small_campus.h"
+
+// Why an avatar is blocked, in the log and in the failure's message.
+
+namespace campuswalk::engine {
+namespace {
+
+using testing::HasSubstr;
+using testing::MatchesRegex;
+
+std::string why_blocked(const scene::Campus& campus) {
+    WalkToStep step = walk_to(0, -10);
+    step.if_blocked = IfBlocked::proceed;
+    const RecordedRun result = run(campus, walk_of({spawn_at({0, 0, 0}), step}));
+    const std::vector<Event> blocked = result.recorder.events("avatar.blocked");
+    return blocked.size() == 1 && has_field(blocked[0], "why") ? field<Text>(blocked[0], "why").value : "";
+}
+
+TEST(StopReason, AnObstacleThatOneCanWalkRound) {
+    scene::Campus campus = level_campus();
+    add_box(campus, "bench", {-0.8, 0, -4}, {0.8, 0.8, -3.5});
+    EXPECT_THAT(why_blocked(campus),
+                MatchesRegex("bench is in the way at 0\\.00, 0\\.[0-9]+, -3\\.50; [23]\\.[0-9] m lead round it"));
+}
+
+TEST(StopReason, ARiser) {
+    scene::Campus campus = level_campus();
+    add_box(campus, "stage", {-20, -0.1, -14}, {20, 0.45, -4});
+    EXPECT_THAT(why_blocked(campus),
+                MatchesRegex("riser of 0\\.45 m at stage, .*; the avatar steps 0\\.30 m"));
+}
+
+TEST(StopReason, AGateThatLeavesTooNarrowAnOpening) {
+    scene::Campus campus = level_campus();
+    add_box(campus, "left", {-20, 0, -4}, {-0.6, 3, -3.8});
+    add_box(campus, "right", {0.6, 0, -4}, {20, 3, -3.8});
+    add_box(campus, "gate-leaf", {-0.6, 0, -3.93}, {0.1, 2, -3.87});
+    EXPECT_THAT(why_blocked(campus), HasSubstr("gate-leaf stands in the way"));
+    EXPECT_THAT(why_blocked(campus), HasSubstr("the opening beside it is 0.50 m wide, the body needs 0.60 m"));
+}
+
+TEST(StopReason, AWallWithoutEnd) {
+    scene::Campus campus = level_campus();
+    add_box(campus, "wall", {-20, 0, -4}, {20, 6, -3.8});
+    EXPECT_THAT(why_blocked(campus), MatchesRegex("wall .*at 0\\.00, [0-9.]+, -3\\.80"));
+}
+
+TEST(StopReason, IsPartOfTheFailureButNotOfTheHash) {
+    scene::Campus low = level_campus();
+    add_box(low, "stage", {-20, -0.1, -14}, {20, 0.45, -4});
+    scene::Campus high = level_campus();
+    add_box(high, "stage", {-20, -0.1, -14}, {20, 0.85, -4});
+    const Walk walk = walk_of({spawn_at({0, 0, 0}), walk_to(0, -10)});
+    const RecordedRun on_low = run(low, walk);
+    const RecordedRun on_high = run(high, walk);
+    ASSERT_FALSE(on_low.summary.failures.empty());
+    EXPECT_THAT(on_low.summary.failures[0].message, HasSubstr("riser of 0.45 m"));
+    EXPECT_THAT(on_high.summary.failures[0].message, HasSubstr("ledge of 0.85 m"));
+    EXPECT_EQ(on_low.summary.hash, on_high.summary.hash) << "the avatar did the same";
+}
+
+TEST(StopReason, AFallOutOfTheWorldSaysWhereTheAvatarLastStood) {
+    const RecordedRun result = run(level_campus(5.0), walk_of({spawn_at({0, 0, 0}), walk_to(0, -10)}));
+    ASSERT_FALSE(result.summary.failures.empty());
+    EXPECT_THAT(result.summary.failures[0].message, MatchesRegex(".*it last stood at 0\\.000,-?0\\.[0-9]+,-5\\.[0-9]+"));
+}
+
+}  // namespace
+}  // namespace campuswalk::engine

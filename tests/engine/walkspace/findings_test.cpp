@@ -1,0 +1,148 @@
+// Storeys, unreached ground, traps and holes: what a report on a walk space is made of.
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "engine/walkspace/island_barriers.h"
+#include "engine/walkspace/one_way.h"
+#include "engine/walkspace/storeys.h"
+#include "engine/walkspace/unreached_ground.h"
+#include "engine/walkspace/walk_report.h"
+#include "tests/engine/small_campus.h"
+
+namespace campuswalk::engine {
+namespace {
+
+using collision::Vec3;
+
+/// A floor of 12 m x 12 m within walls of 4 m.
+scene::Campus walled_yard() {
+    scene::Campus campus = level_campus(10.0);
+    add_box(campus, "north", {-6.2, 0, -6.2}, {6.2, 4, -6});
+    add_box(campus, "south", {-6.2, 0, 6}, {6.2, 4, 6.2});
+    add_box(campus, "west", {-6.2, 0, -6}, {-6, 4, 6});
+    add_box(campus, "east", {6, 0, -6}, {6.2, 4, 6});
+    return campus;
+}
+
+class Findings : public testing::Test {
+protected:
+    /// Explores from the middle.
+    const WalkSpace& explored(const scene::Campus& campus) {
+        worlds_.emplace(campus.world, 1, WorkerWorlds::MakeBroadPhase());
+        settings_ = explore_settings(campus, AvatarProfile(), 60);
+        settings_.starts = {{0, 0, 0}};
+        settings_.keep_rim = true;
+        space_.emplace(explore(*worlds_, settings_));
+        return *space_;
+    }
+    std::vector<Island> islands(double least = kNotableIsland) {
+        return find_unreached_ground(*worlds_, settings_, *space_, least);
+    }
+
+    std::optional<WorkerWorlds> worlds_;
+    ExploreSettings settings_;
+    std::optional<WalkSpace> space_;
+};
+
+TEST_F(Findings, AFloorAboveAnotherIsAStoreyOfItsOwn) {
+    scene::Campus campus = walled_yard();
+    // Stairs of 0.25 m along the west wall up to a gallery at 3 m, under which one walks.
+    for (int i = 1; i <= 12; ++i) {
+        add_box(campus, "tread-" + std::to_string(i), {-6, -0.1, 5.5 - 0.5 * i}, {-4.5, 0.25 * i, 6.0 - 0.5 * i});
+    }
+    add_box(campus, "gallery", {-6, 2.8, -6}, {2, 3, -0.5});
+    const WalkSpace& space = explored(campus);
+    const Storeys storeys = find_storeys(space);
+    ASSERT_EQ(storeys.list.size(), 2U);
+    EXPECT_NEAR(storeys.list[0].main_height, 0.0, 0.05);
+    EXPECT_NEAR(storeys.list[1].main_height, 3.0, 0.05);
+    EXPECT_NEAR(storeys.list[1].area, (8 - 0.3) * (5.5 - 0.3), 6.0);
+    const auto above = space.find(space.grid.cell_at(0.0, -3.0), 3.0);
+    const auto below = space.find(space.grid.cell_at(0.0, -3.0), 0.0);
+    ASSERT_TRUE(above && below);
+    EXPECT_EQ(storeys.of(*above), 1U);
+    EXPECT_EQ(storeys.of(*below), 0U);
+}
+
+TEST_F(Findings, UnreachedGroundIsAnIslandOfItsSize) {
+    scene::Campus campus = walled_yard();
+    add_box(campus, "stage", {1, -0.1, 1}, {5, 0.5, 4});
+    explored(campus);
+    std::vector<Island> found = islands();
+    std::erase_if(found, [](const Island& island) { return island.bounds.min.y() > 3.0; });  // the walls' tops
+    std::erase_if(found, [](const Island& i) { return i.bounds.max.cwiseAbs().maxCoeff() > 6.0; });  // outside
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_NEAR(found[0].area(space_->grid), 4.0 * 3.0, 1.0);
+    EXPECT_NEAR(found[0].bounds.max.y(), 0.5, 1e-3);
+    const auto barrier = find_island_barriers(*worlds_, settings_, *space_, found, 1)[0];
+    ASSERT_TRUE(barrier);
+    EXPECT_EQ(barrier->kind, BarrierKind::riser);
+    EXPECT_NEAR(barrier->measured, 0.5, 0.002);
+    EXPECT_EQ(campus.objects[index_of(barrier->object.value())].id, "stage");
+}
+
+TEST_F(Findings, StairsAreOneIslandWithTheLandingThatTheyLeadTo) {
+    scene::Campus campus = walled_yard();
+    add_box(campus, "block", {-6, -0.1, 1}, {-4, 0.5, 4.5});  // its first riser is too high
+    for (int i = 1; i <= 4; ++i) {
+        add_box(campus, "tread-" + std::to_string(i), {-6, -0.1, 1.0 - 0.4 * i}, {-4, 0.5 + 0.25 * i, 1.4 - 0.4 * i});
+    }
+    add_box(campus, "landing", {-6, -0.1, -5}, {-4, 1.75, -0.6});
+    explored(campus);
+    std::vector<Island> found = islands();
+    std::erase_if(found, [](const Island& island) { return island.bounds.min.y() > 3.0; });
+    std::erase_if(found, [](const Island& i) { return i.bounds.max.cwiseAbs().maxCoeff() > 6.0; });
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_NEAR(found[0].bounds.min.y(), 0.5, 1e-3);
+    EXPECT_NEAR(found[0].bounds.max.y(), 1.75, 1e-3);
+}
+
+TEST_F(Findings, APitThatOneCantClimbOutOfIsATrap) {
+    scene::Campus campus = walled_yard();
+    // A deck of 1 m that steps lead up to, with a hole in it.
+    for (int i = 1; i <= 3; ++i) {
+        add_box(campus, "tread-" + std::to_string(i), {-2, -0.1, 0.2 + 0.4 * i}, {2, 0.25 * i, 6});
+    }
+    add_box(campus, "deck/left", {-2, -0.1, 2}, {-1, 1, 6});
+    add_box(campus, "deck/right", {1, -0.1, 2}, {2, 1, 6});
+    add_box(campus, "deck/near", {-2, -0.1, 2}, {2, 1, 3});
+    const WalkSpace& space = explored(campus);
+    // The treads go on below the deck: the pit's floor is the third, 0.75 m high, and the deck 0.25 m above it.
+    EXPECT_TRUE(find_traps(*worlds_, settings_, space).empty());
+
+    scene::Campus deeper = walled_yard();
+    for (int i = 1; i <= 3; ++i) {
+        add_box(deeper, "tread-" + std::to_string(i), {-2, -0.1, 0.2 + 0.4 * i}, {2, 0.25 * i, 2});
+    }
+    add_box(deeper, "deck/left", {-2, -0.1, 2}, {-1, 1, 6});
+    add_box(deeper, "deck/right", {1, -0.1, 2}, {2, 1, 6});
+    add_box(deeper, "deck/near", {-2, -0.1, 2}, {2, 1, 3});
+    const WalkSpace& pit = explored(deeper);
+    const std::vector<Trap> traps = find_traps(*worlds_, settings_, pit);
+    ASSERT_EQ(traps.size(), 1U);
+    EXPECT_NEAR(traps[0].drop, 1.0, 0.02);
+    EXPECT_NEAR(static_cast<double>(traps[0].nodes.size()) * pit.grid.cell * pit.grid.cell,
+                (2 - 0.6) * (3 - 0.6), 1.0);
+}
+
+TEST_F(Findings, AGapInTheWallIsAHole) {
+    scene::Campus campus = level_campus(6.0);
+    add_box(campus, "north", {-6, 0, -6}, {6, 4, -5.8});
+    add_box(campus, "south", {-6, 0, 5.8}, {6, 4, 6});
+    add_box(campus, "west", {-6, 0, -6}, {-5.8, 4, 6});
+    add_box(campus, "east", {5.8, 0, -6}, {6, 4, 0});
+    add_box(campus, "east-end", {5.8, 0, 3}, {6, 4, 6});
+    const std::vector<Hole> holes = find_holes(explored(campus));
+    ASSERT_EQ(holes.size(), 1U);
+    EXPECT_NEAR(holes[0].length, 3.0 - 0.6, 0.75);
+    for (const Hole::Edge& edge : holes[0].edges) {
+        EXPECT_GT(edge.at.x(), 5.4);
+        EXPECT_GT(edge.at.z(), 0.0);
+        EXPECT_LT(edge.at.z(), 3.0);
+    }
+}
+
+}  // namespace
+}  // namespace campuswalk::engine
