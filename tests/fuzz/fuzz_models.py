@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Damaged models by the thousand: each loads or is refused with a message, in bounded time, without a crash.
 
-`fuzz_models.py PROGRAM [--mutants N] [--formats glb,obj] [--packed FOLDER] [--workers N]`: N mutants of each format
-through the commands that read models in turn (COMMANDS). FOLDER has further intact files to start from, as written by write_packed_models.
+`fuzz_models.py PROGRAM [--mutants N] [--first I] [--formats glb,obj] [--packed FOLDER] [--workers N]`: N mutants of each
+format through the commands that read models in turn (COMMANDS). FOLDER has further intact files to start from, as written
+by write_packed_models. A mutant follows from its format and number alone: to try new ones, begin at I behind earlier runs.
 A crash of the import helper is reported in a message: it is counted, but no failure. Nothing may appear beside the
 folder with the models, and nothing that a terminal would obey on standard error.
 """
@@ -97,7 +98,7 @@ def one(program, folder, name, extension, data, command):
     return (" ".join([name + extension, *command[:1], *command[2:3]]), *result, time.monotonic() - start)
 
 
-def fuzz(program, name, points, count, workers, keep, draws):
+def fuzz(program, name, points, numbers, workers, keep, draws):
     tally = Tally()
     commands = COMMANDS if draws else COMMANDS[:-1]
     with tempfile.TemporaryDirectory(prefix="campuswalk-fuzz-") as sentinel:
@@ -115,8 +116,9 @@ def fuzz(program, name, points, count, workers, keep, draws):
                 extension, data = points[i % len(points)]
                 change = glb_mutant if extension == ".glb" else mutant
                 changed = change("%s %d" % (name, i), data)
-                return one(program, folder, "m%d" % i, extension, changed, commands[i % len(commands)])
-            for outcome in pool.map(run, range(count)):
+                command = commands[i // len(points) % len(commands)]  # so that each intact file meets each
+                return one(program, folder, "m%d" % i, extension, changed, command)
+            for outcome in pool.map(run, numbers):
                 tally.add(*outcome)
         if os.listdir(sentinel) != ["models"]:
             tally.failures.append("files appeared beside the models: %s" % os.listdir(sentinel))
@@ -131,6 +133,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program")
     parser.add_argument("--mutants", type=int, default=1500)
+    parser.add_argument("--first", type=int, default=0, help="the number of the first mutant of each format")
     parser.add_argument("--formats")
     parser.add_argument("--packed")
     parser.add_argument("--workers", type=int, default=os.cpu_count())
@@ -140,10 +143,11 @@ def main():
     formats = options.formats.split(",") if options.formats else None
     failed = False
     for name, points in starting_points(formats, options.packed).items():
-        tally = fuzz(os.path.abspath(options.program), name, points, options.mutants, options.workers, options.keep,
+        numbers = range(options.first, options.first + options.mutants)
+        tally = fuzz(os.path.abspath(options.program), name, points, numbers, options.workers, options.keep,
                      not options.without_rendering)
-        print("%-8s %5d mutants: %5d loaded, %5d refused, %4d of them crashes of the helper; slowest %.1f s"
-              % (name, options.mutants, tally.loaded, tally.refused, tally.crashed, tally.slowest), flush=True)
+        print("%-8s %5d mutants from %d: %5d loaded, %5d refused, %4d of them crashes of the helper; slowest %.1f s"
+              % (name, options.mutants, options.first, tally.loaded, tally.refused, tally.crashed, tally.slowest), flush=True)
         for failure in tally.failures:
             print("  FAILED " + failure, flush=True)
         failed = failed or bool(tally.failures)
