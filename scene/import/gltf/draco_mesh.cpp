@@ -14,6 +14,8 @@
 #pragma GCC diagnostic pop
 #endif
 
+#include "scene/import/gltf/draco_header.h"
+
 namespace campuswalk::scene::gltf {
 namespace {
 
@@ -67,6 +69,9 @@ void append_colors(const JsonObject& compression, const draco::Mesh& mesh, std::
 
 void decode_draco(const JsonObject& compression, Bytes packed, const DracoAttributes& attributes,
                   RawMesh& out) {
+    if (const std::string reason = why_draco_too_large(packed); !reason.empty()) {
+        compression.fail(reason + "; re-export it, or export without Draco");
+    }
     draco::DecoderBuffer buffer;
     buffer.Init(reinterpret_cast<const char*>(packed.data()), packed.size());
     draco::Decoder decoder;
