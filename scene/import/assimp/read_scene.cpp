@@ -43,6 +43,11 @@ FaceCheck check_faces(const aiScene& scene) {
     if (words.find("OBJ-file is too small") != std::string::npos) {
         throw InputError(file.mark, "empty-mesh", "'" + file.file + "' has no triangles");
     }
+    if (!read.files->fault().empty()) {
+        throw InputError(
+            file.mark, "bad-model",
+            "'" + file.file + "' can't be read as a model: " + read.files->fault() + "; export it again");
+    }
     std::string message = "'" + file.file + "' can't be read as a model: " + words;
     for (const std::string& name : read.files->refused()) {
         if (words.find(name) == std::string::npos) {

@@ -7,6 +7,8 @@
 
 #include <pugixml.hpp>
 
+#include "scene/import/source/collada_fault.h"
+
 namespace campuswalk::scene {
 namespace {
 
@@ -27,13 +29,7 @@ std::optional<double> number_of(std::string_view text) {
     return whole ? std::optional(number) : std::nullopt;
 }
 
-}  // namespace
-
-ColladaGeography read_geography(std::span<const std::uint8_t> xml) {
-    pugi::xml_document document;
-    if (!document.load_buffer(xml.data(), xml.size())) {
-        return {};  // the importer reports it
-    }
+ColladaGeography geography_of(const pugi::xml_document& document) {
     // Inside <coverage> in COLLADA 1.5, directly in <asset> elsewhere.
     const pugi::xml_node location = document.child("COLLADA").child("asset").find_node(
         [](const pugi::xml_node& node) { return std::string_view(node.name()) == "geographic_location"; });
@@ -51,6 +47,17 @@ ColladaGeography read_geography(std::span<const std::uint8_t> xml) {
         return {std::nullopt, "is out of range: latitude is at most 90 degrees, longitude at most 180"};
     }
     return {GeographicPlace{*latitude, *longitude, *height, Eigen::Vector3d::Zero()}, ""};
+}
+
+}  // namespace
+
+ColladaFacts read_collada_facts(std::span<const std::uint8_t> xml) {
+    pugi::xml_document document;
+    const auto end = std::ranges::find(xml, std::uint8_t{0});  // where assimp stops reading
+    if (!document.load_buffer(xml.data(), static_cast<std::size_t>(end - xml.begin()))) {
+        return {};  // the importer reports it
+    }
+    return {collada_fault(document), geography_of(document)};
 }
 
 void trim_element_starts(std::vector<std::uint8_t>& xml) {

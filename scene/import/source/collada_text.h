@@ -20,8 +20,13 @@ struct ColladaGeography {
     std::string error;                     ///< why the location is invalid; empty if it is valid or absent
 };
 
+struct ColladaFacts {
+    std::string fault;  ///< what collada_fault() finds
+    ColladaGeography geography;
+};
+
 /// Reads <geographic_location> of the document's <asset>, which assimp ignores. It is part of COLLADA 1.5;
 /// some exporters write it in 1.4. <altitude> is taken as the height, whatever its mode.
-ColladaGeography read_geography(std::span<const std::uint8_t> xml);
+ColladaFacts read_collada_facts(std::span<const std::uint8_t> xml);
 
 }  // namespace campuswalk::scene

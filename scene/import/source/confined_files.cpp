@@ -62,7 +62,10 @@ Assimp::IOStream* ConfinedFiles::open_collada(const std::filesystem::path& path)
         return nullptr;
     }
     trim_element_starts(*text);
-    geographic_ = read_geography(*text);
+    collada_ = read_collada_facts(*text);
+    if (!collada_.fault.empty()) {
+        return nullptr;
+    }
     auto* copy = new std::uint8_t[text->size()];  // owned by the stream
     std::ranges::copy(*text, copy);
     return new Assimp::MemoryIOStream(copy, text->size(), true);

@@ -30,7 +30,9 @@ public:
     const SceneFolder& folder() const { return folder_; }
     /// What move_vertices_near subtracted from an OBJ's vertices, in its units.
     const Eigen::Vector3d& origin() const { return origin_; }
-    const ColladaGeography& geographic() const { return geographic_; }
+    const ColladaGeography& geographic() const { return collada_.geography; }
+    /// Why a COLLADA file wasn't opened; empty if it was.
+    const std::string& fault() const { return collada_.fault; }
     /// Whether drop_absent_uvs changed an OBJ.
     bool dropped_uvs() const { return dropped_uvs_; }
     /// Names of the files that were missing or refused, in order.
@@ -45,7 +47,7 @@ private:
     std::optional<std::vector<std::uint8_t>>
         obj_;  ///< once opened: corrected text, or empty if it is unchanged
     Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
-    ColladaGeography geographic_;
+    ColladaFacts collada_;
     bool dropped_uvs_ = false;
     std::vector<std::string> refused_;
 };

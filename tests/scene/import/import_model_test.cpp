@@ -2,6 +2,8 @@
 
 #include <fstream>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
@@ -254,32 +256,34 @@ TEST_F(ImportModelTest, WarnsAboutAMissingMaterialFile) {
     EXPECT_TRUE(has_code(warnings_, "missing-materials")) << text_of(warnings_);
 }
 
+/// A triangle, with this before its numbers.
+std::string collada(const std::string& space) {
+    return "<?xml version=\"1.0\"?>\n<COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" "
+           "version=\"1.4.1\"><asset><unit meter=\"1\"/><up_axis>Y_UP</up_axis></asset>\n"
+           "<library_effects><effect id=\"e\"><profile_COMMON><technique "
+           "sid=\"t\"><phong><diffuse><color>" +
+           space + "1 0 0 1</color></diffuse><shininess><float>" + space +
+           "20</float></shininess></phong></technique></profile_COMMON></effect></library_effects>\n"
+           "<library_materials><material id=\"m\" name=\"red\"><instance_effect url=\"#e\"/></material>"
+           "</library_materials><library_geometries><geometry id=\"g\"><mesh><source id=\"s\">"
+           "<float_array id=\"a\" count=\"9\">" +
+           space +
+           "0 0 0 0 0 1 1 0 0</float_array><technique_common><accessor source=\"#a\" count=\"3\" "
+           "stride=\"3\"><param name=\"X\" type=\"float\"/><param name=\"Y\" type=\"float\"/><param "
+           "name=\"Z\" "
+           "type=\"float\"/></accessor></technique_common></source><vertices id=\"v\"><input "
+           "semantic=\"POSITION\" source=\"#s\"/></vertices><triangles count=\"1\" material=\"m\"><input "
+           "semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><p>" +
+           space +
+           "0 1 2</p></triangles></mesh></geometry></library_geometries><library_visual_scenes>"
+           "<visual_scene id=\"vs\"><node id=\"n\" name=\"floor\"><instance_geometry url=\"#g\">"
+           "<bind_material><technique_common><instance_material symbol=\"m\" "
+           "target=\"#m\"/></technique_common>"
+           "</bind_material></instance_geometry></node></visual_scene></library_visual_scenes>"
+           "<scene><instance_visual_scene url=\"#vs\"/></scene></COLLADA>";
+}
+
 TEST_F(ImportModelTest, ReadsColladaNumbersAfterWhiteSpace) {
-    const auto collada = [](const std::string& space) {
-        return "<?xml version=\"1.0\"?>\n<COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" "
-               "version=\"1.4.1\"><asset><unit meter=\"1\"/><up_axis>Y_UP</up_axis></asset>\n"
-               "<library_effects><effect id=\"e\"><profile_COMMON><technique "
-               "sid=\"t\"><phong><diffuse><color>" +
-               space + "1 0 0 1</color></diffuse><shininess><float>" + space +
-               "20</float></shininess></phong></technique></profile_COMMON></effect></library_effects>\n"
-               "<library_materials><material id=\"m\" name=\"red\"><instance_effect url=\"#e\"/></material>"
-               "</library_materials><library_geometries><geometry id=\"g\"><mesh><source id=\"s\">"
-               "<float_array id=\"a\" count=\"9\">" +
-               space +
-               "0 0 0 0 0 1 1 0 0</float_array><technique_common><accessor source=\"#a\" count=\"3\" "
-               "stride=\"3\"><param name=\"X\" type=\"float\"/><param name=\"Y\" type=\"float\"/><param "
-               "name=\"Z\" "
-               "type=\"float\"/></accessor></technique_common></source><vertices id=\"v\"><input "
-               "semantic=\"POSITION\" source=\"#s\"/></vertices><triangles count=\"1\" material=\"m\"><input "
-               "semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><p>" +
-               space +
-               "0 1 2</p></triangles></mesh></geometry></library_geometries><library_visual_scenes>"
-               "<visual_scene id=\"vs\"><node id=\"n\" name=\"floor\"><instance_geometry url=\"#g\">"
-               "<bind_material><technique_common><instance_material symbol=\"m\" "
-               "target=\"#m\"/></technique_common>"
-               "</bind_material></instance_geometry></node></visual_scene></library_visual_scenes>"
-               "<scene><instance_visual_scene url=\"#vs\"/></scene></COLLADA>";
-    };
     for (const char* space : {"", " ", "\n\t  "}) {
         folder_.write("floor.dae", collada(space));
         const Model model = import("floor.dae");
@@ -287,6 +291,44 @@ TEST_F(ImportModelTest, ReadsColladaNumbersAfterWhiteSpace) {
         EXPECT_EQ(match_nodes(model, "floor").size(), 1U);
         EXPECT_FLOAT_EQ(model.materials[index_of(model.meshes[0].material)].base_color[0], 1.0F);
     }
+}
+
+TEST_F(ImportModelTest, RefusesColladaWhoseNumbersDontFit) {
+    const auto refusal_of = [&](const std::string& from, const std::string& to) {
+        folder_.write("floor.dae", collada(""));
+        edit("floor.dae", from, to);
+        return text_of(errors("floor.dae"));
+    };
+    const std::string range = "the accessor of source '#s' reaches beyond its array of numbers";
+    struct Change {
+        std::string from;
+        std::string to;
+        std::string message;
+    };
+    const std::vector<Change> changes = {
+        {"<p>0 1 2", "<p>0 1\x01 2", "the <p> of a <triangles> holds something else"},
+        {"count=\"9\"", "count=\"8\"", range},
+        {"count=\"9\"", "", range},
+        {"accessor source=\"#a\" count=\"3\"", "accessor source=\"#a\" count=\"-1\"", range},
+        {"stride=\"3\"", "stride=\"3\" offset=\"1\"", range},
+        {"stride=\"3\"", "stride=\"4000000000\"", range},
+        {"semantic=\"VERTEX\"", "semantic=\"NORMAL\"",
+         "a <triangles> lacks an input with the semantic VERTEX"}};
+    for (const auto& [from, to, message] : changes) {
+        const std::string found = refusal_of(from, to);
+        EXPECT_NE(found.find(message), std::string::npos) << to << ": " << found;
+        EXPECT_NE(found.find("bad-model"), std::string::npos) << to << ": " << found;
+    }
+    folder_.write("floor.dae", collada(""));
+    edit("floor.dae", "<float_array", "<Name_array");
+    edit("floor.dae", "</float_array", "</Name_array");
+    EXPECT_NE(text_of(errors("floor.dae")).find(range), std::string::npos);
+    folder_.write("floor.dae", collada(""));
+    edit("floor.dae", "<triangles", "<polylist");
+    edit("floor.dae", "</triangles", "</polylist");
+    EXPECT_NE(text_of(errors("floor.dae")).find("a <polylist> lacks <vcount>"), std::string::npos);
+    edit("floor.dae", "<p>", "<vcount>3</vcount><p>");
+    EXPECT_EQ(count_triangles(import("floor.dae")), 1U);
 }
 
 }  // namespace
