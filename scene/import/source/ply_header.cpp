@@ -1,17 +1,21 @@
 #include "scene/import/source/ply_header.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdint>
+#include <span>
 #include <sstream>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace campuswalk::scene {
 
 namespace {
 
 constexpr std::size_t kMaxHeader = std::size_t{1} << 20U;
+constexpr std::string_view kSpace = " \t\r";
 
 /// Bytes of a binary value; 1 for an unknown type, which the reader reports.
 std::size_t size_of(std::string_view type) {
@@ -35,8 +39,39 @@ std::size_t size_of(std::string_view type) {
     return 1;
 }
 
-/// The fewest bytes that the elements of a header take.
-class LeastSize {
+/// A kind of element, each of which has a line in a text file.
+struct Element {
+    std::uint64_t count = 0;
+    std::vector<bool> is_list;  ///< of each property
+};
+
+/// Whether lists are as long as they say: assimp fills one up with zeros, to a polygon of thousands of
+/// corners.
+bool lists_fit_line(std::string_view line, const Element& element) {
+    const auto take_word = [&line] {
+        line.remove_prefix(std::min(line.find_first_not_of(kSpace), line.size()));
+        const std::string_view word = line.substr(0, line.find_first_of(kSpace));
+        line.remove_prefix(word.size());
+        return word;
+    };
+    for (const bool is_list : element.is_list) {
+        const std::string_view word = take_word();
+        double count = 0.0;  // other formats than whole numbers are valid, and read by assimp
+        if (is_list && std::from_chars(word.data(), word.data() + word.size(), count).ec == std::errc()) {
+            const double most = static_cast<double>(line.size()) + 1.0;  // more than it can hold
+            const std::size_t wanted = count >= 1.0 ? static_cast<std::size_t>(std::min(count, most)) : 0;
+            for (std::size_t i = 0; i < wanted; ++i) {
+                if (take_word().empty()) {
+                    return false;
+                }
+            }
+        }
+    }
+    return true;
+}
+
+/// What a header says of the elements behind it.
+class Elements {
 public:
     void add_line(const std::string& line) {
         std::istringstream words(line);
@@ -52,10 +87,31 @@ public:
             if (std::from_chars(second.data(), end, count_).ec == std::errc::result_out_of_range) {
                 count_ = UINT64_MAX;
             }
+            all_.push_back({count_, {}});
         } else if (keyword == "property") {
+            if (!all_.empty()) {
+                all_.back().is_list.push_back(first == "list");
+            }
             constexpr std::uint64_t kDigitAndSpace = 2;
             bytes_each_ += is_text_ ? kDigitAndSpace : size_of(first == "list" ? second : first);
         }
+    }
+
+    /// Whether the lists of a text file, which follow, are as long as they say.
+    bool lists_fit(std::istream& in) const {
+        std::string line;
+        for (const Element& element :
+             is_text_ ? std::span<const Element>(all_) : std::span<const Element>()) {
+            for (std::uint64_t i = 0; i < element.count && std::getline(in, line); ++i) {
+                if (line.find_first_not_of(kSpace) == std::string::npos) {
+                    return true;  // readers differ in whether such a line is an element
+                }
+                if (!lists_fit_line(line, element)) {
+                    return false;
+                }
+            }
+        }
+        return true;
     }
 
     /// Whether so many bytes can hold all elements.
@@ -72,6 +128,7 @@ private:
     }
 
     bool is_text_ = false;
+    std::vector<Element> all_;
     std::uint64_t count_ = 0;
     std::uint64_t bytes_each_ = 0;
     double bytes_ = 0.0;  // a product of two counts may exceed any integer
@@ -83,16 +140,17 @@ std::string ply_fault(std::istream& in) {
     in.seekg(0, std::ios::end);
     const auto size = static_cast<std::uint64_t>(in.tellg());
     in.seekg(0);
-    LeastSize least;
+    Elements elements;
     std::uint64_t read = 0;
     for (std::string line; read < kMaxHeader && std::getline(in, line);) {
         read += line.size() + 1;
         if (line.starts_with("end_header")) {
-            return least.fits(read < size ? size - read : 0)
-                       ? ""
-                       : "it ends before the elements that its header announces";
+            if (!elements.fits(read < size ? size - read : 0)) {
+                return "it ends before the elements that its header announces";
+            }
+            return elements.lists_fit(in) ? "" : "a list announces more numbers than its line holds";
         }
-        least.add_line(line);
+        elements.add_line(line);
     }
     return "it ends inside its PLY header";
 }

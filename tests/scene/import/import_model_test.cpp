@@ -188,6 +188,12 @@ TEST_F(ImportModelTest, RejectsAPlyFileTruncatedInItsHeader) {
     for (const char* faces : {"20", "65536", "18446744073709551615", "99999999999999999999999"}) {
         EXPECT_NE(announcing("ascii", faces, text).find("its header announces"), std::string::npos) << faces;
     }
+    for (const char* list : {"4 0 1 2\n", "65535 0 1 2", "4e9 0 1 2\n"}) {
+        const std::string faces = text.substr(0, text.find("3 0 1")) + list;
+        EXPECT_NE(announcing("ascii", "1", faces).find("more numbers than its line"), std::string::npos)
+            << list;
+    }
+    EXPECT_EQ(announcing("ascii", "2", text + " 9\r\n 4\t0 1 2 1 \r\n"), "");
     std::string binary(36, '\0');
     binary[14] = '\x80';  // x of the second vertex is 1, z of the third
     binary[15] = '\x3F';
