@@ -44,7 +44,7 @@ TEST(Explore, ReachesAnEmptyFloorUpToItsRim) {
     const scene::Campus campus = campus_of(std::move(mesh));
     const WalkSpace space = explored(campus, {0, 0, 0});
     std::map<GridCell, int> nodes;
-    for (const NodeRef& node : nodes_of(space)) {
+    for (const WalkNodeId& node : nodes_of(space)) {
         const GridCell cell = space.cell_of(node);
         ++nodes[cell];
         EXPECT_TRUE(cell.x >= -20 - kCellsBeyondARim && cell.x < 20 + kCellsBeyondARim);
@@ -65,7 +65,7 @@ TEST(Explore, ReachesNothingBehindAWall) {
         support::add_box(mesh, {1, 0, -6}, {1.2, 3, 6});
     });
     const WalkSpace space = explored(campus, {-2, 0, 0});
-    for (const NodeRef& node : nodes_of(space)) {
+    for (const WalkNodeId& node : nodes_of(space)) {
         EXPECT_LE(space.position(node).x(), 1.0 - 0.3 + space.grid.cell);
     }
     EXPECT_TRUE(reaches(space, {0.6, 0, 0}));
@@ -80,7 +80,7 @@ TEST(Explore, FallsFromALedgeButDoesNotGetBack) {
     const WalkSpace from_above = explored(campus, {0, 1, 0});
     EXPECT_TRUE(reaches(from_above, {4, 0, 4}));
     std::size_t falls = 0;
-    for (const NodeRef& node : nodes_of(from_above)) {
+    for (const WalkNodeId& node : nodes_of(from_above)) {
         const auto parent = from_above.parent(node);
         if (parent && from_above.position(*parent).y() - from_above.position(node).y() > 0.5) {
             ++falls;
@@ -96,7 +96,7 @@ TEST(Explore, FallsFromALedgeButDoesNotGetBack) {
 
 TEST(Explore, KnowsThatLevelGroundIsWalkedBackToo) {
     const WalkSpace space = explored(level_campus(3.0), {0, 0, 0});
-    for (const NodeRef& node : nodes_of(space)) {
+    for (const WalkNodeId& node : nodes_of(space)) {
         EXPECT_EQ(space.node(node).returns, 1U);
     }
 }
@@ -172,7 +172,7 @@ TEST(Explore, SaysWhatCutItShort) {
     const scene::Campus floor = level_campus(20.0);
     ExploreSettings settings = explore_from({0, 0, 0});
     settings.max_nodes = 100;
-    const WalkSpace cut = explore(floor.world, settings);
+    const WalkSpace cut = explored(floor.world, settings);
     EXPECT_THAT(cut.bounds, Contains(Bound::nodes));
     EXPECT_LT(cut.area(), 1000.0);
 
@@ -188,12 +188,14 @@ TEST(Explore, SaysWhatCutItShort) {
     EXPECT_THAT(explored(tower, {0, 4, 0}).bounds, Contains(Bound::steering));
 }
 
-TEST(Explore, EndsWhenItIsDone) {
+TEST(Explore, EndsAtItsGoal) {
     const scene::Campus campus = level_campus(40.0);
     ExploreSettings settings = explore_from({0, 0, 0});
-    settings.done = [](const WalkSpace& space) { return reaches(space, {5, 0, 5}); };
-    const WalkSpace space = explore(campus.world, settings);
-    EXPECT_TRUE(reaches(space, {5, 0, 5}));
+    const GridCell goal = WalkGrid{}.cell_at({5, 0, 5});
+    settings.is_goal = [&](const GridCell& cell, double) { return cell == goal; };
+    const WalkSpace space = explored(campus.world, settings);
+    ASSERT_TRUE(space.goal);
+    EXPECT_EQ(space.cell_of(*space.goal), goal);
     EXPECT_FALSE(reaches(space, {39, 0, 39}));
 }
 
@@ -201,7 +203,7 @@ TEST(Explore, LeavesOutStartsWithoutRoomOrGround) {
     const scene::Campus campus = level_campus(3.0);
     ExploreSettings settings = explore_from({0, 0, 0});
     settings.starts = {{50, 0, 0}, {1, 0, 1}, {2, 0, -2}};
-    const WalkSpace space = explore(campus.world, settings);
+    const WalkSpace space = explored(campus.world, settings);
     EXPECT_THAT(space.start_of, testing::ElementsAre(1U, 2U));
     EXPECT_EQ(space.cell_of(space.starts.front()), space.grid.cell_at({1, 0, 1}));
     EXPECT_FALSE(space.parent(space.starts.back()));
@@ -214,9 +216,9 @@ TEST(Explore, RunsAndJumpsWhereItMay) {
         support::add_box(mesh, {0.6, 0, -1}, {4, 1.5, 1});
     });
     ExploreSettings settings = explore_from({-2, 1.5, 0});
-    EXPECT_FALSE(reaches(explore(campus.world, settings), {3, 1.5, 0}));
+    EXPECT_FALSE(reaches(explored(campus.world, settings), {3, 1.5, 0}));
     settings.jump = true;
-    EXPECT_TRUE(reaches(explore(campus.world, settings), {3, 1.5, 0}));
+    EXPECT_TRUE(reaches(explored(campus.world, settings), {3, 1.5, 0}));
 }
 
 TEST(Explore, IgnoresDisabledObjects) {
@@ -224,9 +226,9 @@ TEST(Explore, IgnoresDisabledObjects) {
     add_box(campus, "gate", {1, 0, -5}, {1.2, 3, 5});
     std::vector<bool> disabled = {false, true};
     ExploreSettings settings = explore_from({-2, 0, 0});
-    EXPECT_FALSE(reaches(explore(campus.world, settings), {3, 0, 0}));
+    EXPECT_FALSE(reaches(explored(campus.world, settings), {3, 0, 0}));
     settings.solids.disabled = &disabled;
-    EXPECT_TRUE(reaches(explore(campus.world, settings), {3, 0, 0}));
+    EXPECT_TRUE(reaches(explored(campus.world, settings), {3, 0, 0}));
 }
 
 }  // namespace

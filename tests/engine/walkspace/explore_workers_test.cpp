@@ -60,12 +60,11 @@ void expect_same(const WalkSpace& a, const WalkSpace& b) {
     EXPECT_EQ(a.strides, b.strides);
 }
 
-void expect_same_for_all_workers(const collision::World& world, ExploreSettings settings) {
-    const WalkSpace alone = explore(world, settings);
+void expect_same_for_all_workers(const collision::World& world, const ExploreSettings& settings) {
+    const WalkSpace alone = explored(world, settings);
     EXPECT_GT(alone.tiles.size(), 4U) << "else there is nothing to share";
     for (const std::size_t workers : {2U, 3U}) {
-        settings.workers = workers;
-        expect_same(alone, explore(world, settings));
+        expect_same(alone, explored(world, settings, workers));
     }
 }
 

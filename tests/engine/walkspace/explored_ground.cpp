@@ -24,12 +24,16 @@ ExploreSettings explore_from(const Vec3& start, const AvatarProfile& avatar) {
     ExploreSettings settings;
     settings.strides = strides_of(avatar);
     settings.starts = {start};
-    settings.broad_phase = [] { return std::make_unique<collision::LinearBroadPhase>(); };
     return settings;
 }
 
+WalkSpace explored(const collision::World& world, const ExploreSettings& settings, std::size_t workers) {
+    const WorkerWorlds worlds(world, workers, [] { return std::make_unique<collision::LinearBroadPhase>(); });
+    return explore(worlds, settings);
+}
+
 WalkSpace explored(const scene::Campus& campus, const Vec3& start, const AvatarProfile& avatar) {
-    return explore(campus.world, explore_from(start, avatar));
+    return explored(campus.world, explore_from(start, avatar));
 }
 
 scene::Campus campus_of(TriangleMesh mesh) {
@@ -51,8 +55,8 @@ scene::Campus varied_ground() {
     return campus_of(std::move(mesh));
 }
 
-std::vector<NodeRef> nodes_of(const WalkSpace& space) {
-    std::vector<NodeRef> nodes;
+std::vector<WalkNodeId> nodes_of(const WalkSpace& space) {
+    std::vector<WalkNodeId> nodes;
     for (std::uint32_t tile = 0; tile < space.tiles.size(); ++tile) {
         for (std::size_t i = 0; i < space.tiles[tile].nodes.size(); ++i) {
             nodes.push_back({tile, static_cast<std::uint16_t>(i)});
@@ -61,12 +65,12 @@ std::vector<NodeRef> nodes_of(const WalkSpace& space) {
     return nodes;
 }
 
-std::vector<NodeRef> some_nodes(const WalkSpace& space, std::size_t count) {
-    const std::vector<NodeRef> all = nodes_of(space);
+std::vector<WalkNodeId> some_nodes(const WalkSpace& space, std::size_t count) {
+    const std::vector<WalkNodeId> all = nodes_of(space);
     if (all.size() <= count) {
         return all;
     }
-    std::vector<NodeRef> some;
+    std::vector<WalkNodeId> some;
     for (std::size_t i = 0; i < count; ++i) {
         some.push_back(all[i * (all.size() - 1) / (count - 1)]);
     }

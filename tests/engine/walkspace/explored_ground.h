@@ -12,7 +12,8 @@ namespace campuswalk::engine {
 /// The avatar's body and pace at 60 ticks per second.
 StrideSettings strides_of(const AvatarProfile& avatar = {});
 ExploreSettings explore_from(const collision::Vec3& start, const AvatarProfile& avatar = {});
-/// From one start, by one worker.
+WalkSpace explored(const collision::World& world, const ExploreSettings& settings, std::size_t workers = 1);
+/// From one start.
 WalkSpace explored(const scene::Campus& campus, const collision::Vec3& start,
                    const AvatarProfile& avatar = {});
 
@@ -25,9 +26,9 @@ scene::Campus varied_ground();
 inline const collision::Vec3 kOnVariedGround(0.0, 0.0, 6.0);
 
 /// In the order of the tiles.
-std::vector<NodeRef> nodes_of(const WalkSpace& space);
+std::vector<WalkNodeId> nodes_of(const WalkSpace& space);
 /// At most so many of them, spread evenly.
-std::vector<NodeRef> some_nodes(const WalkSpace& space, std::size_t count);
+std::vector<WalkNodeId> some_nodes(const WalkSpace& space, std::size_t count);
 /// Whether the foot's cell has a node within 0.2 m of its height.
 bool reaches(const WalkSpace& space, const collision::Vec3& foot);
 

@@ -98,9 +98,9 @@ std::size_t differing_ticks(const scene::Campus& campus, const ExploreSettings& 
 }
 
 /// Each chain ends in its node's cell and level, in a state that can be found from the nearest keyframe too.
-void expect_chains_lead_to(const std::vector<NodeRef>& nodes, const WalkSpace& space,
+void expect_chains_lead_to(const std::vector<WalkNodeId>& nodes, const WalkSpace& space,
                            const scene::Campus& campus, const ExploreSettings& settings) {
-    for (const NodeRef& node : nodes) {
+    for (const WalkNodeId& node : nodes) {
         Strider fresh(campus.world, settings.strides, settings.solids);
         const Standing end = space.chain(node, fresh).back().at;
         EXPECT_EQ(space.grid.cell_at(end.foot), space.cell_of(node));
@@ -110,9 +110,9 @@ void expect_chains_lead_to(const std::vector<NodeRef>& nodes, const WalkSpace& s
     }
 }
 
-void expect_simulation_agrees(const std::vector<NodeRef>& nodes, const WalkSpace& space,
+void expect_simulation_agrees(const std::vector<WalkNodeId>& nodes, const WalkSpace& space,
                               const scene::Campus& campus, const ExploreSettings& settings) {
-    for (const NodeRef& node : nodes) {
+    for (const WalkNodeId& node : nodes) {
         Strider strider(campus.world, settings.strides, settings.solids);
         const std::vector<PlannedTick> plan =
             plan_of(space.chain(node, strider), space, settings.starts.front(), strider);
@@ -123,9 +123,9 @@ void expect_simulation_agrees(const std::vector<NodeRef>& nodes, const WalkSpace
 
 /// Nodes that only a stride with this property leads to.
 template <typename Property>
-std::vector<NodeRef> nodes_with(const WalkSpace& space, const Property& property) {
-    std::vector<NodeRef> found;
-    for (const NodeRef& node : nodes_of(space)) {
+std::vector<WalkNodeId> nodes_with(const WalkSpace& space, const Property& property) {
+    std::vector<WalkNodeId> found;
+    for (const WalkNodeId& node : nodes_of(space)) {
         if (space.parent(node) && property(space.node(node).stride())) {
             found.push_back(node);
         }
@@ -136,7 +136,7 @@ std::vector<NodeRef> nodes_with(const WalkSpace& space, const Property& property
 TEST(Chains, LeadToTheirNodes) {
     const scene::Campus campus = varied_ground();
     const ExploreSettings settings = explore_from(kOnVariedGround);
-    const WalkSpace space = explore(campus.world, settings);
+    const WalkSpace space = explored(campus.world, settings);
     ASSERT_GT(space.node_count(), 6000U);
     expect_chains_lead_to(some_nodes(space, 500), space, campus, settings);
 }
@@ -144,7 +144,7 @@ TEST(Chains, LeadToTheirNodes) {
 TEST(Chains, AreWalksOfTheSimulation) {
     const scene::Campus campus = varied_ground();
     const ExploreSettings settings = explore_from(kOnVariedGround);
-    const WalkSpace space = explore(campus.world, settings);
+    const WalkSpace space = explored(campus.world, settings);
     expect_simulation_agrees(some_nodes(space, 40), space, campus, settings);
 }
 
@@ -152,7 +152,7 @@ TEST(Chains, StartWithTheFallOfTheSpawn) {
     const scene::Campus campus = varied_ground();
     for (const double above : {0.0, 0.7, 3.0}) {
         const ExploreSettings settings = explore_from({-6.5, 0.9 + above, 4.5});
-        const WalkSpace space = explore(campus.world, settings);
+        const WalkSpace space = explored(campus.world, settings);
         ASSERT_FALSE(space.starts.empty());
         EXPECT_NEAR(space.position(space.starts.front()).y(), 0.9, 0.01);
         expect_simulation_agrees(some_nodes(space, 10), space, campus, settings);
@@ -164,7 +164,7 @@ TEST(Chains, OfSteeredFallsRunsAndJumpsAreWalksOfTheSimulation) {
     ExploreSettings settings = explore_from(kOnVariedGround);
     settings.run = true;
     settings.jump = true;
-    const WalkSpace space = explore(campus.world, settings);
+    const WalkSpace space = explored(campus.world, settings);
     for (const Gait gait : {Gait::run, Gait::jump}) {
         const auto nodes = nodes_with(space, [&](const Stride& stride) { return stride.gait == gait; });
         EXPECT_FALSE(gait == Gait::jump && nodes.empty()) << "the ledge of 0.9 m is jumped onto or off";
@@ -203,10 +203,8 @@ TEST(Chains, ReplayInADungeon) {
     }
     AvatarProfile avatar;
     avatar.step_height = 0.4;
-    ExploreSettings settings = explore_from({40, 10.1, 0}, avatar);
-    settings.workers = 2;
-    settings.broad_phase = collision::make_bullet_broad_phase;
-    const WalkSpace space = explore(campus->world, settings);
+    const ExploreSettings settings = explore_from({40, 10.1, 0}, avatar);
+    const WalkSpace space = explored(campus->world, settings, 2);
     EXPECT_GT(space.area(), 1500.0);
     EXPECT_TRUE(space.find(space.grid.cell_at({19.8, 18.83, -79.7}), 18.83, 0.3)) << "the upper hall";
     expect_chains_lead_to(some_nodes(space, 500), space, *campus, settings);

@@ -14,8 +14,8 @@ namespace campuswalk::tools::bench {
 
 using collision::Vec3;
 using engine::GridCell;
-using engine::NodeRef;
 using engine::Standing;
+using engine::WalkNodeId;
 using engine::WalkSpace;
 
 namespace {
@@ -92,7 +92,7 @@ private:
     bool in_air_ = false;
 };
 
-/// A body of a thread's own, in a world of its own: queries of Bullet's broad phase aren't thread-safe.
+/// A body of a thread's own.
 class Adversary {
 public:
     Adversary(const WalkSpace& space, const collision::World& world, const engine::ExploreSettings& explored,
@@ -100,20 +100,17 @@ public:
         : space_(space),
           settings_(settings),
           explored_(explored),
-          world_(explored.broad_phase()),
-          bottom_(world.bounds().min.y()) {
-        for (std::size_t i = 0; i < world.size(); ++i) {
-            world_.add(world.object(static_cast<collision::ObjectId>(i)));
-        }
-        strider_.emplace(world_, explored.strides, explored.solids);
-    }
+          world_(world),
+          bottom_(world.bounds().min.y()),
+          strider_(world, explored.strides, explored.solids) {}
 
     /// All nodes, by which those are numbered at which walks start.
-    void walk(std::uint64_t seed, const std::vector<NodeRef>& nodes) {
+    void walk(std::uint64_t seed, const std::vector<WalkNodeId>& nodes) {
         SplitMix random(seed);
         const auto any = static_cast<std::size_t>(random.between(0.0, static_cast<double>(nodes.size())));
-        const NodeRef& first = seed % 2 == 0 ? space_.starts.front() : nodes[std::min(any, nodes.size() - 1)];
-        walk_from(space_.standing(first, *strider_), seed, random);
+        const WalkNodeId& first =
+            seed % 2 == 0 ? space_.starts.front() : nodes[std::min(any, nodes.size() - 1)];
+        walk_from(space_.standing(first, strider_), seed, random);
     }
 
     AdversaryResult result;
@@ -134,19 +131,21 @@ private:
             const Vec3& direction = steering.next(strides.seconds, state.grounded, settings_.steers_in_falls);
             const Vec3 before = state.foot;
             const bool grounded = state.grounded;
-            mover.move(state, strides.walk_speed * strides.seconds * direction, strides.seconds, cache_, trace_);
+            mover.move(state, strides.walk_speed * strides.seconds * direction, strides.seconds, cache_,
+                       trace_);
             ++result.ticks;
             result.falls += trace_.landed && trace_.fall_height > kHighFall ? 1U : 0U;
             if (grounded && !state.grounded) {
                 left_ground = before;
             }
-            if (state.grounded && state.foot != before && !is_inside(space_, state.foot, strides.body.step_height)) {
+            if (state.grounded && state.foot != before &&
+                !is_inside(space_, state.foot, strides.body.step_height)) {
                 if (!escape) {
                     escape = Escape{seed, start.foot, tick, state.foot, left_ground, 0.0, 0};
                 }
                 ++escape->ticks_outside;
-                escape->apart = std::max(escape->apart,
-                                         distance_to_nodes(space_, state.foot, strides.body.step_height));
+                escape->apart =
+                    std::max(escape->apart, distance_to_nodes(space_, state.foot, strides.body.step_height));
             }
         }
         if (escape) {
@@ -158,15 +157,15 @@ private:
     const WalkSpace& space_;
     const AdversarySettings& settings_;
     const engine::ExploreSettings& explored_;
-    collision::World world_;
+    const collision::World& world_;
     double bottom_;
-    std::optional<engine::Strider> strider_;
+    engine::Strider strider_;
     collision::MoverCache cache_;
     collision::MoveTrace trace_;
 };
 
-std::vector<NodeRef> nodes_of(const WalkSpace& space) {
-    std::vector<NodeRef> nodes;
+std::vector<WalkNodeId> nodes_of(const WalkSpace& space) {
+    std::vector<WalkNodeId> nodes;
     for (std::uint32_t tile = 0; tile < space.tiles.size(); ++tile) {
         for (std::size_t i = 0; i < space.tiles[tile].nodes.size(); ++i) {
             nodes.push_back({tile, static_cast<std::uint16_t>(i)});
@@ -177,16 +176,16 @@ std::vector<NodeRef> nodes_of(const WalkSpace& space) {
 
 }  // namespace
 
-AdversaryResult attack(const WalkSpace& space, const collision::World& world,
+AdversaryResult attack(const WalkSpace& space, const engine::WorkerWorlds& worlds,
                        const engine::ExploreSettings& explored, const AdversarySettings& settings) {
     AdversaryResult all;
-    const std::vector<NodeRef> nodes = nodes_of(space);
+    const std::vector<WalkNodeId> nodes = nodes_of(space);
     if (nodes.empty()) {
         return all;
     }
     std::vector<std::unique_ptr<Adversary>> adversaries;
-    for (std::size_t i = 0; i < std::max<std::size_t>(explored.workers, 1); ++i) {
-        adversaries.push_back(std::make_unique<Adversary>(space, world, explored, settings));
+    for (std::size_t i = 0; i < worlds.size(); ++i) {
+        adversaries.push_back(std::make_unique<Adversary>(space, worlds[i], explored, settings));
     }
     engine::for_each_item(settings.walks, adversaries.size(), [&](std::size_t worker, std::size_t walk) {
         adversaries[worker]->walk(settings.first_seed + walk, nodes);

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "collision/world/world.h"
 #include "engine/walkspace/explore.h"
 
 namespace campuswalk::tools::bench {
@@ -13,8 +12,8 @@ namespace campuswalk::tools::bench {
 struct AdversarySettings {
     std::size_t walks = 0;
     double seconds = 60.0;
-    bool steers_in_falls = false;   ///< else it goes straight on in the air
-    std::uint64_t first_seed = 1;   ///< of the first walk; the next one's is one more
+    bool steers_in_falls = false;  ///< else it goes straight on in the air
+    std::uint64_t first_seed = 1;  ///< of the first walk; the next one's is one more
 };
 
 /// A walk that stood where no node is: none in the cells around, within a step's height.
@@ -31,13 +30,13 @@ struct Escape {
 struct AdversaryResult {
     std::size_t walks = 0;
     std::uint64_t ticks = 0;
-    std::uint64_t falls = 0;  ///< of more than 2 m
+    std::uint64_t falls = 0;      ///< of more than 2 m
     std::vector<Escape> escapes;  ///< the farthest first
 };
 
-/// Walks with the mover, on as many threads as the exploration had workers: at the profile's pace, with turns by any angle
+/// Walks with the mover, one thread for each world: at the profile's pace, with turns by any angle
 /// at random times. Half of the walks start at the spawn, half at any node.
-AdversaryResult attack(const engine::WalkSpace& space, const collision::World& world,
+AdversaryResult attack(const engine::WalkSpace& space, const engine::WorkerWorlds& worlds,
                        const engine::ExploreSettings& explored, const AdversarySettings& settings);
 
 }  // namespace campuswalk::tools::bench

@@ -10,8 +10,8 @@ namespace campuswalk::tools::bench {
 using collision::Triangle;
 using collision::Vec3;
 using engine::GridCell;
-using engine::NodeRef;
 using engine::WalkGrid;
+using engine::WalkNodeId;
 using engine::WalkSpace;
 
 namespace {
@@ -43,7 +43,7 @@ Heights heights_of(const WalkSpace& space) {
     Heights heights;
     for (std::uint32_t tile = 0; tile < space.tiles.size(); ++tile) {
         for (std::size_t i = 0; i < space.tiles[tile].nodes.size(); ++i) {
-            const NodeRef node{tile, static_cast<std::uint16_t>(i)};
+            const WalkNodeId node{tile, static_cast<std::uint16_t>(i)};
             heights[space.cell_of(node)].push_back(space.position(node).y());
         }
     }

@@ -23,8 +23,9 @@ bool is_wanted(const ExploreBench& bench, const std::string& name) {
 }  // namespace
 
 bool run_explore_bench(const ExploreBench& bench) {
-    std::printf("A person of 1.8 m at 60 Hz, slopes up to 50 degrees, from one spawn, cells of 0.25 m; Recast's\n"
-                "whole build, tile by tile, with cells of 0.15 m and 0.1 m in height, without Detour's part.\n");
+    std::printf(
+        "A person of 1.8 m at 60 Hz, slopes up to 50 degrees, from one spawn, cells of 0.25 m; Recast's\n"
+        "whole build, tile by tile, with cells of 0.15 m and 0.1 m in height, without Detour's part.\n");
     std::vector<ExploredCampusSource> sources = explored_campuses(bench.data);
     if (bench.quick) {
         sources = {small_explored_campus()};

@@ -9,11 +9,11 @@ namespace campuswalk::tools::bench {
 
 struct ExploreBench {
     int rounds = 5;
-    bool quick = false;                 ///< a small campus made in code, few walks
-    std::filesystem::path csv;          ///< empty: none
-    std::filesystem::path data;         ///< of the models of others; empty: without them
-    std::vector<std::string> campuses;  ///< only these; empty: all
-    std::size_t walks = 10'000;         ///< of the adversary on each campus
+    bool quick = false;                   ///< a small campus made in code, few walks
+    std::filesystem::path csv;            ///< empty: none
+    std::filesystem::path data;           ///< of the models of others; empty: without them
+    std::vector<std::string> campuses;    ///< only these; empty: all
+    std::size_t walks = 10'000;           ///< of the adversary on each campus
     std::size_t steered_walks = 100'000;  ///< likewise, steering in falls, on `dungeon`
 };
 

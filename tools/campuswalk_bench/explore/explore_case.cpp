@@ -41,8 +41,7 @@ std::vector<std::unique_ptr<NavMeshEngine>> make_peers(const ExploredCampus& cam
     settings.body = body_of(campus);
     try {
         for (settings.threads = 1; settings.threads <= kMostThreads; ++settings.threads) {
-            peers.push_back(
-                make_peer<MakeNavMeshEngine>("recast", kMakeNavMeshEngine, triangles, settings));
+            peers.push_back(make_peer<MakeNavMeshEngine>("recast", kMakeNavMeshEngine, triangles, settings));
         }
     } catch (const std::exception& error) {
         std::printf("  absent: recast: %s\n", error.what());
@@ -89,7 +88,7 @@ std::optional<double> bytes_per_area(const ExploredCampus& campus) {
     std::size_t peak = before;
     engine::ExploreSettings settings = campus.settings();
     settings.progress = [&](std::size_t) { peak = std::max(peak, heap_in_use()); };
-    const WalkSpace space = explore(campus.world(), settings);
+    const WalkSpace space = explore(campus.worlds(1), settings);
     if (before == 0 || space.node_count() == 0) {
         return std::nullopt;
     }
@@ -115,22 +114,24 @@ void print_escapes(const char* how, const AdversaryResult& result) {
     if (result.walks == 0) {
         return;
     }
-    std::printf("  %zu walks%s, %llu ticks, %llu falls of more than 2 m: %zu got outside\n", result.walks, how,
-                static_cast<unsigned long long>(result.ticks), static_cast<unsigned long long>(result.falls),
-                result.escapes.size());
+    std::printf("  %zu walks%s, %llu ticks, %llu falls of more than 2 m: %zu got outside\n", result.walks,
+                how, static_cast<unsigned long long>(result.ticks),
+                static_cast<unsigned long long>(result.falls), result.escapes.size());
     for (std::size_t i = 0; i < std::min(kEscapesShown, result.escapes.size()); ++i) {
         const Escape& e = result.escapes[i];
-        std::printf("    seed %llu from %.3f, %.3f, %.3f: at tick %zu at %.3f, %.3f, %.3f; last left the ground at "
-                    "%.3f, %.3f, %.3f; %zu ticks, up to %.2f m away\n",
-                    static_cast<unsigned long long>(e.seed), e.start.x(), e.start.y(), e.start.z(), e.tick,
-                    e.at.x(), e.at.y(), e.at.z(), e.left_ground.x(), e.left_ground.y(), e.left_ground.z(),
-                    e.ticks_outside, e.apart);
+        std::printf(
+            "    seed %llu from %.3f, %.3f, %.3f: at tick %zu at %.3f, %.3f, %.3f; last left the ground at "
+            "%.3f, %.3f, %.3f; %zu ticks, up to %.2f m away\n",
+            static_cast<unsigned long long>(e.seed), e.start.x(), e.start.y(), e.start.z(), e.tick, e.at.x(),
+            e.at.y(), e.at.z(), e.left_ground.x(), e.left_ground.y(), e.left_ground.z(), e.ticks_outside,
+            e.apart);
     }
 }
 
 void print_time(const ExploreTime& time, const ExploreTime* peer) {
-    std::printf("  %8s, %zu thread%s: %9.3f s (median; least %.3f; of the processor %.3f)", time.engine.c_str(),
-                time.threads, time.threads == 1 ? " " : "s", time.median, time.least, time.processor);
+    std::printf("  %8s, %zu thread%s: %9.3f s (median; least %.3f; of the processor %.3f)",
+                time.engine.c_str(), time.threads, time.threads == 1 ? " " : "s", time.median, time.least,
+                time.processor);
     if (time.engine == "ours" && peer != nullptr) {
         std::printf(", %.2fx recast's (of the processor %.2fx)", time.median / peer->median,
                     time.processor / peer->processor);
@@ -162,21 +163,21 @@ void print_score(const ExploreScore& score) {
 
 void attack_all(const ExploredCampus& campus, const WalkSpace& space, const ExploreCaseSettings& settings,
                 ExploreScore& score) {
-    const engine::ExploreSettings explored = campus.settings(kMostThreads);
+    const engine::ExploreSettings explored = campus.settings();
+    const engine::WorkerWorlds worlds = campus.worlds(kMostThreads);
     AdversarySettings walks;
     walks.walks = settings.walks;
-    score.adversary = attack(space, campus.world(), explored, walks);
+    score.adversary = attack(space, worlds, explored, walks);
     walks.walks = settings.steered_walks;
     walks.steers_in_falls = true;
-    score.steered = attack(space, campus.world(), explored, walks);
+    score.steered = attack(space, worlds, explored, walks);
 }
 
 }  // namespace
 
 const ExploreTime* ExploreScore::time(const std::string& engine, std::size_t threads) const {
-    const auto found = std::ranges::find_if(times, [&](const ExploreTime& one) {
-        return one.engine == engine && one.threads == threads;
-    });
+    const auto found = std::ranges::find_if(
+        times, [&](const ExploreTime& one) { return one.engine == engine && one.threads == threads; });
     return found == times.end() ? nullptr : &*found;
 }
 
@@ -189,7 +190,7 @@ ExploreScore explore_campus(const ExploredCampus& campus, const ExploreCaseSetti
     std::vector<Task> tasks;
     for (std::size_t i = 0; i < kMostThreads; ++i) {
         add_task(tasks, "ours", i + 1, [&campus, &space = spaces[i], threads = i + 1] {
-            space.emplace(explore(campus.world(), campus.settings(threads)));
+            space.emplace(explore(campus.worlds(threads), campus.settings()));
         });
     }
     for (std::size_t i = 0; i < peers.size(); ++i) {

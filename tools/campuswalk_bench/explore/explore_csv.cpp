@@ -36,7 +36,8 @@ void write_explore_csv(const std::vector<ExploreScore>& scores, const std::files
         std::filesystem::create_directories(file.parent_path());
     }
     std::ofstream out(file, std::ios::binary);
-    out << "campus,triangles,engine,threads,s_least,s_median,s_processor,reachable_m2,nodes,ticks,bytes_per_m2,"
+    out << "campus,triangles,engine,threads,s_least,s_median,s_processor,reachable_m2,nodes,ticks,bytes_per_"
+           "m2,"
            "m2_of_it_alone,walks_outside,steered_walks_outside\n";
     for (const ExploreScore& score : scores) {
         for (const ExploreTime& time : score.times) {

@@ -58,7 +58,8 @@ ExploredCampus load_demo() {
 ExploredCampus load_shared(const SharedModel& model, const fs::path& data) {
     const fs::path file = data / model.file;
     if (data.empty() || !fs::exists(file)) {
-        throw std::runtime_error("no model at " + (data.empty() ? "--data" : data.string()) + "/" + model.file);
+        throw std::runtime_error("no model at " + (data.empty() ? "--data" : data.string()) + "/" +
+                                 model.file);
     }
     scene::CampusDescription description;
     description.name = model.name;
@@ -90,16 +91,18 @@ ExploredCampus make_small() {
 
 }  // namespace
 
-engine::ExploreSettings ExploredCampus::settings(std::size_t workers) const {
+engine::ExploreSettings ExploredCampus::settings() const {
     engine::ExploreSettings settings;
     settings.strides.body = engine::mover_settings(avatar);
     settings.strides.walk_speed = avatar.speed;
     settings.strides.run_speed = engine::running_speed(avatar);
     settings.solids.ignored_layers = engine::ignored_layers(*campus, avatar);
     settings.starts = {spawn};
-    settings.workers = workers;
-    settings.broad_phase = collision::make_bullet_broad_phase;
     return settings;
+}
+
+engine::WorkerWorlds ExploredCampus::worlds(std::size_t workers) const {
+    return {world(), workers, collision::make_bullet_broad_phase};
 }
 
 std::vector<ExploredCampusSource> explored_campuses(const fs::path& data) {

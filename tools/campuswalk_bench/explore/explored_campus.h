@@ -22,8 +22,8 @@ struct ExploredCampus {
     engine::AvatarProfile avatar;
 
     const collision::World& world() const { return campus->world; }
-    /// For so many workers.
-    engine::ExploreSettings settings(std::size_t workers = 1) const;
+    engine::ExploreSettings settings() const;
+    engine::WorkerWorlds worlds(std::size_t workers) const;
 };
 
 /// Where a campus comes from.

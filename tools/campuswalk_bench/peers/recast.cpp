@@ -57,7 +57,8 @@ private:
         const int tile_bits = bits_for(tiles_.tiles().size());
         dtNavMeshParams params{};
         rcVcopy(params.orig, tiles_.low());
-        params.tileWidth = params.tileHeight = tiles_.config().cs * static_cast<float>(tiles_.config().tileSize);
+        params.tileWidth = params.tileHeight =
+            tiles_.config().cs * static_cast<float>(tiles_.config().tileSize);
         params.maxTiles = 1 << tile_bits;
         params.maxPolys = 1 << (22 - tile_bits);
         require(links_ && dtStatusSucceed(links_->init(&params)));
@@ -132,9 +133,10 @@ private:
         for (unsigned int i = 0; i < detail.triCount; ++i) {
             const unsigned char* vertices = &tile->detailTris[4 * (detail.triBase + i)];
             const auto at = [&](unsigned char vertex) {
-                const float* v = vertex < polygon->vertCount
-                                     ? &tile->verts[3 * polygon->verts[vertex]]
-                                     : &tile->detailVerts[3 * (detail.vertBase + vertex - polygon->vertCount)];
+                const float* v =
+                    vertex < polygon->vertCount
+                        ? &tile->verts[3 * polygon->verts[vertex]]
+                        : &tile->detailVerts[3 * (detail.vertBase + vertex - polygon->vertCount)];
                 return Eigen::Vector3f(v[0], v[1], v[2]).cast<double>().eval();
             };
             out.push_back({at(vertices[0]), at(vertices[1]), at(vertices[2])});

@@ -24,7 +24,8 @@ void require(bool done) {
     }
 }
 
-NavTiles::NavTiles(const collision::TriangleMesh& mesh, const NavMeshSettings& settings) : threads_(settings.threads) {
+NavTiles::NavTiles(const collision::TriangleMesh& mesh, const NavMeshSettings& settings)
+    : threads_(settings.threads) {
     for (const Eigen::Vector3f& p : mesh.positions) {
         positions_.insert(positions_.end(), {p.x(), p.y(), p.z()});
     }
@@ -135,8 +136,7 @@ rcConfig NavTiles::config_of(const NavTile& tile) const {
 
 Owned<rcHeightfield> NavTiles::rasterize(rcContext& context, const rcConfig& c, const NavTile& tile) const {
     Owned<rcHeightfield> solid(rcAllocHeightfield());
-    require(solid &&
-            rcCreateHeightfield(&context, *solid, c.width, c.height, c.bmin, c.bmax, c.cs, c.ch));
+    require(solid && rcCreateHeightfield(&context, *solid, c.width, c.height, c.bmin, c.bmax, c.cs, c.ch));
     const int count = static_cast<int>(tile.triangles.size() / 3);
     std::vector<unsigned char> areas(static_cast<std::size_t>(count), 0);
     rcMarkWalkableTriangles(&context, c.walkableSlopeAngle, positions_.data(), vertex_count(),
@@ -157,8 +157,7 @@ void NavTiles::build_tile(NavTile& tile) const {
     const rcConfig c = config_of(tile);
     Owned<rcHeightfield> solid = rasterize(context, c, tile);
     const Owned<rcCompactHeightfield> open(rcAllocCompactHeightfield());
-    require(open &&
-            rcBuildCompactHeightfield(&context, c.walkableHeight, c.walkableClimb, *solid, *open));
+    require(open && rcBuildCompactHeightfield(&context, c.walkableHeight, c.walkableClimb, *solid, *open));
     solid.reset();
     require(rcErodeWalkableArea(&context, c.walkableRadius, *open));
     require(rcBuildDistanceField(&context, *open));

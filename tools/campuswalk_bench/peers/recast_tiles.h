@@ -28,8 +28,8 @@ using Owned = std::unique_ptr<T, RecastFree>;
 struct NavTile {
     int x = 0;
     int z = 0;
-    std::vector<int> triangles;    ///< that it sees, with its border; three indices each
-    Owned<rcPolyMesh> polygons;    ///< null: there is nothing to walk on
+    std::vector<int> triangles;  ///< that it sees, with its border; three indices each
+    Owned<rcPolyMesh> polygons;  ///< null: there is nothing to walk on
     Owned<rcPolyMeshDetail> detail;
 };
 

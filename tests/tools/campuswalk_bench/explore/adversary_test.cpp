@@ -19,19 +19,21 @@ using collision::Vec3;
 engine::ExploreSettings explored_from(const Vec3& start) {
     engine::ExploreSettings settings;
     settings.starts = {start};
-    settings.workers = 2;
-    settings.broad_phase = [] { return std::make_unique<collision::LinearBroadPhase>(); };
     return settings;
+}
+
+engine::WorkerWorlds worlds_of(const collision::World& world, std::size_t workers = 2) {
+    return {world, workers, [] { return std::make_unique<collision::LinearBroadPhase>(); }};
 }
 
 /// Walks on what is explored from there that got outside of it.
 std::vector<Escape> escapes_of(const collision::World& world, const Vec3& start, bool steers_in_falls) {
     const engine::ExploreSettings explored = explored_from(start);
-    const engine::WalkSpace space = explore(world, explored);
+    const engine::WalkSpace space = explore(worlds_of(world), explored);
     AdversarySettings settings;
     settings.walks = static_cast<std::size_t>(support::repeats(200));
     settings.steers_in_falls = steers_in_falls;
-    const AdversaryResult result = attack(space, world, explored, settings);
+    const AdversaryResult result = attack(space, worlds_of(world), explored, settings);
     EXPECT_EQ(result.walks, settings.walks);
     EXPECT_GT(result.ticks, 1000U * settings.walks);
     return result.escapes;
@@ -71,12 +73,12 @@ struct GatedFloor {
 TEST(Adversary, FindsGroundThatWasLeftOut) {
     const GatedFloor floor;
     engine::ExploreSettings explored = explored_from({0, 0, 0});
-    const engine::WalkSpace space = explore(floor.world, explored);
+    const engine::WalkSpace space = explore(worlds_of(floor.world), explored);
     const std::vector<bool> open{false, true};
     explored.solids.disabled = &open;
     AdversarySettings settings;
     settings.walks = 40;
-    const AdversaryResult result = attack(space, floor.world, explored, settings);
+    const AdversaryResult result = attack(space, worlds_of(floor.world), explored, settings);
     ASSERT_FALSE(result.escapes.empty());
     for (const Escape& escape : result.escapes) {
         EXPECT_GT(escape.at.x(), 2.7);
@@ -90,14 +92,13 @@ TEST(Adversary, FindsGroundThatWasLeftOut) {
 TEST(Adversary, WalksTheSameOnAnyNumberOfThreads) {
     const GatedFloor floor;
     engine::ExploreSettings explored = explored_from({0, 0, 0});
-    const engine::WalkSpace space = explore(floor.world, explored);
+    const engine::WalkSpace space = explore(worlds_of(floor.world), explored);
     const std::vector<bool> open{false, true};
     explored.solids.disabled = &open;
     AdversarySettings settings;
     settings.walks = 20;
-    const AdversaryResult together = attack(space, floor.world, explored, settings);
-    explored.workers = 1;
-    const AdversaryResult alone = attack(space, floor.world, explored, settings);
+    const AdversaryResult together = attack(space, worlds_of(floor.world), explored, settings);
+    const AdversaryResult alone = attack(space, worlds_of(floor.world, 1), explored, settings);
     EXPECT_EQ(alone.ticks, together.ticks);
     ASSERT_EQ(alone.escapes.size(), together.escapes.size());
     for (std::size_t i = 0; i < alone.escapes.size(); ++i) {

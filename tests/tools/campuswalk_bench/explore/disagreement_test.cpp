@@ -23,7 +23,7 @@ engine::WalkSpace fenced_floor() {
     support::add_object(world, std::move(mesh));
     engine::ExploreSettings settings;
     settings.starts = {Vec3::Zero()};
-    return explore(world, settings);
+    return explore({world, 1, {}}, settings);
 }
 
 /// A level rectangle.
