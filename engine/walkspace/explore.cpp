@@ -199,7 +199,7 @@ private:
         for (std::uint8_t i = 0; i < 8; ++i) {
             const GridDirection& direction = grid_directions()[i];
             const GridCell goal{cell.x + direction.x, cell.z + direction.z};
-            if (is_known(goal, from.at.foot.y(), tile)) {
+            if (is_known(goal, from.at, tile, worker)) {
                 continue;
             }
             const StrideEnd end = try_stride(tile, from, {.direction = i}, worker);
@@ -219,7 +219,9 @@ private:
     }
 
     /// Whether the cell has a node at this height; it is in the tile or beside it.
-    bool is_known(const GridCell& cell, double y, std::uint32_t tile) const {
+    bool is_known(const GridCell& cell, const Standing& from, std::uint32_t tile,
+                  const Worker& worker) const {
+        const double y = from.foot.y();
         if (settings_.known != nullptr && settings_.known->find(cell, y)) {
             return true;
         }
@@ -233,7 +235,7 @@ private:
             return false;
         }
         const WalkTile& other = space_.tiles[number];
-        return other.find(other.index_of(cell), y).has_value();
+        return other.has(other.index_of(cell), y, worker.strider.hangs(from));
     }
 
     StrideEnd try_stride(std::uint32_t tile, const Pending& from, const Stride& stride, Worker& worker) {
@@ -301,7 +303,7 @@ private:
         WalkTile& own = space_.tiles[tile];
         const bool inside = cell.x >= own.corner.x && cell.x < own.corner.x + WalkTile::kCells &&
                             cell.z >= own.corner.z && cell.z < own.corner.z + WalkTile::kCells;
-        if (inside && own.find(own.index_of(cell), end.at.foot.y())) {
+        if (inside && own.has(own.index_of(cell), end.at.foot.y(), worker.strider.hangs(end.at))) {
             return;
         }
         const Arrival arrival{from.ticks + static_cast<std::uint32_t>(end.ticks),
@@ -332,7 +334,7 @@ private:
         const GridCell cell = space_.grid.cell_at(arrival.at.foot);
         const std::uint32_t tile = tile_for(cell);
         WalkTile& own = space_.tiles[tile];
-        if (own.find(own.index_of(cell), arrival.at.foot.y())) {
+        if (own.has(own.index_of(cell), arrival.at.foot.y(), workers_.front().strider.hangs(arrival.at))) {
             return;
         }
         WalkNode node;
@@ -358,6 +360,7 @@ private:
         node.gait = static_cast<std::uint32_t>(arrival.stride.gait) & 3U;
         node.steering = arrival.stride.steering & 15U;
         node.returns = arrival.returns ? 1 : 0;
+        node.hangs = worker.strider.hangs(arrival.at) ? 1 : 0;
         if (!add_node(tile, node, arrival.at, arrival.ticks, arrival.since_keyframe)) {
             worker.bounds.insert(Bound::levels);
         }

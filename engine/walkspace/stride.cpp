@@ -132,6 +132,11 @@ StrideEnd Strider::put_down(const Vec3& foot) {
     return end;
 }
 
+bool Strider::hangs(const Standing& at) const {
+    const double standing = settings_.body.radius * (1.0 - settings_.body.min_up);
+    return at.support_y - at.foot.y() > standing + kStepRise;
+}
+
 void Strider::tick(const Vec3& desired) {
     mover_.move(state_, desired, settings_.seconds, cache_, trace_);
     path_.push_back(state_.foot);

@@ -73,6 +73,10 @@ public:
     /// no ground.
     StrideEnd put_down(const collision::Vec3& foot);
 
+    /// Whether the body hangs over an edge: what carries it is higher beside it than any ground is that it
+    /// stands on.
+    bool hangs(const Standing& at) const;
+
     /// The feet at the end of each tick of the last stride.
     const std::vector<collision::Vec3>& path() const { return path_; }
     /// By object: whether any stride touched it.

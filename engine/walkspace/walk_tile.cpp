@@ -23,6 +23,17 @@ std::optional<std::uint16_t> WalkTile::find(std::uint32_t cell, double y, double
     return nearest;
 }
 
+bool WalkTile::has(std::uint32_t cell, double y, bool hangs) const {
+    for (std::uint16_t i = newest[cell]; i != WalkNode::kNone; i = nodes[i].next) {
+        const bool either = hangs || nodes[i].hangs != 0;
+        const double tolerance = either ? WalkNode::kHangingLevel : WalkNode::kLevel;
+        if (std::abs(static_cast<double>(nodes[i].y) - y) <= tolerance) {
+            return true;
+        }
+    }
+    return false;
+}
+
 std::uint16_t WalkTile::add(WalkNode node) {
     assert(nodes.size() < kMaxNodes);
     const auto index = static_cast<std::uint16_t>(nodes.size());

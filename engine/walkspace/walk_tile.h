@@ -17,6 +17,9 @@ struct WalkNode {
     /// Nodes of one cell are at least this far apart in height, metres: less than the lowest step that
     /// matters, more than the ground rises within a cell of a usual ramp.
     static constexpr double kLevel = 0.15;
+    /// The same for a body that hangs over an edge: a little higher on it, it may get to where others in the
+    /// cell don't.
+    static constexpr double kHangingLevel = 0.02;
     static constexpr std::uint16_t kNone = 0xFFFF;
 
     float y = 0.0F;                ///< of the foot
@@ -28,6 +31,7 @@ struct WalkNode {
     std::uint32_t steering : 4 = 0;
     std::uint32_t parent_tile : 4 = 0;  ///< index of WalkTile::neighbours, or one of the codes below
     std::uint32_t returns : 1 = 0;      ///< one can walk back to the parent
+    std::uint32_t hangs : 1 = 0;        ///< see Strider::hangs
 
     static constexpr std::uint32_t kFarParent = 9;  ///< in another tile: see WalkTile::far_parents
     static constexpr std::uint32_t kStart = 10;     ///< no parent: a start
@@ -94,6 +98,8 @@ struct WalkTile {
     /// The cell's node nearest in height, within `tolerance`.
     std::optional<std::uint16_t> find(std::uint32_t cell, double y,
                                       double tolerance = WalkNode::kLevel) const;
+    /// Whether the cell has a node that stands for a body at this height.
+    bool has(std::uint32_t cell, double y, bool hangs) const;
     /// Adds a node to its cell's list. The tile must have room for it.
     std::uint16_t add(WalkNode node);
     const Standing* keyframe(std::uint16_t node) const;

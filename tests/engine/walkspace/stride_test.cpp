@@ -103,6 +103,22 @@ Standing on_the_rim(StrideOn& floor) {
     return floor.strider.take(before, {.direction = kEast}, kGrid).at;
 }
 
+TEST(Strider, TellsWhetherABodyHangsOverAnEdge) {
+    StrideOn floor([](TriangleMesh& mesh) {
+        support::add_box(mesh, {-2, 0, -2}, {0, 3, 2});
+        support::add_quad(mesh, {4, 0, 2}, {6, 2, 2}, {6, 2, -2}, {4, 0, -2});
+    });
+    EXPECT_FALSE(floor.strider.hangs(floor.standing({-5, 0, 0}))) << "level ground";
+    EXPECT_FALSE(floor.strider.hangs(floor.standing({5, 1.2, 0}))) << "a slope of 45 degrees";
+    EXPECT_FALSE(floor.strider.hangs(floor.standing({-0.1, 3, 0})));
+    Standing at = on_the_rim(floor);
+    EXPECT_GT(at.foot.x(), 0.1);
+    EXPECT_FALSE(floor.strider.hangs(at)) << "a little over the rim";
+    at = floor.strider.walk_to(at, {0.28, 3, 0.1}, 0.005, 1.0).at;
+    EXPECT_LT(at.foot.y(), 2.9);
+    EXPECT_TRUE(floor.strider.hangs(at));
+}
+
 TEST(Strider, FallsStraightOn) {
     StrideOn floor([](TriangleMesh& mesh) { support::add_box(mesh, {-2, 0, -2}, {0, 3, 2}); });
     const Standing start = on_the_rim(floor);

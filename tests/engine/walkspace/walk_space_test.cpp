@@ -207,6 +207,8 @@ TEST(Chains, ReplayInADungeon) {
     const WalkSpace space = explored(campus->world, settings, 2);
     EXPECT_GT(space.area(), 1500.0);
     EXPECT_TRUE(space.find(space.grid.cell_at({19.8, 18.83, -79.7}), 18.83, 0.3)) << "the upper hall";
+    // Only along a rising edge, on which the body hangs above the floor beside it: random walks found it.
+    EXPECT_TRUE(space.find(space.grid.cell_at({18.9, 15.6, -86.18}), 15.6, 0.1)) << "a ledge at a wall";
     expect_chains_lead_to(some_nodes(space, 500), space, *campus, settings);
 }
 

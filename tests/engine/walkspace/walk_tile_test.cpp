@@ -29,6 +29,21 @@ TEST(WalkTile, FindsTheNearestNodeOfACell) {
     EXPECT_EQ(tile.find(7, 0.0), std::nullopt);
 }
 
+TEST(WalkTile, TellsBodiesThatHangOverAnEdgeApart) {
+    WalkTile tile({0, 0}, 0);
+    tile.add(node_at(5, 0.0F));
+    EXPECT_TRUE(tile.has(5, 0.14, false));
+    EXPECT_FALSE(tile.has(5, 0.16, false));
+    EXPECT_FALSE(tile.has(5, 0.03, true));
+    EXPECT_TRUE(tile.has(5, 0.01, true));
+    EXPECT_FALSE(tile.has(6, 0.0, false)) << "another cell";
+    WalkNode hanging = node_at(7, 1.0F);
+    hanging.hangs = 1;
+    tile.add(hanging);
+    EXPECT_TRUE(tile.has(7, 1.01, false));
+    EXPECT_FALSE(tile.has(7, 1.03, false)) << "who stands there is somewhere else";
+}
+
 TEST(WalkTile, NumbersItsCells) {
     const WalkTile tile({-32, 64}, 0);
     for (const GridCell cell : {GridCell{-32, 64}, GridCell{-1, 64}, GridCell{-32, 95}, GridCell{-1, 95}}) {

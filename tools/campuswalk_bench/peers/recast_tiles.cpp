@@ -8,6 +8,8 @@
 #include <thread>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 namespace campuswalk::tools::bench {
 
 namespace {
@@ -134,13 +136,27 @@ rcConfig NavTiles::config_of(const NavTile& tile) const {
     return c;
 }
 
+/// As rcMarkWalkableTriangles would, but for triangles that face down: a model may have a floor of them, on
+/// which our body walks as well.
+std::vector<unsigned char> NavTiles::areas_of(const NavTile& tile) const {
+    const auto vertex = [&](std::size_t i) {
+        return Eigen::Map<const Eigen::Vector3f>(
+            &positions_[3 * static_cast<std::size_t>(tile.triangles[i])]);
+    };
+    const float least = std::cos(config_.walkableSlopeAngle * 0.017453292F);
+    std::vector<unsigned char> areas;
+    for (std::size_t t = 0; t < tile.triangles.size(); t += 3) {
+        const Eigen::Vector3f normal = (vertex(t + 1) - vertex(t)).cross(vertex(t + 2) - vertex(t));
+        areas.push_back(std::abs(normal.y()) > least * normal.norm() ? RC_WALKABLE_AREA : RC_NULL_AREA);
+    }
+    return areas;
+}
+
 Owned<rcHeightfield> NavTiles::rasterize(rcContext& context, const rcConfig& c, const NavTile& tile) const {
     Owned<rcHeightfield> solid(rcAllocHeightfield());
     require(solid && rcCreateHeightfield(&context, *solid, c.width, c.height, c.bmin, c.bmax, c.cs, c.ch));
-    const int count = static_cast<int>(tile.triangles.size() / 3);
-    std::vector<unsigned char> areas(static_cast<std::size_t>(count), 0);
-    rcMarkWalkableTriangles(&context, c.walkableSlopeAngle, positions_.data(), vertex_count(),
-                            tile.triangles.data(), count, areas.data());
+    const std::vector<unsigned char> areas = areas_of(tile);
+    const int count = static_cast<int>(areas.size());
     require(rcRasterizeTriangles(&context, positions_.data(), vertex_count(), tile.triangles.data(),
                                  areas.data(), count, *solid, c.walkableClimb));
     rcFilterLowHangingWalkableObstacles(&context, c.walkableClimb, *solid);

@@ -52,6 +52,7 @@ private:
     int vertex_count() const { return static_cast<int>(positions_.size() / 3); }
     void divide();
     rcConfig config_of(const NavTile& tile) const;
+    std::vector<unsigned char> areas_of(const NavTile& tile) const;
     Owned<rcHeightfield> rasterize(rcContext& context, const rcConfig& c, const NavTile& tile) const;
     void build_tile(NavTile& tile) const;
 
