@@ -86,7 +86,8 @@ struct Event {
     std::vector<Field> fields;
 };
 
-/// The field that explains an event in words. It isn't hashed: what a walk did is the same with and without it.
+/// The field that explains an event in words. It isn't hashed: what a walk did is the same with and without
+/// it.
 inline constexpr std::string_view kWhy = "why";
 
 /// The value of a field; null if the event has none of that name and type.

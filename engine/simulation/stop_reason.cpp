@@ -49,7 +49,7 @@ public:
         const Vec3 around(kAround, kHeight, kAround);
         query.within = {body_.at.foot - around, body_.at.foot + around};
         const std::string contact = contact_text();
-        if (const auto round = way_round(query)) {
+        if (const auto round = path_round(query)) {
             return contact.empty() ? "" : contact + "; " + fixed(*round, 1) + " m lead round it";
         }
         query.surely_blocked = true;
@@ -68,7 +68,7 @@ private:
     }
 
     /// How far the body walks to get beyond what stops it, if it can.
-    std::optional<double> way_round(const PassageQuery& query) {
+    std::optional<double> path_round(const PassageQuery& query) {
         ExploreSettings settings = settings_;
         settings.more_starts = query.from;
         settings.within = query.within;

@@ -11,7 +11,7 @@ namespace campuswalk::engine {
 struct StoppedBody {
     StrideSettings strides;
     collision::QueryFilter solids;
-    Standing at;
+    GroundState at;
     collision::Vec3 heading = collision::Vec3::Zero();  ///< horizontal, of any length
 };
 

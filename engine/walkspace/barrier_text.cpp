@@ -32,7 +32,7 @@ std::string opening_text(const Barrier& opening) {
     return "is " + metres(opening.measured) + " wide, the body needs " + metres(opening.allowed);
 }
 
-std::string object_in_the_way(const scene::Campus& campus, const Barrier& object, const Barrier* opening) {
+std::string blocking_object_text(const scene::Campus& campus, const Barrier& object, const Barrier* opening) {
     std::string text = object_text(campus, *object.object, object.at) + " stands in the way at " +
                        fixed(object.at.x(), 2) + ", " + fixed(object.at.y(), 2) + ", " +
                        fixed(object.at.z(), 2);
@@ -94,14 +94,14 @@ std::string barrier_text(const scene::Campus& campus, const Barrier& barrier) {
                    fixed(degrees(barrier.allowed), 1);
         case BarrierKind::opening:
             if (const Barrier* object = part_of(barrier, BarrierKind::object)) {
-                return object_in_the_way(campus, *object, &barrier);
+                return blocking_object_text(campus, *object, &barrier);
             }
             return place_text(campus, barrier, "the opening at ") + " " + opening_text(barrier);
         case BarrierKind::headroom:
             return "headroom of " + metres(barrier.measured) + place_text(campus, barrier, " under ") +
                    "; the body needs " + metres(barrier.allowed);
         case BarrierKind::object:
-            return object_in_the_way(campus, barrier, part_of(barrier, BarrierKind::opening));
+            return blocking_object_text(campus, barrier, part_of(barrier, BarrierKind::opening));
         case BarrierKind::several:
             return several_text(campus, barrier);
         case BarrierKind::solid:

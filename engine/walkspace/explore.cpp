@@ -29,7 +29,7 @@ struct Pending {
     std::uint32_t ticks = 0;  ///< of its chain
     std::uint16_t node = 0;
     std::uint8_t since_keyframe = 0;
-    Standing at;
+    GroundState at;
 };
 
 /// The earlier first, at the top of a heap.
@@ -44,7 +44,7 @@ struct Arrival {
     Stride stride;
     bool returns = false;
     std::uint8_t since_keyframe = 0;
-    Standing at;
+    GroundState at;
 };
 
 /// What a tile needs while it is explored.
@@ -107,17 +107,17 @@ private:
     void add_starts() {
         for (std::size_t i = 0; i < settings_.starts.size(); ++i) {
             const StrideEnd end = workers_.front().strider.put_down(settings_.starts[i]);
-            if (end.kind == StrideEnd::Kind::standing) {
+            if (end.kind == StrideEnd::Kind::grounded) {
                 space_.starts.push_back(add_start(end.at));
                 space_.start_of.push_back(i);
             }
         }
-        for (const Standing& at : settings_.more_starts) {
+        for (const GroundState& at : settings_.more_starts) {
             add_start(at);
         }
     }
 
-    WalkNodeId add_start(const Standing& at) {
+    WalkNodeId add_start(const GroundState& at) {
         const GridCell cell = space_.grid.cell_at(at.foot);
         if (const auto known = space_.find(cell, at.foot.y())) {
             return *known;
@@ -157,10 +157,10 @@ private:
     }
 
     static std::size_t color_of(const WalkTile& tile) {
-        const auto parity = [](int corner) {
-            return static_cast<std::size_t>((corner / WalkTile::kCells) & 1);
+        const auto parity = [](int first_cell) {
+            return static_cast<std::size_t>((first_cell / WalkTile::kCells) & 1);
         };
-        return parity(tile.corner.x) + 2 * parity(tile.corner.z);
+        return parity(tile.first_cell.x) + 2 * parity(tile.first_cell.z);
     }
 
     void explore_tiles(std::size_t color, std::uint32_t limit) {
@@ -205,7 +205,7 @@ private:
             const StrideEnd end = try_stride(tile, from, {.direction = i}, worker);
             on_rim = on_rim || end.left_ground || space_.grid.cell_at(end.at.foot) != goal;
             const bool stopped =
-                end.kind == StrideEnd::Kind::standing && space_.grid.cell_at(end.at.foot) == cell;
+                end.kind == StrideEnd::Kind::grounded && space_.grid.cell_at(end.at.foot) == cell;
             if (settings_.run && end.left_ground) {
                 try_stride(tile, from, {.direction = i, .gait = Gait::run}, worker);
             }
@@ -219,17 +219,17 @@ private:
     }
 
     /// Whether the cell has a node at this height; it is in the tile or beside it.
-    bool is_known(const GridCell& cell, const Standing& from, std::uint32_t tile,
+    bool is_known(const GridCell& cell, const GroundState& from, std::uint32_t tile,
                   const Worker& worker) const {
         const double y = from.foot.y();
         if (settings_.known != nullptr && settings_.known->find(cell, y)) {
             return true;
         }
         const WalkTile& own = space_.tiles[tile];
-        const auto side = [](int at, int corner) {
-            return at < corner ? 0 : at >= corner + WalkTile::kCells ? 2 : 1;
+        const auto side = [](int at, int first_cell) {
+            return at < first_cell ? 0 : at >= first_cell + WalkTile::kCells ? 2 : 1;
         };
-        const int beside = side(cell.x, own.corner.x) + 3 * side(cell.z, own.corner.z);
+        const int beside = side(cell.x, own.first_cell.x) + 3 * side(cell.z, own.first_cell.z);
         const std::uint32_t number = own.neighbours[static_cast<std::size_t>(beside)];
         if (number == WalkTile::kNoTile) {
             return false;
@@ -251,7 +251,7 @@ private:
     StrideEnd take(std::uint32_t tile, const Pending& from, const Stride& stride, Worker& worker) {
         const StrideEnd end = worker.strider.take(from.at, stride, space_.grid);
         ++worker.strides;
-        if (end.kind == StrideEnd::Kind::standing) {
+        if (end.kind == StrideEnd::Kind::grounded) {
             arrive(tile, from, stride, end, worker);
         } else if (end.kind == StrideEnd::Kind::gone) {
             space_.tiles[tile].drops.push_back({from.node, stride, end.edge});
@@ -301,8 +301,8 @@ private:
             return;
         }
         WalkTile& own = space_.tiles[tile];
-        const bool inside = cell.x >= own.corner.x && cell.x < own.corner.x + WalkTile::kCells &&
-                            cell.z >= own.corner.z && cell.z < own.corner.z + WalkTile::kCells;
+        const bool inside = cell.x >= own.first_cell.x && cell.x < own.first_cell.x + WalkTile::kCells &&
+                            cell.z >= own.first_cell.z && cell.z < own.first_cell.z + WalkTile::kCells;
         if (inside && own.has(own.index_of(cell), end.at.foot.y(), worker.strider.hangs(end.at))) {
             return;
         }
@@ -320,11 +320,11 @@ private:
     }
 
     /// Whether one can walk back from there.
-    bool returns(const Standing& at, const Pending& to, Worker& worker) {
-        const Vec3 way = to.at.foot - at.foot;
-        const double seconds = 2.0 * collision::horizontal_norm(way) / settings_.strides.walk_speed + 0.2;
+    bool returns(const GroundState& at, const Pending& to, Worker& worker) {
+        const Vec3 path = to.at.foot - at.foot;
+        const double seconds = 2.0 * collision::horizontal_norm(path) / settings_.strides.walk_speed + 0.2;
         const StrideEnd back = worker.strider.walk_to(at, to.at.foot, 0.02, seconds);
-        return back.kind == StrideEnd::Kind::standing &&
+        return back.kind == StrideEnd::Kind::grounded &&
                space_.grid.cell_at(back.at.foot) == space_.grid.cell_at(to.at.foot) &&
                std::abs(back.at.foot.y() - to.at.foot.y()) <= WalkNode::kLevel;
     }
@@ -367,7 +367,7 @@ private:
     }
 
     /// None if the tile is full.
-    std::optional<std::uint16_t> add_node(std::uint32_t tile, const WalkNode& node, const Standing& at,
+    std::optional<std::uint16_t> add_node(std::uint32_t tile, const WalkNode& node, const GroundState& at,
                                           std::uint32_t ticks, std::uint8_t since_keyframe) {
         WalkTile& own = space_.tiles[tile];
         if (own.nodes.size() >= WalkTile::kMaxNodes) {

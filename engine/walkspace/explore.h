@@ -13,12 +13,12 @@ namespace campuswalk::engine {
 /// What is explored, and by whom.
 struct ExploreSettings {
     StrideSettings strides;
-    collision::QueryFilter solids;           ///< what it points to must outlive the exploration
-    std::vector<collision::Vec3> starts;     ///< feet, put down as a spawn is
-    std::vector<Standing> more_starts = {};  ///< bodies that stand already
-    bool run = false;                        ///< may also run: off edges it gets farther
-    bool jump = false;                       ///< may also jump, forward at the speed of its run
-    double cell = 0.25;                      ///< metres; smaller for a body narrower than a cell's diagonal
+    collision::QueryFilter solids;              ///< what it points to must outlive the exploration
+    std::vector<collision::Vec3> starts;        ///< feet, put down as a spawn is
+    std::vector<GroundState> more_starts = {};  ///< bodies that stand already
+    bool run = false;                           ///< may also run: off edges it gets farther
+    bool jump = false;                          ///< may also jump, forward at the speed of its run
+    double cell = 0.25;  ///< metres; smaller for a body narrower than a cell's diagonal
     /// Nothing is explored beyond this box; all of the world if it is empty.
     collision::Aabb within = {};
     /// Cells that this space has reached already aren't explored again. May be null.

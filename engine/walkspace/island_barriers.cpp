@@ -49,11 +49,11 @@ private:
     std::map<GridCell, std::vector<Place>> blocks_;
 };
 
-using Rim = Blocks<Standing>;
+using Rim = Blocks<GroundState>;
 
 /// A place on the rim and the island's nearest spot.
 struct Approach {
-    Standing from;
+    GroundState from;
     const UnreachedSpot* spot = nullptr;
     double apart = 1e300;
 };
@@ -76,7 +76,7 @@ std::vector<Approach> approaches_to(const Island& island, const Rim& rim) {
             z < island.bounds.min.z() - 2.0 * kNear || z > island.bounds.max.z() + 2.0 * kNear) {
             continue;
         }
-        for (const Standing& from : there) {
+        for (const GroundState& from : there) {
             Approach approach{from};
             spots.visit_around(from.foot, [&](const UnreachedSpot* spot) {
                 if (const double apart = distance(spot->at.foot, from.foot); apart < approach.apart) {

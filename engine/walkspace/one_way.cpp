@@ -43,14 +43,14 @@ public:
     }
 
     /// Nodes by part that is no one's way home, after all ways were tried.
-    std::map<std::size_t, std::vector<WalkNodeId>> without_way_home() {
+    std::map<std::size_t, std::vector<WalkNodeId>> without_path_home() {
         std::map<std::size_t, std::vector<WalkNodeId>> parts = others();
         // A part whose parent's part it is entered from by a stride makes the parent's part lead where it
         // leads.
         for (bool changed = true; changed;) {
             changed = false;
             for (const auto& [part, nodes] : parts) {
-                if (!leads_home(part) && finds_way(nodes)) {
+                if (!leads_home(part) && finds_path(nodes)) {
                     mark_home(part);
                     changed = true;
                 }
@@ -61,9 +61,9 @@ public:
     }
 
     /// Every stride from every node, steered in each way if it falls: does one lead home?
-    bool has_any_way(const std::vector<WalkNodeId>& nodes) {
+    bool has_any_path(const std::vector<WalkNodeId>& nodes) {
         return std::ranges::any_of(nodes, [&](const WalkNodeId& ref) {
-            const Standing at = space_.standing(ref, strider_);
+            const GroundState at = space_.state_at(ref, strider_);
             for (std::uint8_t direction = 0; direction < 8; ++direction) {
                 for (std::uint8_t steering : {Stride::kStraightOn, Stride::kLetGo}) {
                     if (leads_home_from(at, {.direction = direction, .steering = steering})) {
@@ -115,7 +115,7 @@ private:
     }
 
     /// Tries where its nodes lie beside others that lead home.
-    bool finds_way(const std::vector<WalkNodeId>& nodes) {
+    bool finds_path(const std::vector<WalkNodeId>& nodes) {
         std::size_t tries = 0;
         for (const WalkNodeId& ref : nodes) {
             const GridCell cell = space_.cell_of(ref);
@@ -126,7 +126,7 @@ private:
                 if (!beside || !leads_home(part_of(*beside))) {
                     continue;
                 }
-                if (leads_home_from(space_.standing(ref, strider_), {.direction = direction})) {
+                if (leads_home_from(space_.state_at(ref, strider_), {.direction = direction})) {
                     return true;
                 }
                 if (++tries == kTries) {
@@ -137,9 +137,9 @@ private:
         return false;
     }
 
-    bool leads_home_from(const Standing& at, const Stride& stride) {
+    bool leads_home_from(const GroundState& at, const Stride& stride) {
         const StrideEnd end = strider_.take(at, stride, space_.grid);
-        if (end.kind != StrideEnd::Kind::standing) {
+        if (end.kind != StrideEnd::Kind::grounded) {
             return false;
         }
         const auto there = space_.find(space_.grid.cell_at(end.at.foot), end.at.foot.y());
@@ -190,8 +190,8 @@ std::vector<Trap> find_traps(const WorkerWorlds& worlds, const ExploreSettings& 
     Parts parts(worlds, settings, space);
     std::vector<Trap> traps;
     Strider strider(worlds[0], settings.strides, settings.solids);
-    for (auto& [part, nodes] : parts.without_way_home()) {
-        if (parts.has_any_way(nodes)) {
+    for (auto& [part, nodes] : parts.without_path_home()) {
+        if (parts.has_any_path(nodes)) {
             continue;
         }
         Trap trap;
@@ -203,7 +203,7 @@ std::vector<Trap> find_traps(const WorkerWorlds& worlds, const ExploreSettings& 
                 break;
             }
         }
-        trap.edge = space.standing(space.parent(trap.entrance).value_or(trap.entrance), strider).foot;
+        trap.edge = space.state_at(space.parent(trap.entrance).value_or(trap.entrance), strider).foot;
         trap.drop = trap.edge.y() - static_cast<double>(space.node(trap.entrance).y);
         traps.push_back(std::move(trap));
     }

@@ -19,7 +19,7 @@ constexpr double kStill = 1e-9;
 /// Beyond the slope's own rise in a tick, the body climbed or descended a step, metres.
 constexpr double kStepRise = 0.01;
 
-collision::MoverState state_of(const Standing& at) {
+collision::MoverState state_of(const GroundState& at) {
     collision::MoverState state;
     state.foot = at.foot;
     state.support_y = at.support_y;
@@ -39,7 +39,7 @@ Strider::Strider(const collision::World& world, const StrideSettings& settings,
       mover_(world, settings.body, filter),
       touched_(world.size(), false) {}
 
-StrideEnd Strider::take(const Standing& from, const Stride& stride, const WalkGrid& grid) {
+StrideEnd Strider::take(const GroundState& from, const Stride& stride, const WalkGrid& grid) {
     const GridDirection& direction = grid_directions()[stride.direction];
     const GridCell cell = grid.cell_at(from.foot);
     const Vec3 goal = grid.center({cell.x + direction.x, cell.z + direction.z});
@@ -83,7 +83,7 @@ StrideEnd Strider::take(const Standing& from, const Stride& stride, const WalkGr
     return end;
 }
 
-StrideEnd Strider::walk_to(const Standing& from, const Vec3& point, double within, double seconds) {
+StrideEnd Strider::walk_to(const GroundState& from, const Vec3& point, double within, double seconds) {
     StrideEnd end;
     end.clean = false;
     state_ = state_of(from);
@@ -132,9 +132,9 @@ StrideEnd Strider::put_down(const Vec3& foot) {
     return end;
 }
 
-bool Strider::hangs(const Standing& at) const {
-    const double standing = settings_.body.radius * (1.0 - settings_.body.min_up);
-    return at.support_y - at.foot.y() > standing + kStepRise;
+bool Strider::hangs(const GroundState& at) const {
+    const double rise = settings_.body.radius * (1.0 - settings_.body.min_up);
+    return at.support_y - at.foot.y() > rise + kStepRise;
 }
 
 void Strider::tick(const Vec3& desired) {
@@ -159,7 +159,7 @@ void Strider::fall(const Vec3& desired, StrideEnd& end) {
 void Strider::finish(StrideEnd& end) const {
     end.ticks = static_cast<int>(path_.size());
     end.at = {state_.foot, state_.support_y};
-    end.kind = state_.grounded             ? StrideEnd::Kind::standing
+    end.kind = state_.grounded             ? StrideEnd::Kind::grounded
                : state_.foot.y() < bottom_ ? StrideEnd::Kind::gone
                                            : StrideEnd::Kind::falling;
 }

@@ -25,22 +25,22 @@ struct Stride {
 };
 
 /// Where a body stands: all that its next move on the ground depends on.
-struct Standing {
+struct GroundState {
     collision::Vec3 foot = collision::Vec3::Zero();
     double support_y = 0.0;  ///< see collision::MoverState
 
-    friend bool operator==(const Standing&, const Standing&) = default;
+    friend bool operator==(const GroundState&, const GroundState&) = default;
 };
 
 /// What a stride ended in.
 struct StrideEnd {
     enum class Kind : std::uint8_t {
-        standing,  ///< on the ground
+        grounded,  ///< on the ground
         gone,      ///< below everything: it fell out of the world
         falling,   ///< still in the air after kMaxFall seconds
     };
-    Kind kind = Kind::standing;
-    Standing at;           ///< if it stands
+    Kind kind = Kind::grounded;
+    GroundState at;        ///< if it stands
     collision::Vec3 edge;  ///< if it left the ground: where it last stood
     bool left_ground = false;
     /// Nothing was touched, no step climbed, no edge passed: the way back is free as well.
@@ -65,17 +65,17 @@ public:
             const collision::QueryFilter& filter);
 
     /// Towards the middle of the next cell in the stride's direction.
-    StrideEnd take(const Standing& from, const Stride& stride, const WalkGrid& grid);
+    StrideEnd take(const GroundState& from, const Stride& stride, const WalkGrid& grid);
     /// Towards a point, as the step walk_to does, for at most `seconds`: ends within `within` of it,
     /// horizontally, or at a standstill.
-    StrideEnd walk_to(const Standing& from, const collision::Vec3& point, double within, double seconds);
+    StrideEnd walk_to(const GroundState& from, const collision::Vec3& point, double within, double seconds);
     /// Puts the body down as a spawn does, and lets it fall to the ground. Gone if there is no free place, or
     /// no ground.
     StrideEnd put_down(const collision::Vec3& foot);
 
     /// Whether the body hangs over an edge: what carries it is higher beside it than any ground is that it
     /// stands on.
-    bool hangs(const Standing& at) const;
+    bool hangs(const GroundState& at) const;
 
     /// The feet at the end of each tick of the last stride.
     const std::vector<collision::Vec3>& path() const { return path_; }

@@ -66,10 +66,10 @@ private:
         subject.at = at;
         double nearest = 1e300;
         for (const WalkNodeId& node : nodes_around(at)) {
-            const Standing from = s_.reached.standing(node, strider_);
+            const GroundState from = s_.reached.state_at(node, strider_);
             const StrideEnd end = strider_.walk_to(from, at, 0.05, 2.0);
             const Vec3 apart = end.at.foot - at;
-            if (end.kind == StrideEnd::Kind::standing && collision::horizontal_norm(apart) <= 0.05 &&
+            if (end.kind == StrideEnd::Kind::grounded && collision::horizontal_norm(apart) <= 0.05 &&
                 std::abs(apart.y()) <= kLevel) {
                 subject.reached = true;
                 subject.node = node;
@@ -112,7 +112,7 @@ private:
             }
         }
         const StrideEnd end = strider_.put_down(subject.at);
-        if (end.kind != StrideEnd::Kind::standing) {
+        if (end.kind != StrideEnd::Kind::grounded) {
             subject.reason = "there is no ground below it";
             return;
         }
@@ -197,8 +197,8 @@ private:
         const Vec3 center = box.center();
         for (std::uint32_t t = 0; t < s_.reached.tiles.size(); ++t) {
             const WalkTile& tile = s_.reached.tiles[t];
-            if (tile.corner.x > high.x || tile.corner.x + WalkTile::kCells <= low.x ||
-                tile.corner.z > high.z || tile.corner.z + WalkTile::kCells <= low.z) {
+            if (tile.first_cell.x > high.x || tile.first_cell.x + WalkTile::kCells <= low.x ||
+                tile.first_cell.z > high.z || tile.first_cell.z + WalkTile::kCells <= low.z) {
                 continue;
             }
             for (std::uint16_t n = 0; n < tile.nodes.size(); ++n) {
@@ -229,7 +229,7 @@ private:
             if (!overlaps(s_.reached.position(node), body_.radius + slack)) {
                 continue;
             }
-            const Vec3 foot = s_.reached.standing(node, strider_).foot;
+            const Vec3 foot = s_.reached.state_at(node, strider_).foot;
             if (overlaps(foot, body_.radius)) {
                 subject.reached = true;
                 subject.at = foot;
@@ -288,12 +288,12 @@ private:
         for (std::size_t i = 0; i < eyes.size(); i += every) {
             const Vec3 eye = s_.reached.position(eyes[i]) + Vec3(0, s_.avatar.eye_height, 0);
             for (const Vec3& point : points) {
-                const Vec3 way = point - eye;
-                const double distance = way.norm();
+                const Vec3 path = point - eye;
+                const double distance = path.norm();
                 if (distance <= 0.0 || distance > reach) {
                     continue;
                 }
-                const collision::Ray ray{eye, eye + reach / distance * way};
+                const collision::Ray ray{eye, eye + reach / distance * path};
                 const auto hit = collision::cast(world_, filter, ray, Detection::ray);
                 if (hit && hit->object == id) {
                     subject.reached = true;

@@ -141,9 +141,9 @@ std::vector<Surface> unreached_surfaces(const collision::World& world, const Exp
 }
 
 /// Where a body comes to stand on the surface, if it has room there.
-std::optional<Standing> stand_on(const Surface& surface, const collision::CapsuleMover& mover,
-                                 const collision::World& world, const ExploreSettings& settings,
-                                 const WalkGrid& grid, collision::MoverCache& cache) {
+std::optional<GroundState> stand_on(const Surface& surface, const collision::CapsuleMover& mover,
+                                    const collision::World& world, const ExploreSettings& settings,
+                                    const WalkGrid& grid, collision::MoverCache& cache) {
     const collision::MoverSettings& body = settings.strides.body;
     Vec3 foot = grid.center(surface.cell);
     foot.y() = surface.y + collision::kRestGap;
@@ -157,13 +157,13 @@ std::optional<Standing> stand_on(const Surface& surface, const collision::Capsul
     if (!state.grounded) {
         return std::nullopt;
     }
-    return Standing{state.foot, state.support_y};
+    return GroundState{state.foot, state.support_y};
 }
 
-std::vector<UnreachedSpot> standing_spots(const WorkerWorlds& worlds, const ExploreSettings& settings,
-                                          const WalkSpace& reached, const std::vector<Surface>& surfaces) {
+std::vector<UnreachedSpot> spots_with_room(const WorkerWorlds& worlds, const ExploreSettings& settings,
+                                           const WalkSpace& reached, const std::vector<Surface>& surfaces) {
     constexpr std::size_t kChunk = 256;
-    std::vector<std::optional<Standing>> found(surfaces.size());
+    std::vector<std::optional<GroundState>> found(surfaces.size());
     std::vector<collision::MoverCache> caches(worlds.size());
     std::vector<collision::CapsuleMover> movers;
     for (std::size_t i = 0; i < worlds.size(); ++i) {
@@ -248,7 +248,7 @@ private:
         }
         const Vec3& goal = spots_[higher].at.foot;
         const StrideEnd end = strider_.walk_to(spots_[lower].at, goal, 0.05, 1.5);
-        if (end.kind == StrideEnd::Kind::standing && (end.at.foot - goal).norm() <= WalkNode::kLevel) {
+        if (end.kind == StrideEnd::Kind::grounded && (end.at.foot - goal).norm() <= WalkNode::kLevel) {
             sets_.join(lower, higher);
         }
     }
@@ -267,7 +267,7 @@ private:
 std::vector<Island> find_unreached_ground(const WorkerWorlds& worlds, const ExploreSettings& settings,
                                           const WalkSpace& reached, double least_area) {
     const std::vector<Surface> surfaces = unreached_surfaces(worlds[0], settings, reached);
-    const std::vector<UnreachedSpot> spots = standing_spots(worlds, settings, reached, surfaces);
+    const std::vector<UnreachedSpot> spots = spots_with_room(worlds, settings, reached, surfaces);
     SpotJoiner joiner(worlds, settings, reached.grid, spots);
     std::map<std::size_t, Island> by_root;
     for (std::size_t i = 0; i < spots.size(); ++i) {

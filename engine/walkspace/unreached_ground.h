@@ -14,7 +14,7 @@ namespace campuswalk::engine {
 
 /// A place where the body could stand, but doesn't get to.
 struct UnreachedSpot {
-    Standing at;
+    GroundState at;
     collision::ObjectId object{};  ///< that would carry it
     std::uint32_t triangle = 0;    ///< of the object's mesh; 0 for a box
 };

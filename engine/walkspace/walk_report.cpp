@@ -49,10 +49,10 @@ WalkReport report_walks(const scene::Campus& campus, const AvatarProfile& avatar
     }
     Strider strider(worlds[0], settings.strides, settings.solids);
     for (const Subject& subject : subjects) {
-        const bool has_way = subject.node && subject.kind != SubjectKind::solid;
+        const bool has_path = subject.node && subject.kind != SubjectKind::solid;
         report.subjects.push_back(
             {subject,
-             has_way ? std::optional(length_of(report.space.chain(*subject.node, strider))) : std::nullopt});
+             has_path ? std::optional(length_of(report.space.chain(*subject.node, strider))) : std::nullopt});
     }
     report.traps = find_traps(worlds, settings, report.space);
     report.holes = find_holes(report.space);

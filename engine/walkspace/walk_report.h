@@ -24,7 +24,7 @@ struct IslandReport {
 /// A subject, and how far one walks to it.
 struct SubjectReport {
     Subject subject;
-    std::optional<double> way;  ///< reached: from the nearest start, along the chain of strides, metres
+    std::optional<double> distance;  ///< reached: from the nearest start, along the chain of strides, metres
 };
 
 /// Where a visitor gets to on a campus, where not, and why not.

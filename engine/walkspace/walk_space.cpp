@@ -14,7 +14,7 @@ int tile_start(int x) {
     return x - (rest < 0 ? rest + kCells : rest);
 }
 
-GridCell corner_of(const GridCell& cell) {
+GridCell first_cell_of(const GridCell& cell) {
     return {tile_start(cell.x), tile_start(cell.z)};
 }
 
@@ -40,7 +40,7 @@ collision::Vec3 WalkSpace::position(const WalkNodeId& ref) const {
 }
 
 std::optional<std::uint32_t> WalkSpace::tile_at(const GridCell& cell) const {
-    const auto found = tile_numbers_.find(corner_of(cell));
+    const auto found = tile_numbers_.find(first_cell_of(cell));
     return found == tile_numbers_.end() ? std::nullopt : std::optional(found->second);
 }
 
@@ -54,16 +54,16 @@ std::optional<WalkNodeId> WalkSpace::find(const GridCell& cell, double y, double
 }
 
 std::uint32_t WalkSpace::add_tile_at(const GridCell& cell) {
-    const GridCell corner = corner_of(cell);
+    const GridCell first_cell = first_cell_of(cell);
     const auto number = static_cast<std::uint32_t>(tiles.size());
-    const auto [at, added] = tile_numbers_.emplace(corner, number);
+    const auto [at, added] = tile_numbers_.emplace(first_cell, number);
     if (!added) {
         return at->second;
     }
-    tiles.emplace_back(corner, number);
+    tiles.emplace_back(first_cell, number);
     for (int i = 0; i < 9; ++i) {
-        const GridCell beside{corner.x + (i % 3 - 1) * WalkTile::kCells,
-                              corner.z + (i / 3 - 1) * WalkTile::kCells};
+        const GridCell beside{first_cell.x + (i % 3 - 1) * WalkTile::kCells,
+                              first_cell.z + (i / 3 - 1) * WalkTile::kCells};
         const auto other = tile_numbers_.find(beside);
         if (other != tile_numbers_.end() && i != 4) {
             tiles[number].neighbours[static_cast<std::size_t>(i)] = other->second;
@@ -104,20 +104,20 @@ std::vector<ChainLink> WalkSpace::chain(const WalkNodeId& ref, Strider& strider)
     return links;
 }
 
-Standing WalkSpace::standing(const WalkNodeId& ref, Strider& strider) const {
-    std::vector<Stride> way;
+GroundState WalkSpace::state_at(const WalkNodeId& ref, Strider& strider) const {
+    std::vector<Stride> path;
     WalkNodeId at = ref;
-    const Standing* known = tiles[at.tile].keyframe(at.node);
+    const GroundState* known = tiles[at.tile].keyframe(at.node);
     while (known == nullptr) {
-        way.push_back(node(at).stride());
+        path.push_back(node(at).stride());
         at = *parent(at);
         known = tiles[at.tile].keyframe(at.node);
     }
-    Standing standing = *known;
-    for (auto stride = way.rbegin(); stride != way.rend(); ++stride) {
-        standing = strider.take(standing, *stride, grid).at;
+    GroundState state = *known;
+    for (auto stride = path.rbegin(); stride != path.rend(); ++stride) {
+        state = strider.take(state, *stride, grid).at;
     }
-    return standing;
+    return state;
 }
 
 }  // namespace campuswalk::engine

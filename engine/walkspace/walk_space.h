@@ -26,7 +26,7 @@ const char* name_of(Bound bound);
 /// One stride of a chain, and where it ended.
 struct ChainLink {
     Stride stride;  ///< meaningless for the first link
-    Standing at;
+    GroundState at;
 };
 
 /// All places that a body can reach by walking from its starts: nodes in cells of a grid. Every node has a
@@ -63,7 +63,7 @@ public:
     /// From the start to the node. Takes as many ticks as the walk itself.
     std::vector<ChainLink> chain(const WalkNodeId& ref, Strider& strider) const;
     /// Where exactly the body stands at the node; takes the strides since the last node with a known state.
-    Standing standing(const WalkNodeId& ref, Strider& strider) const;
+    GroundState state_at(const WalkNodeId& ref, Strider& strider) const;
 
 private:
     std::map<GridCell, std::uint32_t> tile_numbers_;  ///< by the tile's corner

@@ -6,7 +6,7 @@
 
 namespace campuswalk::engine {
 
-WalkTile::WalkTile(const GridCell& first_cell, std::uint32_t own_index) : corner(first_cell) {
+WalkTile::WalkTile(const GridCell& first_cell, std::uint32_t own_index) : first_cell(first_cell) {
     newest.fill(WalkNode::kNone);
     neighbours.fill(kNoTile);
     neighbours[4] = own_index;
@@ -43,7 +43,7 @@ std::uint16_t WalkTile::add(WalkNode node) {
     return index;
 }
 
-const Standing* WalkTile::keyframe(std::uint16_t node) const {
+const GroundState* WalkTile::keyframe(std::uint16_t node) const {
     const auto found = std::ranges::lower_bound(keyframes, node, {}, &Keyframe::node);
     return found != keyframes.end() && found->node == node ? &found->at : nullptr;
 }

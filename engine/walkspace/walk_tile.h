@@ -61,7 +61,7 @@ struct WalkTile {
     /// Exact states are kept for some nodes only; those of the others follow from them, stride by stride.
     struct Keyframe {
         std::uint16_t node = 0;
-        Standing at;
+        GroundState at;
     };
     struct FarParent {
         std::uint16_t node = 0;
@@ -74,7 +74,7 @@ struct WalkTile {
         collision::Vec3 edge = collision::Vec3::Zero();
     };
 
-    GridCell corner;                                    ///< its cell with the lowest x and z
+    GridCell first_cell;                                ///< its cell with the lowest x and z
     std::array<std::uint16_t, kCells * kCells> newest;  ///< of each cell, a list by WalkNode::next
     std::vector<WalkNode> nodes;
     std::vector<Keyframe> keyframes;  ///< ascending by node
@@ -88,12 +88,12 @@ struct WalkTile {
     WalkTile(const GridCell& first_cell, std::uint32_t own_index);
 
     GridCell cell_of(const WalkNode& node) const {
-        return {corner.x + static_cast<int>(node.cell) % kCells,
-                corner.z + static_cast<int>(node.cell) / kCells};
+        return {first_cell.x + static_cast<int>(node.cell) % kCells,
+                first_cell.z + static_cast<int>(node.cell) / kCells};
     }
     /// The index of a cell of this tile.
     std::uint32_t index_of(const GridCell& cell) const {
-        return static_cast<std::uint32_t>(cell.x - corner.x + kCells * (cell.z - corner.z));
+        return static_cast<std::uint32_t>(cell.x - first_cell.x + kCells * (cell.z - first_cell.z));
     }
     /// The cell's node nearest in height, within `tolerance`.
     std::optional<std::uint16_t> find(std::uint32_t cell, double y,
@@ -102,7 +102,7 @@ struct WalkTile {
     bool has(std::uint32_t cell, double y, bool hangs) const;
     /// Adds a node to its cell's list. The tile must have room for it.
     std::uint16_t add(WalkNode node);
-    const Standing* keyframe(std::uint16_t node) const;
+    const GroundState* keyframe(std::uint16_t node) const;
 };
 
 }  // namespace campuswalk::engine

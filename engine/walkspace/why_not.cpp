@@ -93,8 +93,8 @@ double change_of(const Barrier& barrier) {
 }
 
 /// A way that a changed body found.
-struct Way {
-    Standing start;                      ///< where it left what the body reaches
+struct FoundPath {
+    GroundState start;                   ///< where it left what the body reaches
     std::vector<Vec3> feet;              ///< from there on
     std::vector<ObjectId> touched = {};  ///< on all ways that were tried
 };
@@ -118,11 +118,11 @@ public:
 
     std::optional<Barrier> run() {
         const collision::MoverSettings& body = settings_.strides.body;
-        if (!query_.surely_blocked && find_way(body, query_.from)) {
+        if (!query_.surely_blocked && find_path(body, query_.from)) {
             return std::nullopt;
         }
         const std::vector<Ability> abilities = abilities_of(body);
-        const std::optional<Way> easiest = find_way(easiest_of(abilities), query_.from);
+        const std::optional<FoundPath> easiest = find_path(easiest_of(abilities), query_.from);
         const std::vector<ObjectId> touched = touched_;
         std::vector<Barrier> found;
         for (const Ability& ability : abilities) {
@@ -141,7 +141,8 @@ public:
     }
 
 private:
-    std::optional<Way> find_way(const collision::MoverSettings& body, std::span<const Standing> from) {
+    std::optional<FoundPath> find_path(const collision::MoverSettings& body,
+                                       std::span<const GroundState> from) {
         ExploreSettings settings = settings_;
         settings.strides.body = body;
         settings.more_starts.assign(from.begin(), from.end());
@@ -157,17 +158,17 @@ private:
         }
         Strider strider(worlds_[0], settings.strides, settings.solids);
         const std::vector<ChainLink> chain = space.chain(*space.goal, strider);
-        Way way{chain.front().at, {}};
+        FoundPath path{chain.front().at, {}};
         for (const ChainLink& link : chain) {
-            way.feet.push_back(link.at.foot);
+            path.feet.push_back(link.at.foot);
         }
-        return way;
+        return path;
     }
 
     /// The starts near the one that led to a way.
-    std::vector<Standing> starts_near(const Vec3& place) const {
-        std::vector<Standing> near;
-        for (const Standing& at : query_.from) {
+    std::vector<GroundState> starts_near(const Vec3& place) const {
+        std::vector<GroundState> near;
+        for (const GroundState& at : query_.from) {
             if (collision::horizontal_norm(at.foot - place) <= kAround) {
                 near.push_back(at);
             }
@@ -181,38 +182,38 @@ private:
             ability.apply(value, changed);
             return changed;
         };
-        if (!find_way(with(ability.easier.back()), query_.from)) {
+        if (!find_path(with(ability.easier.back()), query_.from)) {
             return std::nullopt;
         }
         double fails = ability.have;
         double passes = ability.easier.back();
-        std::optional<Way> way;
+        std::optional<FoundPath> path;
         for (const double value : ability.easier) {
-            way = find_way(with(value), query_.from);
-            if (way) {
+            path = find_path(with(value), query_.from);
+            if (path) {
                 passes = value;
                 break;
             }
             fails = value;
         }
-        if (!way) {
+        if (!path) {
             return std::nullopt;  // what one more start would do, another's chain may not
         }
-        const std::vector<Standing> near = starts_near(way->start.foot);
+        const std::vector<GroundState> near = starts_near(path->start.foot);
         while (std::abs(passes - fails) > ability.precision) {
             const double middle = 0.5 * (passes + fails);
-            if (auto nearer = find_way(with(middle), near)) {
+            if (auto nearer = find_path(with(middle), near)) {
                 passes = middle;
-                way = std::move(nearer);
+                path = std::move(nearer);
             } else {
                 fails = middle;
             }
         }
-        return measured(ability, passes, body, *way);
+        return measured(ability, passes, body, *path);
     }
 
     Barrier measured(const Ability& ability, double value, const collision::MoverSettings& body,
-                     const Way& way) const {
+                     const FoundPath& path) const {
         Barrier barrier;
         barrier.kind = ability.kind;
         barrier.measured = value;
@@ -221,26 +222,26 @@ private:
             barrier.measured += collision::kHeightSlack;
             barrier.kind = barrier.measured > kHighestRiser ? BarrierKind::ledge : BarrierKind::riser;
         }
-        locate(way, body, barrier);
+        locate(path, body, barrier);
         return barrier;
     }
 
     /// Sends the body along the way of the changed one: what it is stopped by is the barrier.
-    void locate(const Way& way, const collision::MoverSettings& body, Barrier& barrier) const {
+    void locate(const FoundPath& path, const collision::MoverSettings& body, Barrier& barrier) const {
         StrideSettings strides = settings_.strides;
         strides.body = body;
         Strider strider(worlds_[0], strides, settings_.solids);
-        Standing at = way.start;
+        GroundState at = path.start;
         Vec3 ahead = Vec3::Zero();
-        for (std::size_t i = 1; i < way.feet.size(); ++i) {
-            const StrideEnd end = strider.walk_to(at, way.feet[i], 0.02, 1.0);
-            ahead = way.feet[i] - end.at.foot;
+        for (std::size_t i = 1; i < path.feet.size(); ++i) {
+            const StrideEnd end = strider.walk_to(at, path.feet[i], 0.02, 1.0);
+            ahead = path.feet[i] - end.at.foot;
             ahead.y() = 0.0;
-            if (end.kind != StrideEnd::Kind::standing) {
+            if (end.kind != StrideEnd::Kind::grounded) {
                 break;
             }
             at = end.at;
-            if (ahead.norm() > 0.05 || std::abs(way.feet[i].y() - at.foot.y()) > body.step_height) {
+            if (ahead.norm() > 0.05 || std::abs(path.feet[i].y() - at.foot.y()) > body.step_height) {
                 break;
             }
         }
@@ -268,12 +269,12 @@ private:
             }
             ++tried;
             disabled_[index_of(id)] = true;
-            const auto way = find_way(body, query_.from);
+            const auto path = find_path(body, query_.from);
             disabled_[index_of(id)] = false;
-            if (way) {
+            if (path) {
                 Barrier barrier;
                 barrier.kind = BarrierKind::object;
-                locate(*way, body, barrier);
+                locate(*path, body, barrier);
                 barrier.object = id;
                 found.push_back(barrier);
             }
@@ -283,7 +284,7 @@ private:
     /// Taking away the ground is no change that helps.
     bool carries_a_start(ObjectId id) const {
         const collision::Aabb& box = worlds_[0].bounds(id);
-        return std::ranges::any_of(query_.from, [&](const Standing& at) {
+        return std::ranges::any_of(query_.from, [&](const GroundState& at) {
             const Vec3 below = at.foot - Vec3(0, 0.02, 0);
             return (below.array() >= box.min.array() - 0.01).all() &&
                    (below.array() <= box.max.array() + 0.01).all() && at.support_y <= box.max.y() + 0.01 &&
@@ -291,7 +292,7 @@ private:
         });
     }
 
-    bool supports(ObjectId id, const Standing& at) const {
+    bool supports(ObjectId id, const GroundState& at) const {
         const double radius = settings_.strides.body.radius;
         const Vec3 center = at.foot + Vec3(0, radius, 0);
         std::vector<collision::Obstacle> near;
@@ -317,7 +318,7 @@ private:
     }
 
     /// There is a way with every ability at its easiest; now each is made as hard as the others allow.
-    Barrier all_at_once(const std::vector<Ability>& abilities, Way way) {
+    Barrier all_at_once(const std::vector<Ability>& abilities, FoundPath path) {
         Barrier barrier;
         barrier.kind = BarrierKind::several;
         std::vector<double> values;
@@ -331,15 +332,15 @@ private:
         for (std::size_t i = 0; i < abilities.size(); ++i) {
             abilities[i].apply(values[i], needed);
         }
-        if (auto exact = find_way(needed, query_.from)) {
-            way = std::move(*exact);
+        if (auto exact = find_path(needed, query_.from)) {
+            path = std::move(*exact);
         }
         for (std::size_t i = 0; i < abilities.size(); ++i) {
             if (values[i] != abilities[i].have) {
-                barrier.parts.push_back(measured(abilities[i], values[i], settings_.strides.body, way));
+                barrier.parts.push_back(measured(abilities[i], values[i], settings_.strides.body, path));
             }
         }
-        locate(way, settings_.strides.body, barrier);
+        locate(path, settings_.strides.body, barrier);
         return barrier;
     }
 
@@ -349,7 +350,7 @@ private:
             for (std::size_t i = 0; i < abilities.size(); ++i) {
                 abilities[i].apply(i == which ? value : values[i], body);
             }
-            return find_way(body, query_.from).has_value();
+            return find_path(body, query_.from).has_value();
         };
         const Ability& ability = abilities[which];
         double fails = ability.have;

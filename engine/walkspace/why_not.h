@@ -40,7 +40,7 @@ struct Barrier {
 
 /// From where to where the body doesn't get.
 struct PassageQuery {
-    std::vector<Standing> from;
+    std::vector<GroundState> from;
     /// Whether a node in this cell, at this height, is beyond the barrier.
     std::function<bool(const GridCell&, double y)> is_beyond;
     collision::Aabb within;            ///< where to look for ways, horizontally and vertically

@@ -72,7 +72,7 @@ class Explore(ProgramCase):
         report = self.report()
         corner = self.subject(report, "place", "corner")
         self.assertTrue(corner["reached"])
-        self.assertAlmostEqual(128 ** 0.5, corner["way"], delta=0.5)  # straight across, a diagonal of the grid
+        self.assertAlmostEqual(128 ** 0.5, corner["distance"], delta=0.5)  # straight across, a diagonal of the grid
         # Between the walls, less stage and shed, each with the body's radius around it. Steps and pen can be walked on.
         self.assertAlmostEqual(19 ** 2 - 5.8 ** 2 - 7.8 * 4.8, report["area"], delta=12)
 

@@ -25,8 +25,9 @@ std::string why_blocked(const scene::Campus& campus) {
 TEST(StopReason, AnObstacleThatOneCanWalkRound) {
     scene::Campus campus = level_campus();
     add_box(campus, "bench", {-0.8, 0, -4}, {0.8, 0.8, -3.5});
-    EXPECT_THAT(why_blocked(campus),
-                MatchesRegex("bench is in the way at 0\\.00, 0\\.[0-9]+, -3\\.50; [23]\\.[0-9] m lead round it"));
+    EXPECT_THAT(
+        why_blocked(campus),
+        MatchesRegex("bench is in the way at 0\\.00, 0\\.[0-9]+, -3\\.50; [23]\\.[0-9] m lead round it"));
 }
 
 TEST(StopReason, ARiser) {
@@ -42,7 +43,8 @@ TEST(StopReason, AGateThatLeavesTooNarrowAnOpening) {
     add_box(campus, "right", {0.6, 0, -4}, {20, 3, -3.8});
     add_box(campus, "gate-leaf", {-0.6, 0, -3.93}, {0.1, 2, -3.87});
     EXPECT_THAT(why_blocked(campus), HasSubstr("gate-leaf stands in the way"));
-    EXPECT_THAT(why_blocked(campus), HasSubstr("the opening beside it is 0.50 m wide, the body needs 0.60 m"));
+    EXPECT_THAT(why_blocked(campus),
+                HasSubstr("the opening beside it is 0.50 m wide, the body needs 0.60 m"));
 }
 
 TEST(StopReason, AWallWithoutEnd) {
@@ -68,7 +70,8 @@ TEST(StopReason, IsPartOfTheFailureButNotOfTheHash) {
 TEST(StopReason, AFallOutOfTheWorldSaysWhereTheAvatarLastStood) {
     const RecordedRun result = run(level_campus(5.0), walk_of({spawn_at({0, 0, 0}), walk_to(0, -10)}));
     ASSERT_FALSE(result.summary.failures.empty());
-    EXPECT_THAT(result.summary.failures[0].message, MatchesRegex(".*it last stood at 0\\.000,-?0\\.[0-9]+,-5\\.[0-9]+"));
+    EXPECT_THAT(result.summary.failures[0].message,
+                MatchesRegex(".*it last stood at 0\\.000,-?0\\.[0-9]+,-5\\.[0-9]+"));
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ auto fields_of(const WalkNode& n) {
 }
 
 void expect_same(const WalkTile& a, const WalkTile& b) {
-    EXPECT_EQ(a.corner, b.corner);
+    EXPECT_EQ(a.first_cell, b.first_cell);
     EXPECT_EQ(a.newest, b.newest);
     EXPECT_EQ(a.neighbours, b.neighbours);
     ASSERT_EQ(a.nodes.size(), b.nodes.size());

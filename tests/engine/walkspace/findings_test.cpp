@@ -50,7 +50,8 @@ TEST_F(Findings, AFloorAboveAnotherIsAStoreyOfItsOwn) {
     scene::Campus campus = walled_yard();
     // Stairs of 0.25 m along the west wall up to a gallery at 3 m, under which one walks.
     for (int i = 1; i <= 12; ++i) {
-        add_box(campus, "tread-" + std::to_string(i), {-6, -0.1, 5.5 - 0.5 * i}, {-4.5, 0.25 * i, 6.0 - 0.5 * i});
+        add_box(campus, "tread-" + std::to_string(i), {-6, -0.1, 5.5 - 0.5 * i},
+                {-4.5, 0.25 * i, 6.0 - 0.5 * i});
     }
     add_box(campus, "gallery", {-6, 2.8, -6}, {2, 3, -0.5});
     const WalkSpace& space = explored(campus);
@@ -71,8 +72,10 @@ TEST_F(Findings, UnreachedGroundIsAnIslandOfItsSize) {
     add_box(campus, "stage", {1, -0.1, 1}, {5, 0.5, 4});
     explored(campus);
     std::vector<Island> found = islands();
-    std::erase_if(found, [](const Island& island) { return island.bounds.min.y() > 3.0; });  // the walls' tops
-    std::erase_if(found, [](const Island& i) { return i.bounds.max.cwiseAbs().maxCoeff() > 6.0; });  // outside
+    std::erase_if(found,
+                  [](const Island& island) { return island.bounds.min.y() > 3.0; });  // the walls' tops
+    std::erase_if(found,
+                  [](const Island& i) { return i.bounds.max.cwiseAbs().maxCoeff() > 6.0; });  // outside
     ASSERT_EQ(found.size(), 1U);
     EXPECT_NEAR(found[0].area(space_->grid), 4.0 * 3.0, 1.0);
     EXPECT_NEAR(found[0].bounds.max.y(), 0.5, 1e-3);
@@ -87,7 +90,8 @@ TEST_F(Findings, StairsAreOneIslandWithTheLandingThatTheyLeadTo) {
     scene::Campus campus = walled_yard();
     add_box(campus, "block", {-6, -0.1, 1}, {-4, 0.5, 4.5});  // its first riser is too high
     for (int i = 1; i <= 4; ++i) {
-        add_box(campus, "tread-" + std::to_string(i), {-6, -0.1, 1.0 - 0.4 * i}, {-4, 0.5 + 0.25 * i, 1.4 - 0.4 * i});
+        add_box(campus, "tread-" + std::to_string(i), {-6, -0.1, 1.0 - 0.4 * i},
+                {-4, 0.5 + 0.25 * i, 1.4 - 0.4 * i});
     }
     add_box(campus, "landing", {-6, -0.1, -5}, {-4, 1.75, -0.6});
     explored(campus);
@@ -109,7 +113,8 @@ TEST_F(Findings, APitThatOneCantClimbOutOfIsATrap) {
     add_box(campus, "deck/right", {1, -0.1, 2}, {2, 1, 6});
     add_box(campus, "deck/near", {-2, -0.1, 2}, {2, 1, 3});
     const WalkSpace& space = explored(campus);
-    // The treads go on below the deck: the pit's floor is the third, 0.75 m high, and the deck 0.25 m above it.
+    // The treads go on below the deck: the pit's floor is the third, 0.75 m high, and the deck 0.25 m above
+    // it.
     EXPECT_TRUE(find_traps(*worlds_, settings_, space).empty());
 
     scene::Campus deeper = walled_yard();

@@ -37,7 +37,7 @@ struct StrideOn {
     explicit StrideOn(const Add& add) : campus(floor_with(add)), strider(campus.world, strides_of(), {}) {}
 
     /// Where a body put down there stands.
-    Standing standing(const Vec3& foot) { return strider.put_down(foot).at; }
+    GroundState put_down(const Vec3& foot) { return strider.put_down(foot).at; }
 
     scene::Campus campus;
     Strider strider;
@@ -45,13 +45,13 @@ struct StrideOn {
 
 TEST(Strider, WalksToTheNextCellInEachDirection) {
     StrideOn floor(add_nothing);
-    const Standing start = floor.standing({0.1, 0.0, -0.1});
+    const GroundState start = floor.state_at({0.1, 0.0, -0.1});
     const GridCell cell = kGrid.cell_at(start.foot);
     for (std::uint8_t i = 0; i < 8; ++i) {
         const StrideEnd end = floor.strider.take(start, {.direction = i}, kGrid);
         const GridDirection& direction = grid_directions()[i];
         const GridCell next{cell.x + direction.x, cell.z + direction.z};
-        EXPECT_EQ(end.kind, Kind::standing);
+        EXPECT_EQ(end.kind, Kind::grounded);
         EXPECT_EQ(kGrid.cell_at(end.at.foot), next);
         // Not across its own direction, and to the middle within half a tick's way.
         EXPECT_NEAR((kGrid.center(next) - end.at.foot).dot(direction.unit), 0.0, 0.5 * 1.4 / 60.0 + 1e-9);
@@ -64,10 +64,10 @@ TEST(Strider, WalksToTheNextCellInEachDirection) {
 
 TEST(Strider, TakesTheSameStrideAgain) {
     StrideOn floor([](TriangleMesh& mesh) { support::add_box(mesh, {0.5, 0, -2}, {1, 2, 2}); });
-    const Standing start = floor.standing({0.1, 0.0, 0.1});
+    const GroundState start = floor.state_at({0.1, 0.0, 0.1});
     const StrideEnd first = floor.strider.take(start, {.direction = 4}, kGrid);
     floor.strider.take(start, {.direction = kEast}, kGrid);
-    floor.standing({-3, 0, 3});
+    floor.state_at({-3, 0, 3});
     const StrideEnd again = floor.strider.take(start, {.direction = 4}, kGrid);
     EXPECT_EQ(first.at, again.at) << "whatever came in between";
     EXPECT_EQ(first.ticks, again.ticks);
@@ -75,9 +75,9 @@ TEST(Strider, TakesTheSameStrideAgain) {
 
 TEST(Strider, StopsAtAWall) {
     StrideOn floor([](TriangleMesh& mesh) { support::add_box(mesh, {0.5, 0, -2}, {1, 2, 2}); });
-    const Standing start = floor.standing({0.15, 0.0, 0.1});
+    const GroundState start = floor.state_at({0.15, 0.0, 0.1});
     const StrideEnd end = floor.strider.take(start, {.direction = kEast}, kGrid);
-    EXPECT_EQ(end.kind, Kind::standing);
+    EXPECT_EQ(end.kind, Kind::grounded);
     EXPECT_LE(end.at.foot.x(), 0.5 - 0.3);
     EXPECT_FALSE(end.clean);
     EXPECT_LT(end.ticks, 10) << "it doesn't go on pushing";
@@ -86,7 +86,7 @@ TEST(Strider, StopsAtAWall) {
 
 TEST(Strider, DoesNotCallAStepClean) {
     StrideOn floor([](TriangleMesh& mesh) { support::add_box(mesh, {0.5, 0, -2}, {3, 0.2, 2}); });
-    Standing at = floor.standing({-0.1, 0.0, 0.1});
+    GroundState at = floor.state_at({-0.1, 0.0, 0.1});
     bool clean = true;
     for (int i = 0; i < 5; ++i) {
         const StrideEnd end = floor.strider.take(at, {.direction = kEast}, kGrid);
@@ -98,8 +98,8 @@ TEST(Strider, DoesNotCallAStepClean) {
 }
 
 /// Of a box 3 m high that ends at x = 0.
-Standing on_the_rim(StrideOn& floor) {
-    const Standing before = floor.standing({-0.1, 3.0, 0.1});
+GroundState on_the_rim(StrideOn& floor) {
+    const GroundState before = floor.state_at({-0.1, 3.0, 0.1});
     return floor.strider.take(before, {.direction = kEast}, kGrid).at;
 }
 
@@ -108,10 +108,10 @@ TEST(Strider, TellsWhetherABodyHangsOverAnEdge) {
         support::add_box(mesh, {-2, 0, -2}, {0, 3, 2});
         support::add_quad(mesh, {4, 0, 2}, {6, 2, 2}, {6, 2, -2}, {4, 0, -2});
     });
-    EXPECT_FALSE(floor.strider.hangs(floor.standing({-5, 0, 0}))) << "level ground";
-    EXPECT_FALSE(floor.strider.hangs(floor.standing({5, 1.2, 0}))) << "a slope of 45 degrees";
-    EXPECT_FALSE(floor.strider.hangs(floor.standing({-0.1, 3, 0})));
-    Standing at = on_the_rim(floor);
+    EXPECT_FALSE(floor.strider.hangs(floor.state_at({-5, 0, 0}))) << "level ground";
+    EXPECT_FALSE(floor.strider.hangs(floor.state_at({5, 1.2, 0}))) << "a slope of 45 degrees";
+    EXPECT_FALSE(floor.strider.hangs(floor.state_at({-0.1, 3, 0})));
+    GroundState at = on_the_rim(floor);
     EXPECT_GT(at.foot.x(), 0.1);
     EXPECT_FALSE(floor.strider.hangs(at)) << "a little over the rim";
     at = floor.strider.walk_to(at, {0.28, 3, 0.1}, 0.005, 1.0).at;
@@ -121,9 +121,9 @@ TEST(Strider, TellsWhetherABodyHangsOverAnEdge) {
 
 TEST(Strider, FallsStraightOn) {
     StrideOn floor([](TriangleMesh& mesh) { support::add_box(mesh, {-2, 0, -2}, {0, 3, 2}); });
-    const Standing start = on_the_rim(floor);
+    const GroundState start = on_the_rim(floor);
     const StrideEnd end = floor.strider.take(start, {.direction = kEast}, kGrid);
-    EXPECT_EQ(end.kind, Kind::standing);
+    EXPECT_EQ(end.kind, Kind::grounded);
     EXPECT_TRUE(end.left_ground);
     EXPECT_FALSE(end.clean);
     EXPECT_NEAR(end.at.foot.y(), 0.0, 1e-3);
@@ -135,21 +135,21 @@ TEST(Strider, FallsStraightOn) {
 
 TEST(Strider, FallsWhereItIsSteered) {
     StrideOn floor([](TriangleMesh& mesh) { support::add_box(mesh, {-2, 0, -2}, {0, 3, 2}); });
-    const Standing start = on_the_rim(floor);
+    const GroundState start = on_the_rim(floor);
     const StrideEnd down = floor.strider.take(start, {.direction = kEast, .steering = Stride::kLetGo}, kGrid);
-    EXPECT_EQ(down.kind, Kind::standing);
+    EXPECT_EQ(down.kind, Kind::grounded);
     EXPECT_NEAR(down.at.foot.x(), down.edge.x(), 0.15);
     const StrideEnd south = floor.strider.take(start, {.direction = kEast, .steering = kSouth}, kGrid);
-    EXPECT_EQ(south.kind, Kind::standing);
+    EXPECT_EQ(south.kind, Kind::grounded);
     EXPECT_GT(south.at.foot.z(), 1.0);
     EXPECT_NEAR(south.at.foot.x(), south.edge.x(), 0.15);
 }
 
 TEST(Strider, JumpsAheadAtTheSpeedOfItsRun) {
     StrideOn floor(add_nothing);
-    const Standing start = floor.standing({0.1, 0.0, 0.1});
+    const GroundState start = floor.state_at({0.1, 0.0, 0.1});
     const StrideEnd end = floor.strider.take(start, {.direction = kEast, .gait = Gait::jump}, kGrid);
-    EXPECT_EQ(end.kind, Kind::standing);
+    EXPECT_EQ(end.kind, Kind::grounded);
     EXPECT_TRUE(end.left_ground);
     // In the air for 2 v / g.
     EXPECT_NEAR(end.at.foot.x() - start.foot.x(), 2.8 * 2.0 * 2.8 / 9.81, 0.1);
@@ -157,10 +157,10 @@ TEST(Strider, JumpsAheadAtTheSpeedOfItsRun) {
 
 TEST(Strider, FallsOutOfTheWorld) {
     StrideOn floor(add_nothing);
-    const Standing start = floor.standing({9.9, 0.0, 0.1});
-    Standing at = start;
+    const GroundState start = floor.state_at({9.9, 0.0, 0.1});
+    GroundState at = start;
     StrideEnd end;
-    for (int i = 0; i < 3 && end.kind == Kind::standing; ++i) {
+    for (int i = 0; i < 3 && end.kind == Kind::grounded; ++i) {
         end = floor.strider.take(at, {.direction = kEast}, kGrid);
         at = end.at;
     }
@@ -170,7 +170,7 @@ TEST(Strider, FallsOutOfTheWorld) {
 
 TEST(Strider, WalksToAPoint) {
     StrideOn floor([](TriangleMesh& mesh) { support::add_box(mesh, {3, 0, -9}, {4, 2, 9}); });
-    const Standing start = floor.standing({0.1, 0.0, 0.1});
+    const GroundState start = floor.state_at({0.1, 0.0, 0.1});
     const StrideEnd end = floor.strider.walk_to(start, {2, 0, 1}, 0.02, 5.0);
     EXPECT_LE(collision::horizontal_norm(end.at.foot - Vec3(2, 0, 1)), 0.02);
     const StrideEnd late = floor.strider.walk_to(start, {2, 0, 1}, 0.02, 0.5);
@@ -183,7 +183,7 @@ TEST(Strider, WalksToAPoint) {
 TEST(Strider, PutsDownWhereThereIsRoomAndGround) {
     StrideOn floor([](TriangleMesh& mesh) { support::add_box(mesh, {3, 0, -9}, {9, 5, 9}); });
     const StrideEnd dropped = floor.strider.put_down({0, 4, 0});
-    EXPECT_EQ(dropped.kind, Kind::standing);
+    EXPECT_EQ(dropped.kind, Kind::grounded);
     EXPECT_NEAR(dropped.at.foot.y(), 0.0, 1e-3);
     EXPECT_EQ(floor.strider.put_down({6, 1, 0}).kind, Kind::gone) << "inside a solid";
     EXPECT_EQ(floor.strider.put_down({-20, 1, 0}).kind, Kind::gone) << "beside the world";

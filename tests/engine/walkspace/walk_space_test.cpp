@@ -102,11 +102,11 @@ void expect_chains_lead_to(const std::vector<WalkNodeId>& nodes, const WalkSpace
                            const scene::Campus& campus, const ExploreSettings& settings) {
     for (const WalkNodeId& node : nodes) {
         Strider fresh(campus.world, settings.strides, settings.solids);
-        const Standing end = space.chain(node, fresh).back().at;
+        const GroundState end = space.chain(node, fresh).back().at;
         EXPECT_EQ(space.grid.cell_at(end.foot), space.cell_of(node));
         EXPECT_EQ(static_cast<float>(end.foot.y()), space.node(node).y);
         Strider another(campus.world, settings.strides, settings.solids);
-        EXPECT_EQ(space.standing(node, another), end);
+        EXPECT_EQ(space.state_at(node, another), end);
     }
 }
 

@@ -59,7 +59,7 @@ TEST(WalkTile, KeepsSomeStates) {
     tile.keyframes.push_back({9, {{4, 5, 6}, 5.5}});
     EXPECT_EQ(tile.keyframe(3), nullptr);
     ASSERT_NE(tile.keyframe(9), nullptr);
-    EXPECT_EQ(*tile.keyframe(9), (Standing{{4, 5, 6}, 5.5}));
+    EXPECT_EQ(*tile.keyframe(9), (GroundState{{4, 5, 6}, 5.5}));
     EXPECT_EQ(tile.keyframe(10), nullptr);
 }
 
@@ -68,8 +68,8 @@ TEST(WalkSpace, FindsTilesOnBothSidesOfTheOrigin) {
     const std::uint32_t east = space.add_tile_at({0, 0});
     const std::uint32_t west = space.add_tile_at({-1, 0});
     const std::uint32_t far = space.add_tile_at({-33, -70});
-    EXPECT_EQ(space.tiles[west].corner, (GridCell{-32, 0}));
-    EXPECT_EQ(space.tiles[far].corner, (GridCell{-64, -96}));
+    EXPECT_EQ(space.tiles[west].first_cell, (GridCell{-32, 0}));
+    EXPECT_EQ(space.tiles[far].first_cell, (GridCell{-64, -96}));
     EXPECT_EQ(space.add_tile_at({31, 31}), east) << "a tile is added once";
     EXPECT_EQ(space.tile_at({-32, 31}), west);
     EXPECT_EQ(space.tile_at({32, 0}), std::nullopt);

@@ -56,8 +56,8 @@ std::string steps_yaml(const Vec3& from, const Vec3& to, const std::string& fail
 /// The island's ground nearest to where the body was stopped; heights count half.
 Vec3 nearest_ground(const engine::Island& island, const Vec3& from) {
     const auto apart = [&](const engine::UnreachedSpot& spot) {
-        const Vec3 way = spot.at.foot - from;
-        return collision::horizontal_norm(way) + 0.5 * std::abs(way.y());
+        const Vec3 path = spot.at.foot - from;
+        return collision::horizontal_norm(path) + 0.5 * std::abs(path.y());
     };
     return std::ranges::min_element(island.spots, {}, apart)->at.foot;
 }

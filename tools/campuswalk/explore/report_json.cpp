@@ -65,8 +65,8 @@ Json subjects_json(const WalkReport& report) {
         if (subject.kind != engine::SubjectKind::building || subject.reached) {
             one["at"] = json_of(subject.at);
         }
-        if (entry.way) {
-            one["way"] = rounded(*entry.way);
+        if (entry.distance) {
+            one["distance"] = rounded(*entry.distance);
         }
         if (subject.island) {
             one["island"] = *subject.island;

@@ -58,8 +58,8 @@ void print_subjects(const WalkReport& report) {
             print_line("%-10s %zu of %zu", kPlurals[k], reached, all);
         }
         for (const engine::SubjectReport& entry : report.subjects) {
-            if (kKinds[k] == SubjectKind::place && entry.subject.kind == kKinds[k] && entry.way) {
-                print_line("  %-28s %8s m", entry.subject.name.c_str(), fixed(*entry.way, 1).c_str());
+            if (kKinds[k] == SubjectKind::place && entry.subject.kind == kKinds[k] && entry.distance) {
+                print_line("  %-28s %8s m", entry.subject.name.c_str(), fixed(*entry.distance, 1).c_str());
             }
         }
     }

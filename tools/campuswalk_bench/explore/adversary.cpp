@@ -14,7 +14,7 @@ namespace campuswalk::tools::bench {
 
 using collision::Vec3;
 using engine::GridCell;
-using engine::Standing;
+using engine::GroundState;
 using engine::WalkNodeId;
 using engine::WalkSpace;
 
@@ -110,13 +110,13 @@ public:
         const auto any = static_cast<std::size_t>(random.between(0.0, static_cast<double>(nodes.size())));
         const WalkNodeId& first =
             seed % 2 == 0 ? space_.starts.front() : nodes[std::min(any, nodes.size() - 1)];
-        walk_from(space_.standing(first, strider_), seed, random);
+        walk_from(space_.state_at(first, strider_), seed, random);
     }
 
     AdversaryResult result;
 
 private:
-    void walk_from(const Standing& start, std::uint64_t seed, SplitMix& random) {
+    void walk_from(const GroundState& start, std::uint64_t seed, SplitMix& random) {
         const engine::StrideSettings& strides = explored_.strides;
         const collision::CapsuleMover mover(world_, strides.body, explored_.solids);
         Steering steering(random);
