@@ -24,6 +24,12 @@ constexpr std::uint32_t kTicksOfRound = 600;
 /// From this height on a fall is also steered elsewhere, metres.
 constexpr double kSteeredFall = 0.5;
 
+/// From this height on it is also steered later, metres: what is below an edge is often set back, and a body
+/// that steers back at once lands on the edge again.
+constexpr double kHighFall = 2.0;
+/// Fifths of a second; a fall of 5 m takes one second.
+constexpr std::uint8_t kLatestSteering = 3;
+
 /// A node whose strides are yet to be taken.
 struct Pending {
     std::uint32_t ticks = 0;  ///< of its chain
@@ -254,7 +260,10 @@ private:
         if (end.kind == StrideEnd::Kind::grounded) {
             arrive(tile, from, stride, end, worker);
         } else if (end.kind == StrideEnd::Kind::gone) {
-            space_.tiles[tile].drops.push_back({from.node, stride, end.edge});
+            // The way out is told once, not for each way to steer.
+            if (stride.steers_after == 0) {
+                space_.tiles[tile].drops.push_back({from.node, stride, end.edge});
+            }
         } else {
             worker.bounds.insert(Bound::falls);
         }
@@ -278,12 +287,21 @@ private:
         Stride other = stride;
         other.steering = Stride::kLetGo;
         const StrideEnd down = take(tile, from, other, worker);
-        if (straight.kind == StrideEnd::Kind::gone && down.kind == StrideEnd::Kind::gone) {
-            return;  // over the rim of the world
-        }
-        for (std::uint8_t i = 0; i < 8; ++i) {
-            if (i != stride.direction) {
-                other.steering = i;
+        const bool gone = straight.kind == StrideEnd::Kind::gone;
+        const bool over_the_rim = gone && down.kind == StrideEnd::Kind::gone;
+        const bool high = gone || straight.edge.y() - straight.at.foot.y() >= kHighFall;
+        const Vec3& ahead = grid_directions()[stride.direction].unit;
+        for (std::uint8_t after = over_the_rim ? 1 : 0; after <= (high ? kLatestSteering : 0); ++after) {
+            other.steers_after = after;
+            for (std::uint8_t i = 0; i < 8; ++i) {
+                // Over the rim of the world, ground can only be behind.
+                if (i != stride.direction && (!over_the_rim || grid_directions()[i].unit.dot(ahead) < -0.1)) {
+                    other.steering = i;
+                    take(tile, from, other, worker);
+                }
+            }
+            if (after > 0 && !over_the_rim) {
+                other.steering = Stride::kLetGo;
                 take(tile, from, other, worker);
             }
         }
@@ -359,6 +377,7 @@ private:
         node.direction = arrival.stride.direction & 7U;
         node.gait = static_cast<std::uint32_t>(arrival.stride.gait) & 3U;
         node.steering = arrival.stride.steering & 15U;
+        node.steers_after = arrival.stride.steers_after & 7U;
         node.returns = arrival.returns ? 1 : 0;
         node.hangs = worker.strider.hangs(arrival.at) ? 1 : 0;
         if (!add_node(tile, node, arrival.at, arrival.ticks, arrival.since_keyframe)) {

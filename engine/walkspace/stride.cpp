@@ -16,6 +16,8 @@ namespace {
 constexpr double kMaxFall = 30.0;
 /// A body that moves less in a tick than this stands still, metres.
 constexpr double kStill = 1e-9;
+/// Seconds; see Stride::steers_after.
+constexpr double kFifth = 0.2;
 /// Beyond the slope's own rise in a tick, the body climbed or descended a step, metres.
 constexpr double kStepRise = 0.01;
 
@@ -74,9 +76,11 @@ StrideEnd Strider::take(const GroundState& from, const Stride& stride, const Wal
     if (!state_.grounded) {
         const bool straight_on = stride.steering == Stride::kStraightOn;
         const bool let_go = stride.steering == Stride::kLetGo;
-        fall(straight_on ? desired
+        fall(desired,
+             straight_on ? desired
              : let_go    ? Vec3(Vec3::Zero())
                          : Vec3(length * grid_directions()[stride.steering].unit),
+             static_cast<std::size_t>(std::floor(kFifth * stride.steers_after / settings_.seconds + 0.5)),
              end);
     }
     finish(end);
@@ -126,7 +130,7 @@ StrideEnd Strider::put_down(const Vec3& foot) {
     if (!state_.grounded) {
         end.left_ground = true;
         end.edge = state_.foot;
-        fall(Vec3::Zero(), end);
+        fall(Vec3::Zero(), Vec3::Zero(), 0, end);
     }
     finish(end);
     return end;
@@ -148,11 +152,12 @@ void Strider::tick(const Vec3& desired) {
     }
 }
 
-void Strider::fall(const Vec3& desired, StrideEnd& end) {
+/// Ahead for so many ticks, then steered.
+void Strider::fall(const Vec3& ahead, const Vec3& steered, std::size_t steers_after, StrideEnd& end) {
     end.clean = false;
-    const auto most = static_cast<std::size_t>(kMaxFall / settings_.seconds) + path_.size();
-    while (!state_.grounded && path_.size() < most && state_.foot.y() >= bottom_) {
-        tick(desired);
+    const auto most = static_cast<std::size_t>(kMaxFall / settings_.seconds);
+    for (std::size_t i = 0; i < most && !state_.grounded && state_.foot.y() >= bottom_; ++i) {
+        tick(i < steers_after ? ahead : steered);
     }
 }
 

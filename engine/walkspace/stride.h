@@ -20,6 +20,7 @@ struct Stride {
     std::uint8_t direction = 0;  ///< index into grid_directions()
     Gait gait = Gait::walk;
     std::uint8_t steering = kStraightOn;  ///< in a fall: an index into grid_directions(), or one of these
+    std::uint8_t steers_after = 0;        ///< in a fall: fifths of a second straight on before that
 
     friend bool operator==(const Stride&, const Stride&) = default;
 };
@@ -89,7 +90,8 @@ public:
 
 private:
     void tick(const collision::Vec3& desired);
-    void fall(const collision::Vec3& desired, StrideEnd& end);
+    void fall(const collision::Vec3& ahead, const collision::Vec3& steered, std::size_t steers_after,
+              StrideEnd& end);
     void finish(StrideEnd& end) const;
     double speed_of(Gait gait) const;
 

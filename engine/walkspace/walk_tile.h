@@ -31,14 +31,15 @@ struct WalkNode {
     std::uint32_t steering : 4 = 0;
     std::uint32_t parent_tile : 4 = 0;  ///< index of WalkTile::neighbours, or one of the codes below
     std::uint32_t returns : 1 = 0;      ///< one can walk back to the parent
-    std::uint32_t hangs : 1 = 0;        ///< see Strider::hangs
+    std::uint32_t steers_after : 3 = 0;
+    std::uint32_t hangs : 1 = 0;  ///< see Strider::hangs
 
     static constexpr std::uint32_t kFarParent = 9;  ///< in another tile: see WalkTile::far_parents
     static constexpr std::uint32_t kStart = 10;     ///< no parent: a start
 
     Stride stride() const {
         return {static_cast<std::uint8_t>(direction), static_cast<Gait>(gait),
-                static_cast<std::uint8_t>(steering)};
+                static_cast<std::uint8_t>(steering), static_cast<std::uint8_t>(steers_after)};
     }
 };
 static_assert(sizeof(WalkNode) == 12);

@@ -94,6 +94,15 @@ TEST(Explore, FallsFromALedgeButDoesNotGetBack) {
               from_below.node(from_below.starts.front()).y);
 }
 
+TEST(Explore, LandsOnWhatIsSetBackBelowAnEdge) {
+    // A balcony under a deck, over nothing: out, and then back.
+    TriangleMesh mesh;
+    support::add_box(mesh, {-4, 5.8, -2}, {0, 6, 2});
+    support::add_box(mesh, {-4, 0, -2}, {0, 0.2, 2});
+    support::add_box(mesh, {-4, -9, -2}, {-3, 5.8, 2});
+    EXPECT_TRUE(reaches(explored(campus_of(std::move(mesh)), {-2, 6, 0}), {-1, 0.2, 0}));
+}
+
 TEST(Explore, KnowsThatLevelGroundIsWalkedBackToo) {
     const WalkSpace space = explored(level_campus(3.0), {0, 0, 0});
     for (const WalkNodeId& node : nodes_of(space)) {

@@ -18,7 +18,7 @@ using collision::Vec3;
 
 auto fields_of(const WalkNode& n) {
     return std::tuple(n.y, n.next, n.parent, +n.cell, +n.direction, +n.gait, +n.steering, +n.parent_tile,
-                      +n.returns);
+                      +n.returns, +n.steers_after, +n.hangs);
 }
 
 void expect_same(const WalkTile& a, const WalkTile& b) {

@@ -139,6 +139,9 @@ TEST(Strider, FallsWhereItIsSteered) {
     const StrideEnd down = floor.strider.take(start, {.direction = kEast, .steering = Stride::kLetGo}, kGrid);
     EXPECT_EQ(down.kind, Kind::grounded);
     EXPECT_NEAR(down.at.foot.x(), down.edge.x(), 0.15);
+    const StrideEnd late =
+        floor.strider.take(start, {.direction = kEast, .steering = Stride::kLetGo, .steers_after = 2}, kGrid);
+    EXPECT_NEAR(late.at.foot.x() - down.at.foot.x(), 0.4 * 1.4, 0.03);
     const StrideEnd south = floor.strider.take(start, {.direction = kEast, .steering = kSouth}, kGrid);
     EXPECT_EQ(south.kind, Kind::grounded);
     EXPECT_GT(south.at.foot.z(), 1.0);

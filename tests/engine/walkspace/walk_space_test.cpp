@@ -21,9 +21,12 @@ using collision::Vec3;
 /// For one tick: what the body should do in it, and where that should bring it.
 struct PlannedTick {
     Stride stride;
-    bool takes_off = false;
+    bool first = false;  ///< of its stride
     Vec3 foot = Vec3::Zero();
 };
+
+/// Of a second, at 60 a second.
+constexpr int kTicksOfAFifth = 12;
 
 /// Plays strides by what their description says, without knowing how the strider does it.
 class PlannedStrides final : public IntentSource {
@@ -41,11 +44,14 @@ public:
         const PlannedTick& tick = plan_[next_++];
         const Stride& stride = tick.stride;
         std::uint8_t direction = stride.direction;
-        if (tick.takes_off) {
+        const bool takes_off = tick.first && stride.gait == Gait::jump;
+        if (takes_off) {
             intent.jump = strides_.jump_speed;
         }
-        if ((tick.takes_off || !avatar.grounded) && stride.steering != Stride::kStraightOn) {
-            direction = stride.steering;
+        ticks_in_air_ = tick.first ? 0 : ticks_in_air_;
+        if (takes_off || !avatar.grounded) {
+            const bool steers = ++ticks_in_air_ > kTicksOfAFifth * stride.steers_after;
+            direction = steers && stride.steering != Stride::kStraightOn ? stride.steering : direction;
         }
         if (direction != Stride::kLetGo) {
             const double speed = stride.gait == Gait::walk ? strides_.walk_speed : strides_.run_speed;
@@ -62,6 +68,7 @@ private:
     const std::vector<PlannedTick>& plan_;
     std::size_t next_ = 0;
     bool placed_ = false;
+    int ticks_in_air_ = 0;
 };
 
 /// The ticks of a chain, from the fall to the ground on.
@@ -75,9 +82,9 @@ std::vector<PlannedTick> plan_of(const std::vector<ChainLink>& chain, const Walk
     for (std::size_t i = 1; i < chain.size(); ++i) {
         const Stride& stride = chain[i].stride;
         strider.take(chain[i - 1].at, stride, space.grid);
-        bool takes_off = stride.gait == Gait::jump;
+        bool first = true;
         for (const Vec3& foot : strider.path()) {
-            plan.push_back({stride, std::exchange(takes_off, false), foot});
+            plan.push_back({stride, std::exchange(first, false), foot});
         }
     }
     return plan;
