@@ -114,6 +114,20 @@ class Explore(ProgramCase):
                 texts.add(done.out + file.read())
         self.assertEqual(1, len(texts))
 
+    def test_plans_are_the_same_bytes_again(self):
+        """In a build without rendering, they are refused instead."""
+        images = []
+        for folder in ("plans", "again"):
+            done = self.run_program("explore", "yard.campus.yaml", "--from", "start", "--map", folder, "--no-cache",
+                                    "--sandbox", "auto", "--workers", "2")
+            if done.code == 2:
+                self.assertIn("no-rendering", done.err)
+                return
+            self.assertEqual(["storey-0.png"], os.listdir(self.path(folder)))
+            images.append(self.read(folder + "/storey-0.png"))
+        self.assertTrue(images[0].startswith(b"\x89PNG"))
+        self.assertEqual(images[0], images[1])
+
     def test_exit_codes(self):
         self.report("--require", "corner")
         self.report("--require", "shed", code=1)

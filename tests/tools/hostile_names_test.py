@@ -66,6 +66,7 @@ class HostileNames(ProgramCase):
                 self.check("validate", ".", "--format", format_name, commands=format_name == "github")
             self.check("collide", "room.obj", "room.obj", "--json")
             self.check("collide", "room.obj", "room.obj")
+            self.check("explore", "small.campus.yaml", "--json", "r.json", "--write-walks", "walks")
 
     def test_mistakes_that_quote_the_file(self):
         for name in HOSTILE:
