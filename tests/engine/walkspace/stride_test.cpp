@@ -84,6 +84,14 @@ TEST(Strider, StopsAtAWall) {
     EXPECT_TRUE(floor.strider.touched().front());
 }
 
+TEST(Strider, DoesNotCallASlideAlongAWallClean) {
+    StrideOn floor([](TriangleMesh& mesh) { support::add_box(mesh, {0.5, 0, -2}, {1, 2, 2}); });
+    const Standing start = floor.standing({0.15, 0.0, 0.1});
+    const StrideEnd end = floor.strider.take(start, {.direction = 4}, kGrid);
+    EXPECT_GT(end.at.foot.z(), start.foot.z() + 0.1);
+    EXPECT_FALSE(end.clean);
+}
+
 TEST(Strider, DoesNotCallAStepClean) {
     StrideOn floor([](TriangleMesh& mesh) { support::add_box(mesh, {0.5, 0, -2}, {3, 0.2, 2}); });
     GroundState at = floor.state_at({-0.1, 0.0, 0.1});

@@ -12,6 +12,7 @@
 #include "engine/simulation/simulation.h"
 #include "tests/engine/short_walk.h"
 #include "tests/engine/walkspace/explored_ground.h"
+#include "tests/support/mesh_pieces.h"
 
 namespace campuswalk::engine {
 namespace {
@@ -182,6 +183,26 @@ TEST(Chains, OfSteeredFallsRunsAndJumpsAreWalksOfTheSimulation) {
         nodes_with(space, [](const Stride& stride) { return stride.steering != Stride::kStraightOn; });
     expect_simulation_agrees(steered, space, campus, settings);
     expect_chains_lead_to(steered, space, campus, settings);
+}
+
+TEST(Chains, ReachOverSeveralTiles) {
+    // A run off a tower of 80 m lands 11 m away, beyond the tiles around.
+    collision::TriangleMesh mesh;
+    support::add_floor(mesh, 20.0);
+    support::add_box(mesh, {-2, 0, -2}, {2, 80, 2});
+    const scene::Campus campus = campus_of(std::move(mesh));
+    ExploreSettings settings = explore_from({0, 80, 0});
+    settings.run = true;
+    const WalkSpace space = explored(campus.world, settings);
+    std::vector<WalkNodeId> far;
+    for (const WalkNodeId& node : nodes_of(space)) {
+        if (space.node(node).parent_tile == WalkNode::kFarParent) {
+            far.push_back(node);
+        }
+    }
+    EXPECT_GT(far.size(), 2U);
+    expect_chains_lead_to(far, space, campus, settings);
+    expect_simulation_agrees(far, space, campus, settings);
 }
 
 /// recastnavigation's test level; none where the shared data are missing.
