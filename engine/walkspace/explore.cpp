@@ -260,7 +260,7 @@ private:
         if (end.kind == StrideEnd::Kind::grounded) {
             arrive(tile, from, stride, end, worker);
         } else if (end.kind == StrideEnd::Kind::gone) {
-            // The way out is told once, not for each way to steer.
+            // Once for an edge, not for each time of steering.
             if (stride.steers_after == 0) {
                 space_.tiles[tile].drops.push_back({from.node, stride, end.edge});
             }

@@ -37,7 +37,7 @@ struct StrideOn {
     explicit StrideOn(const Add& add) : campus(floor_with(add)), strider(campus.world, strides_of(), {}) {}
 
     /// Where a body put down there stands.
-    GroundState put_down(const Vec3& foot) { return strider.put_down(foot).at; }
+    GroundState state_at(const Vec3& foot) { return strider.put_down(foot).at; }
 
     scene::Campus campus;
     Strider strider;
@@ -86,7 +86,7 @@ TEST(Strider, StopsAtAWall) {
 
 TEST(Strider, DoesNotCallASlideAlongAWallClean) {
     StrideOn floor([](TriangleMesh& mesh) { support::add_box(mesh, {0.5, 0, -2}, {1, 2, 2}); });
-    const Standing start = floor.standing({0.15, 0.0, 0.1});
+    const GroundState start = floor.state_at({0.15, 0.0, 0.1});
     const StrideEnd end = floor.strider.take(start, {.direction = 4}, kGrid);
     EXPECT_GT(end.at.foot.z(), start.foot.z() + 0.1);
     EXPECT_FALSE(end.clean);
