@@ -6,7 +6,7 @@
 
 namespace campuswalk::engine {
 
-WalkTile::WalkTile(const GridCell& first_cell, std::uint32_t own_index) : first_cell(first_cell) {
+WalkTile::WalkTile(const GridCell& lowest, std::uint32_t own_index) : first_cell(lowest) {
     newest.fill(WalkNode::kNone);
     neighbours.fill(kNoTile);
     neighbours[4] = own_index;

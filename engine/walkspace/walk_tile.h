@@ -86,7 +86,7 @@ struct WalkTile {
     /// The tiles around, row by row from the one with the lowest x and z; [4] is this one. kNoTile: none.
     std::array<std::uint32_t, 9> neighbours;
 
-    WalkTile(const GridCell& first_cell, std::uint32_t own_index);
+    WalkTile(const GridCell& lowest, std::uint32_t own_index);
 
     GridCell cell_of(const WalkNode& node) const {
         return {first_cell.x + static_cast<int>(node.cell) % kCells,
