@@ -52,7 +52,6 @@ public:
         if (const auto round = path_round(query)) {
             return contact.empty() ? "" : contact + "; " + fixed(*round, 1) + " m lead round it";
         }
-        query.surely_blocked = true;
         const auto barrier = why_not(worlds_, settings_, query);
         return !barrier || barrier->kind == BarrierKind::solid ? contact : barrier_text(campus_, *barrier);
     }

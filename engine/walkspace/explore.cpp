@@ -106,6 +106,9 @@ private:
         if (settings.known != nullptr) {
             return settings.known->grid.cell;
         }
+        if (settings.keep_cell) {
+            return settings.cell;
+        }
         const double widest = 0.99 * kDiagonal * 2.0 * settings.strides.body.radius;
         return std::min(settings.cell, widest);
     }

@@ -18,7 +18,8 @@ struct ExploreSettings {
     std::vector<GroundState> more_starts = {};  ///< bodies that stand already
     bool run = false;                           ///< may also run: off edges it gets farther
     bool jump = false;                          ///< may also jump, forward at the speed of its run
-    double cell = 0.25;  ///< metres; smaller for a body narrower than a cell's diagonal
+    double cell = 0.25;      ///< metres; smaller for a body narrower than a cell's diagonal
+    bool keep_cell = false;  ///< not smaller, however narrow the body is: pockets may be taken for one
     /// Nothing is explored beyond this box; all of the world if it is empty.
     collision::Aabb within = {};
     /// Cells that this space has reached already aren't explored again. May be null.

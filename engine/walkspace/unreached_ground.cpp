@@ -241,7 +241,7 @@ private:
     }
 
     void join_if_walkable(std::size_t lower, std::size_t higher) {
-        constexpr int kTries = 4;
+        constexpr int kTries = 24;
         const auto pair = std::pair(sets_.root(lower), sets_.root(higher));
         if (pair.first == pair.second || tries_[pair]++ >= kTries) {
             return;

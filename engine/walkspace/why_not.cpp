@@ -25,8 +25,9 @@ constexpr std::size_t kMostObjects = 12;
 constexpr double kAround = 1.5;
 /// The skin of a body that an opening's width is measured with, metres.
 constexpr double kThinSkin = 0.002;
-/// Taking an object away counts as much as changing the body by this share.
-constexpr double kChangeOfObject = 0.5;
+/// Taking an object away counts as much as changing the body by this share, or climbing so much higher,
+/// metres.
+constexpr double kChangeOfObject = 0.6;
 
 /// One ability of the body: what it has, and values that make it easier step by step.
 struct Ability {
@@ -85,11 +86,12 @@ std::vector<Ability> abilities_of(const collision::MoverSettings& body) {
     return all;
 }
 
-/// By which share of itself an ability would have to change.
+/// How much would have to change: of heights, in metres; else the share of what the body has.
 double change_of(const Barrier& barrier) {
+    const bool climb = barrier.kind == BarrierKind::riser || barrier.kind == BarrierKind::ledge;
     return barrier.kind == BarrierKind::object
                ? kChangeOfObject
-               : std::abs(barrier.measured - barrier.allowed) / std::max(barrier.allowed, 0.05);
+               : std::abs(barrier.measured - barrier.allowed) / (climb ? 1.0 : barrier.allowed);
 }
 
 /// A way that a changed body found.
@@ -111,6 +113,7 @@ public:
         settings_.known = query.known;
         settings_.is_goal = query.is_beyond;
         settings_.max_nodes = std::min(settings.max_nodes, kMostNodes);
+        settings_.keep_cell = true;  // the query speaks of these cells
         settings_.keep_rim = false;
         settings_.progress = {};
         settings_.solids.disabled = &disabled_;
@@ -118,12 +121,12 @@ public:
 
     std::optional<Barrier> run() {
         const collision::MoverSettings& body = settings_.strides.body;
-        if (!query_.surely_blocked && find_path(body, query_.from)) {
+        if (find_path(body, query_.from)) {
             return std::nullopt;
         }
+        const std::vector<ObjectId> touched = touched_;
         const std::vector<Ability> abilities = abilities_of(body);
         const std::optional<FoundPath> easiest = find_path(easiest_of(abilities), query_.from);
-        const std::vector<ObjectId> touched = touched_;
         std::vector<Barrier> found;
         for (const Ability& ability : abilities) {
             if (auto barrier = easiest ? try_ability(ability, body) : std::nullopt) {

@@ -45,7 +45,6 @@ struct PassageQuery {
     std::function<bool(const GridCell&, double y)> is_beyond;
     collision::Aabb within;            ///< where to look for ways, horizontally and vertically
     const WalkSpace* known = nullptr;  ///< where the body got to; may be null
-    bool surely_blocked = false;       ///< it was tried already, as it is
 };
 
 /// The smallest change that would let the body through: of its step, its slope, its width or its height, or
