@@ -17,7 +17,7 @@ std::vector<std::string> plain_names(std::index_sequence<index...>) {
 }  // namespace
 
 std::vector<std::string> failure_codes() {
-    std::vector<std::string> codes = {"blocked", "enclosed", "timeout"};
+    std::vector<std::string> codes = {"blocked", "enclosed", "timeout", "unreachable"};
     const std::vector<std::string> names =
         plain_names(std::make_index_sequence<std::variant_size_v<PlainExpectation>>());
     codes.insert(codes.end(), names.begin(), names.end());

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -7,6 +8,7 @@
 #include "engine/events/decimals.h"
 #include "engine/script/event_pattern.h"
 #include "engine/script/player.h"
+#include "engine/script/travel.h"
 
 // What the avatar does in each kind of step that takes time: before a tick (`intend`), after it (`end_of`)
 // and, when a walk's time is estimated, as a whole (`Plan::add`).
@@ -19,26 +21,10 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// Being this far above or below a target that has a height still counts as being there, metres.
-constexpr double kLevel = 0.5;
-/// A step that travels gives up after this many seconds in which its target came no nearer by kProgress, or
-/// by half of what a slower avatar would walk in that time.
-constexpr double kPatience = 1.5;
-constexpr double kProgress = 0.05;  // metres
-constexpr double kAligned = 1e-9;   // radians
-
-Vector3d flat(Vector3d v) {
-    v.y() = 0.0;
-    return v;
-}
+constexpr double kAligned = 1e-9;  // radians
 
 double yaw_towards(const Vector3d& direction) {
     return angle_of(-direction.x(), -direction.z());
-}
-
-bool has_arrived(const Target& target, double within, const AvatarState& avatar) {
-    const Vector3d to_target = target.point - avatar.position;
-    return flat(to_target).norm() <= within && (!target.has_height || std::abs(to_target.y()) <= kLevel);
 }
 
 /// The end of a step that reports nothing.
@@ -59,6 +45,15 @@ public:
         const double distance = flat(step.target.point - position_).norm();
         seconds_ += std::max(0.0, distance - step.within) / step.speed.value_or(speed_);
         arrive(position_, step.target.point);
+    }
+    /// As if the way through its points were straight.
+    void add(const GoToStep& step) {
+        std::vector<Target> points = step.through;
+        points.push_back(step.target);
+        for (const Target& point : points) {
+            seconds_ += flat(point.point - position_).norm() / step.speed.value_or(speed_);
+            arrive(position_, point.point);
+        }
     }
     void add(const FollowStep& step) {
         CurveWalk curve;
@@ -132,14 +127,14 @@ void ScriptPlayer::intend(const WalkToStep& step, const AvatarState& avatar, Int
     const double speed = speed_of(step.speed);
     if (progress_.ticks == 0) {
         const double distance = flat(step.target.point - avatar.position).norm();
-        progress_.allowed = step.timeout.value_or(2.0 * distance / speed + 5.0);
+        progress_.allowed = step.timeout.value_or(default_timeout(distance, speed));
     }
     go_towards(step.target.point, speed, avatar, intent);
 }
 
 template <>
 std::optional<StepEnd> ScriptPlayer::end_of(const WalkToStep& step, const AvatarState& avatar) {
-    if (has_arrived(step.target, step.within, avatar)) {
+    if (has_arrived(step.target, step.within, avatar.position)) {
         return StepEnd{EventKind::avatar_arrive, &step.target.label, &step.mark};
     }
     const double remaining = flat(step.target.point - avatar.position).norm();
@@ -152,7 +147,7 @@ void ScriptPlayer::intend(const FollowStep& step, const AvatarState& avatar, Int
     const double speed = speed_of(step.speed);
     if (progress_.ticks == 0) {
         curve_.start(avatar.position, step.points);
-        progress_.allowed = step.timeout.value_or(2.0 * curve_.length() / speed + 5.0);
+        progress_.allowed = step.timeout.value_or(default_timeout(curve_.length(), speed));
     }
     go_towards(curve_.lead(avatar.position, speed * dt_), speed, avatar, intent);
 }
@@ -160,12 +155,62 @@ void ScriptPlayer::intend(const FollowStep& step, const AvatarState& avatar, Int
 template <>
 std::optional<StepEnd> ScriptPlayer::end_of(const FollowStep& step, const AvatarState& avatar) {
     const Target& last = step.points.back();
-    if (curve_.at_end() && has_arrived(last, step.within, avatar)) {
+    if (curve_.at_end() && has_arrived(last, step.within, avatar.position)) {
         return StepEnd{EventKind::avatar_arrive, &last.label, &step.mark};
     }
     return gives_up(curve_.remaining(avatar.position), speed_of(step.speed))
                ? blocked("follow", step, last, avatar)
                : std::nullopt;
+}
+
+// ---- go_to ----------------------------------------------------------------------------------------------
+
+/// The route's pieces, one after another, just as they were walked when it was planned.
+template <>
+void ScriptPlayer::intend(const GoToStep& step, const AvatarState& avatar, Intent& intent) {
+    const double speed = speed_of(step.speed);
+    if (progress_.ticks == 0) {
+        assert(routes_ != nullptr);
+        route_ = routes_->plan(step, speed);
+        piece_ = 0;
+        piece_ticks_ = 0;
+        const double seconds = static_cast<double>(route_.route.ticks()) * dt_;
+        progress_.allowed = step.timeout.value_or(default_timeout(speed * seconds, speed));
+    }
+    if (!route_.why_not.empty()) {
+        return;
+    }
+    const RoutePiece& piece = route_.route.pieces[piece_];
+    if (!piece.stride) {
+        go_towards(piece.target.point, speed, avatar, intent);
+    } else if (!piece.stride->isZero(0.0)) {
+        intent.move = *piece.stride;
+        intent.yaw = turned(avatar.yaw, yaw_towards(*piece.stride));
+    }
+}
+
+template <>
+std::optional<StepEnd> ScriptPlayer::end_of(const GoToStep& step, const AvatarState& avatar) {
+    const auto fatal = [&](const char* code, const std::string& why) {
+        return StepEnd{
+            std::nullopt, nullptr, &step.mark, std::nullopt, true, code, "go_to " + step.target.label + why};
+    };
+    if (!route_.why_not.empty()) {
+        return fatal("unreachable", " can't be reached: " + route_.why_not);
+    }
+    const RoutePiece& piece = route_.route.pieces[piece_];
+    ++piece_ticks_;
+    if (piece.stride ? piece_ticks_ == piece.ticks
+                     : has_arrived(piece.target, piece.within, avatar.position)) {
+        ++piece_;
+        piece_ticks_ = 0;
+    }
+    if (piece_ == route_.route.pieces.size()) {
+        return StepEnd{EventKind::avatar_arrive, &step.target.label, &step.mark};
+    }
+    return progress_.is_late(dt_) ? std::optional(fatal("timeout", " was not reached within " +
+                                                                       fixed(progress_.allowed, 1) + " s"))
+                                  : std::nullopt;
 }
 
 // ---- jump -----------------------------------------------------------------------------------------------
@@ -278,21 +323,15 @@ double ScriptPlayer::speed_of(const std::optional<double>& own) const {
 
 void ScriptPlayer::go_towards(const Vector3d& point, double speed, const AvatarState& avatar,
                               Intent& intent) {
-    const Vector3d direction = flat(point - avatar.position);
-    if (const double distance = direction.norm(); distance > 0.0) {
-        intent.move = direction * (std::min(distance, speed * dt_) / distance);
+    intent.move = displacement_towards(point, avatar.position, speed * dt_);
+    if (const Vector3d direction = flat(point - avatar.position); direction.norm() > 0.0) {
         intent.yaw = turned(avatar.yaw, yaw_towards(direction));
     }
     intent.pitch = turned(avatar.pitch, 0.0);
 }
 
 bool ScriptPlayer::gives_up(double remaining, double speed) {
-    if (remaining < progress_.nearest - std::min(kProgress, 0.5 * speed * kPatience)) {
-        progress_.nearest = remaining;
-        progress_.since_closer = progress_.ticks;
-    }
-    const double idle = static_cast<double>(progress_.ticks - progress_.since_closer) * dt_;
-    return static_cast<double>(progress_.ticks) * dt_ >= progress_.allowed || idle >= kPatience;
+    return progress_.gives_up(remaining, speed, dt_);
 }
 
 template <typename Travel>
@@ -316,7 +355,7 @@ std::string ScriptPlayer::why_not_reached(const Target& target, double within,
         return ": it is " + fixed(std::abs(to_target.y()), 3) + " m " +
                (to_target.y() > 0.0 ? "above" : "below") + " the avatar's feet";
     }
-    const bool late = static_cast<double>(progress_.ticks) * dt_ >= progress_.allowed;
+    const bool late = progress_.is_late(dt_);
     return late ? " within " + fixed(progress_.allowed, 1) + " s, still " + fixed(flat(to_target).norm(), 3) +
                       " m away"
                 : "";

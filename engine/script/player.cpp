@@ -6,7 +6,8 @@
 
 namespace campuswalk::engine {
 
-ScriptPlayer::ScriptPlayer(const Walk& walk) : walk_(walk), dt_(1.0 / walk.sim.ticks_per_second) {}
+ScriptPlayer::ScriptPlayer(const Walk& walk, RoutePlanner* routes)
+    : walk_(walk), routes_(routes), dt_(1.0 / walk.sim.ticks_per_second) {}
 
 Intent ScriptPlayer::intend(const AvatarState& avatar) {
     Intent intent;

@@ -8,6 +8,7 @@
 
 #include "engine/script/curve_walk.h"
 #include "engine/script/intent.h"
+#include "engine/script/route_planner.h"
 #include "engine/script/walk.h"
 
 namespace campuswalk::engine {
@@ -15,7 +16,8 @@ namespace campuswalk::engine {
 /// Plays a walk's steps one after another.
 class ScriptPlayer final : public IntentSource {
 public:
-    explicit ScriptPlayer(const Walk& walk);
+    /// `routes` is asked when a go_to begins; null for a walk without any. Both must outlive the player.
+    explicit ScriptPlayer(const Walk& walk, RoutePlanner* routes = nullptr);
 
     bool finished() const override { return current_ >= walk_.steps.size(); }
     Intent intend(const AvatarState& avatar) override;
@@ -58,11 +60,15 @@ private:
     std::string why_not_reached(const Target& target, double within, const AvatarState& avatar) const;
 
     const Walk& walk_;
+    RoutePlanner* routes_;
     double dt_;
     std::size_t current_ = 0;
     StepProgress progress_;
     std::optional<double> speed_;  ///< metres per second, once a step has set it
     CurveWalk curve_;
+    PlannedRoute route_;     ///< of a go_to
+    std::size_t piece_ = 0;  ///< of the route: the one that is walked
+    Tick piece_ticks_ = 0;   ///< spent on it
 };
 
 /// Simulated seconds that the walk's steps take if nothing is in the way and the ground is level; none for a

@@ -12,6 +12,7 @@
 #include "engine/script/camera.h"
 #include "engine/script/expectation.h"
 #include "engine/script/mentions.h"
+#include "engine/script/travel.h"
 
 // The steps of a walk. `repeat` and `include` are unrolled by the loader: what is played is one plain list.
 // Names are resolved by the loader: `label` is what the user wrote (a place's name, or the coordinates).
@@ -38,14 +39,11 @@ struct StepPreview {
     std::optional<Place> place = {};         ///< where the avatar is put; must be free
     std::optional<double> height = {};       ///< of the body from here on, metres
     std::optional<Switch> switched = {};     ///< objects enabled or disabled from here on
+    std::vector<NamePattern> objects = {};   ///< others that must be on the campus
 };
 
 /// What ScriptPlayer remembers from tick to tick of a step; it starts anew with each step.
-struct StepProgress {
-    Tick ticks = 0;                        ///< spent on the step
-    Tick since_closer = 0;                 ///< ticks since the target came nearer
-    double nearest = 1e300;                ///< least distance to the target so far, metres
-    double allowed = 0.0;                  ///< seconds before a step that travels gives up
+struct StepProgress : TravelProgress {
     std::optional<double> turn_remaining;  ///< radians
     bool aligned = false;                  ///< looks in the desired direction
     bool jumped = false;
@@ -78,6 +76,34 @@ struct WalkToStep {
     StepPreview preview() const {
         return {
             .events = {{EventKind::avatar_arrive, target.label}, {EventKind::avatar_blocked, target.label}}};
+    }
+};
+
+/// What a route keeps away from: objects, or all that is around a point.
+struct Avoided {
+    std::optional<NamePattern> objects = {};
+    Target center = {};   ///< if no objects; without a height: at any
+    double radius = 0.0;  ///< metres, horizontal, of the feet
+};
+
+/// Along a route that is planned when the step begins, so that the avatar arrives for certain.
+struct GoToStep {
+    SourceMark mark;
+    Target target;
+    std::vector<Target> through;  ///< before it, in this order
+    std::vector<Avoided> avoid;
+    double within = 0.05;           ///< metres, horizontal
+    std::optional<double> timeout;  ///< simulated seconds; default 2 x the route's time + 5 s
+    std::optional<double> speed;    ///< metres per second
+
+    StepPreview preview() const {
+        StepPreview preview{.events = {{EventKind::avatar_arrive, target.label}}};
+        for (const Avoided& each : avoid) {
+            if (each.objects) {
+                preview.objects.push_back(*each.objects);
+            }
+        }
+        return preview;
     }
 };
 
@@ -193,8 +219,9 @@ struct ExpectStep {
     StepPreview preview() const { return {.mentions = mentions_of(expectations)}; }
 };
 
-using Step = std::variant<SpawnStep, WalkToStep, WaitStep, TurnStep, LookAtStep, TeleportStep, SnapshotStep,
-                          FollowStep, JumpStep, WaitUntilStep, CrouchStep, SpeedStep, EnableStep, ExpectStep>;
+using Step =
+    std::variant<SpawnStep, WalkToStep, GoToStep, WaitStep, TurnStep, LookAtStep, TeleportStep, SnapshotStep,
+                 FollowStep, JumpStep, WaitUntilStep, CrouchStep, SpeedStep, EnableStep, ExpectStep>;
 
 /// Steps that take no time. Visitors may handle all of them alike.
 template <typename Kind>

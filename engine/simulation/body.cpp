@@ -26,7 +26,7 @@ Body::Body(const scene::Campus& campus, const Walk& walk, const std::vector<bool
       profile_(walk.avatar),
       dt_(1.0 / walk.sim.ticks_per_second),
       solids_{collision::Detection::solid, ignored_layers(campus, walk.avatar), &disabled},
-      mover_(campus.world, mover_settings(walk.avatar), solids_),
+      mover_(campus.world, engine::mover_settings(walk.avatar), solids_),
       stuck_(walk.sim.ticks_per_second) {}
 
 AvatarState Body::state() const {
@@ -36,6 +36,12 @@ AvatarState Body::state() const {
             mover_state_.vertical_speed,
             mover_state_.grounded,
             mover_.height() / profile_.height};
+}
+
+collision::MoverSettings Body::mover_settings() const {
+    collision::MoverSettings settings = engine::mover_settings(profile_);
+    settings.height = mover_.height();
+    return settings;
 }
 
 std::optional<ObjectId> Body::obstacle() const {
@@ -52,8 +58,7 @@ std::optional<StoppedBody> Body::stopped(const Vector3d& heading) const {
         return std::nullopt;
     }
     StoppedBody body;
-    body.strides.body = mover_settings(profile_);
-    body.strides.body.height = height();
+    body.strides.body = mover_settings();
     body.strides.seconds = dt_;
     body.strides.walk_speed = profile_.speed;
     body.solids = solids_;

@@ -41,6 +41,10 @@ public:
 
     AvatarState state() const;
     const Eigen::Vector3d& foot() const { return mover_state_.foot; }
+    /// All that its next move depends on, besides the objects.
+    const collision::MoverState& mover_state() const { return mover_state_; }
+    collision::MoverSettings mover_settings() const;
+    const collision::QueryFilter& solids() const { return solids_; }
     double height() const { return mover_.height(); }
     double distance() const { return distance_; }  ///< metres so far, along the path of the foot point
     /// How it got where it is: in the last tick, or when it was placed.

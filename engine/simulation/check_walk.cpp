@@ -1,5 +1,6 @@
 #include "engine/simulation/check_walk.h"
 
+#include <algorithm>
 #include <set>
 #include <string>
 #include <utility>
@@ -38,6 +39,13 @@ public:
                 switch_objects(pattern, step.switched->enabled, diagnostics);
             }
         }
+        for (const NamePattern& pattern : step.objects) {
+            if (std::ranges::none_of(campus_.objects, [&](const scene::CampusObject& object) {
+                    return scene::glob_matches(pattern.glob, object.id);
+                })) {
+                diagnose_unknown(pattern, diagnostics);
+            }
+        }
     }
 
 private:
@@ -65,10 +73,14 @@ private:
             }
         }
         if (!known) {
-            diagnostics.push_back({scene::Severity::error, pattern.mark, "unknown-name",
-                                   "the campus has no object '" + pattern.glob + "'" +
-                                       scene::did_you_mean(pattern.glob, object_names())});
+            diagnose_unknown(pattern, diagnostics);
         }
+    }
+
+    void diagnose_unknown(const NamePattern& pattern, std::vector<Diagnostic>& diagnostics) const {
+        diagnostics.push_back({scene::Severity::error, pattern.mark, "unknown-name",
+                               "the campus has no object '" + pattern.glob + "'" +
+                                   scene::did_you_mean(pattern.glob, object_names())});
     }
 
     std::vector<std::string> object_names() const {

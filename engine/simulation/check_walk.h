@@ -11,8 +11,8 @@ namespace campuswalk::engine {
 ///   spawn-blocked   a spawn or teleport where the avatar's capsule, with its height at that time, doesn't
 ///                   fit between the objects that are enabled then (see collision::nearest_free_placement)
 ///   unknown-name    an event that is expected or waited for but can't happen on this campus, whatever the
-///                   avatar does; an object or building in an expectation, or an object to enable or disable,
-///                   that doesn't exist
+///                   avatar does; an object or building in an expectation, or an object to enable, disable or
+///                   avoid, that doesn't exist
 std::vector<scene::Diagnostic> check_walk(const scene::Campus& campus, const Walk& walk);
 
 }  // namespace campuswalk::engine

@@ -20,10 +20,13 @@ const char* cause_of(const Intent& intent) {
 }  // namespace
 
 Simulation::Simulation(const scene::Campus& campus, const Walk& walk)
-    : state_(campus, walk), script_(std::in_place, walk), intents_(*script_) {}
+    : state_(campus, walk),
+      routes_(campus, walk.sim, state_.body),
+      script_(std::in_place, walk, &routes_),
+      intents_(*script_) {}
 
 Simulation::Simulation(const scene::Campus& campus, const Walk& walk, IntentSource& intents)
-    : state_(campus, walk), intents_(intents) {}
+    : state_(campus, walk), routes_(campus, walk.sim, state_.body), intents_(intents) {}
 
 const TickRecord& Simulation::step() {
     begin_tick(state_.events.tick + 1);

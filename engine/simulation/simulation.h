@@ -10,6 +10,7 @@
 #include "engine/script/intent.h"
 #include "engine/script/player.h"
 #include "engine/script/walk.h"
+#include "engine/simulation/body_routes.h"
 #include "engine/simulation/simulation_state.h"
 #include "engine/simulation/state_hash.h"
 #include "scene/campus/campus.h"
@@ -53,6 +54,7 @@ private:
     std::string reason(const Eigen::Vector3d& heading);
 
     SimulationState state_;
+    BodyRoutes routes_;
     std::optional<ScriptPlayer> script_;  ///< none if the intents come from elsewhere
     IntentSource& intents_;
     std::vector<const Step*> instant_steps_;  ///< a member to reuse its memory

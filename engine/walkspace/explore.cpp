@@ -21,6 +21,8 @@ constexpr std::uint8_t kStridesBetweenKeyframes = 32;
 /// A round plays this many ticks of each walk: short enough for chains to be hardly longer than need be, long
 /// enough for a tile to be worth the work of coming to it.
 constexpr std::uint32_t kTicksOfRound = 600;
+/// Likewise on the way to a point, where what a round explores too much is wasted.
+constexpr std::uint32_t kTicksOfGoalRound = 30;
 /// From this height on a fall is also steered elsewhere, metres.
 constexpr double kSteeredFall = 0.5;
 
@@ -32,6 +34,7 @@ constexpr std::uint8_t kLatestSteering = 3;
 
 /// A node whose strides are yet to be taken.
 struct Pending {
+    std::uint32_t order = 0;  ///< ticks, and those to the goal, if there is one
     std::uint32_t ticks = 0;  ///< of its chain
     std::uint16_t node = 0;
     std::uint8_t since_keyframe = 0;
@@ -40,7 +43,7 @@ struct Pending {
 
 /// The earlier first, at the top of a heap.
 bool later(const Pending& a, const Pending& b) {
-    return std::tie(a.ticks, a.node) > std::tie(b.ticks, b.node);
+    return std::tie(a.order, a.ticks, a.node) > std::tie(b.order, b.ticks, b.node);
 }
 
 /// What a stride leads to outside of its tile.
@@ -80,9 +83,10 @@ public:
     WalkSpace run() {
         add_starts();
         note_goal();
+        const std::uint32_t round = settings_.towards ? kTicksOfGoalRound : kTicksOfRound;
         std::uint32_t limit = 0;
         while (const auto earliest = space_.goal ? std::nullopt : earliest_pending()) {
-            limit = std::max(limit + kTicksOfRound, *earliest + kTicksOfRound);
+            limit = std::max(limit + round, *earliest + round);
             // Tiles side by side are never explored at once: each looks at its neighbours' nodes.
             for (std::size_t color = 0; color < 4; ++color) {
                 explore_tiles(color, limit);
@@ -158,8 +162,8 @@ private:
         std::optional<std::uint32_t> earliest;
         for (const Frontier& frontier : frontiers_) {
             if (!frontier.pending.empty()) {
-                const std::uint32_t ticks = frontier.pending.front().ticks;
-                earliest = std::min(earliest.value_or(ticks), ticks);
+                const std::uint32_t order = frontier.pending.front().order;
+                earliest = std::min(earliest.value_or(order), order);
             }
         }
         return earliest;
@@ -176,7 +180,7 @@ private:
         std::vector<std::uint32_t> active;
         for (std::uint32_t i = 0; i < frontiers_.size(); ++i) {
             const std::vector<Pending>& pending = frontiers_[i].pending;
-            if (!pending.empty() && pending.front().ticks < limit && color_of(space_.tiles[i]) == color) {
+            if (!pending.empty() && pending.front().order < limit && color_of(space_.tiles[i]) == color) {
                 active.push_back(i);
             }
         }
@@ -194,7 +198,7 @@ private:
     /// By one worker; others work on tiles farther away.
     void explore_tile(std::uint32_t tile, std::uint32_t limit, Worker& worker) {
         std::vector<Pending>& pending = frontiers_[tile].pending;
-        while (!pending.empty() && pending.front().ticks < limit && !frontiers_[tile].goal) {
+        while (!pending.empty() && pending.front().order < limit && !frontiers_[tile].goal) {
             std::ranges::pop_heap(pending, later);
             const Pending next = pending.back();
             pending.pop_back();
@@ -311,7 +315,37 @@ private:
     }
 
     bool is_out(const Vec3& foot) const {
-        return !settings_.within.empty() && !settings_.within.overlaps({foot, foot});
+        return (!settings_.within.empty() && !settings_.within.overlaps({foot, foot})) ||
+               (settings_.keep_out && settings_.keep_out(foot));
+    }
+
+    /// Of an arrival, for its place in the order.
+    std::uint32_t ticks_of(const StrideEnd& end) const {
+        const double fall =
+            settings_.towards && end.left_ground ? end.edge.y() - end.at.foot.y() - kHarmlessFall : 0.0;
+        return static_cast<std::uint32_t>(end.ticks) +
+               (fall > 0.0 ? ticks_in(fall * kSecondsRoundAFall) : 0U);
+    }
+
+    /// As the strides go: along the axes and diagonals.
+    std::uint32_t ticks_to_goal(const Vec3& foot) const {
+        if (!settings_.towards) {
+            return 0;
+        }
+        const Vec3 apart = (*settings_.towards - foot).cwiseAbs();
+        const double less = std::min(apart.x(), apart.z());
+        const double more = std::max(apart.x(), apart.z());
+        return ticks_in((more - less + less / kDiagonal) / settings_.strides.walk_speed);
+    }
+
+    std::uint32_t ticks_in(double seconds) const {
+        constexpr double kMost = 1e9;
+        return static_cast<std::uint32_t>(std::min(kMost, seconds / settings_.strides.seconds));
+    }
+
+    bool is_goal(const GridCell& cell, const GroundState& at) const {
+        return (settings_.is_goal && settings_.is_goal(cell, at.foot.y())) ||
+               (settings_.is_goal_state && settings_.is_goal_state(at));
     }
 
     void arrive(std::uint32_t tile, const Pending& from, const Stride& stride, const StrideEnd& end,
@@ -327,10 +361,10 @@ private:
         if (inside && own.has(own.index_of(cell), end.at.foot.y(), worker.strider.hangs(end.at))) {
             return;
         }
-        const Arrival arrival{from.ticks + static_cast<std::uint32_t>(end.ticks),
+        const Arrival arrival{from.ticks + ticks_of(end),
                               {tile, from.node},
                               stride,
-                              end.clean || returns(end.at, from, worker),
+                              end.clean || (!settings_.towards && returns(end.at, from, worker)),
                               static_cast<std::uint8_t>(from.since_keyframe + 1),
                               end.at};
         if (inside) {
@@ -396,8 +430,7 @@ private:
             return std::nullopt;
         }
         const std::uint16_t number = own.add(node);
-        if (settings_.is_goal && !frontiers_[tile].goal &&
-            settings_.is_goal(own.cell_of(node), at.foot.y())) {
+        if (!frontiers_[tile].goal && is_goal(own.cell_of(node), at)) {
             frontiers_[tile].goal = number;
         }
         const bool keep = since_keyframe >= kStridesBetweenKeyframes;
@@ -405,7 +438,8 @@ private:
             own.keyframes.push_back({number, at});
         }
         std::vector<Pending>& pending = frontiers_[tile].pending;
-        pending.push_back({ticks, number, keep ? std::uint8_t{0} : since_keyframe, at});
+        pending.push_back(
+            {ticks + ticks_to_goal(at.foot), ticks, number, keep ? std::uint8_t{0} : since_keyframe, at});
         std::ranges::push_heap(pending, later);
         return number;
     }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "collision/geometry/shapes.h"
@@ -31,11 +32,27 @@ struct ExploreSettings {
     /// Whether a node in this cell and at this height is what is looked for: the exploration ends soon after
     /// one is reached, see WalkSpace::goal. May be empty.
     std::function<bool(const GridCell&, double y)> is_goal = {};
+
+    // For the way to a point. With one worker only.
+
+    /// Takes the nodes in the order in which walking straight on from them would get to this point, so that
+    /// hardly more than what lies on the way is explored. Ways that fall count as longer than they are.
+    /// WalkNode::returns is then only set where that is obvious.
+    std::optional<collision::Vec3> towards = {};
+    /// As `is_goal`, by the exact state at a node. May be empty.
+    std::function<bool(const GroundState&)> is_goal_state = {};
+    /// Where the body must not come to stand, by its feet. May be empty.
+    std::function<bool(const collision::Vec3& foot)> keep_out = {};
 };
 
 /// Walks everywhere: from each node to the cells around it that have none at its height, until nothing new is
 /// reached. The body leaves the ground where it can, and what it lands on is explored as well. The same
 /// result for any number of workers.
 WalkSpace explore(const WorkerWorlds& worlds, const ExploreSettings& settings);
+
+/// A way that falls this far on a stride isn't longer for it, metres. Beyond that, visitors walk round it:
+/// so many seconds for each metre.
+inline constexpr double kHarmlessFall = 0.5;
+inline constexpr double kSecondsRoundAFall = 10.0;
 
 }  // namespace campuswalk::engine

@@ -21,6 +21,8 @@ constexpr double kFifth = 0.2;
 /// Beyond the slope's own rise in a tick, the body climbed or descended a step, metres.
 constexpr double kStepRise = 0.01;
 
+}  // namespace
+
 collision::MoverState state_of(const GroundState& at) {
     collision::MoverState state;
     state.foot = at.foot;
@@ -28,8 +30,6 @@ collision::MoverState state_of(const GroundState& at) {
     state.grounded = true;
     return state;
 }
-
-}  // namespace
 
 Strider::Strider(const collision::World& world, const StrideSettings& settings,
                  const collision::QueryFilter& filter)
@@ -73,16 +73,20 @@ StrideEnd Strider::take(const GroundState& from, const Stride& stride, const Wal
             end.edge = before;
         }
     }
+    std::size_t ahead_until = path_.size();
     if (!state_.grounded) {
         const bool straight_on = stride.steering == Stride::kStraightOn;
         const bool let_go = stride.steering == Stride::kLetGo;
+        const auto steers_after =
+            static_cast<std::size_t>(std::floor(kFifth * stride.steers_after / settings_.seconds + 0.5));
+        ahead_until += steers_after;
         fall(desired,
              straight_on ? desired
              : let_go    ? Vec3(Vec3::Zero())
                          : Vec3(length * grid_directions()[stride.steering].unit),
-             static_cast<std::size_t>(std::floor(kFifth * stride.steers_after / settings_.seconds + 0.5)),
-             end);
+             steers_after, end);
     }
+    end.ticks_ahead = static_cast<int>(std::min(ahead_until, path_.size()));
     finish(end);
     return end;
 }

@@ -47,7 +47,11 @@ struct StrideEnd {
     /// Nothing was touched, no step climbed, no edge passed: the way back is free as well.
     bool clean = true;
     int ticks = 0;
+    int ticks_ahead = 0;  ///< of them, of a stride: before it was steered elsewhere
 };
+
+/// Of a body that stands.
+collision::MoverState state_of(const GroundState& at);
 
 /// The body that strides, and how fast, per tick of `seconds`.
 struct StrideSettings {
@@ -67,8 +71,8 @@ public:
 
     /// Towards the middle of the next cell in the stride's direction.
     StrideEnd take(const GroundState& from, const Stride& stride, const WalkGrid& grid);
-    /// Towards a point, as the step walk_to does, for at most `seconds`: ends within `within` of it,
-    /// horizontally, or at a standstill.
+    /// Towards a point, as the step walk_to goes, for at most `seconds`: ends on the ground within `within`
+    /// of it, horizontally, or at a standstill. TrialWalk arrives exactly as the step does.
     StrideEnd walk_to(const GroundState& from, const collision::Vec3& point, double within, double seconds);
     /// Puts the body down as a spawn does, and lets it fall to the ground. Gone if there is no free place, or
     /// no ground.

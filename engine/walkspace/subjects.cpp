@@ -13,7 +13,7 @@
 #include "collision/world/overlap_span.h"
 #include "collision/world/placement.h"
 #include "engine/events/decimals.h"
-#include "engine/script/avatar_body.h"
+#include "engine/walkspace/place_check.h"
 
 namespace campuswalk::engine {
 
@@ -102,25 +102,12 @@ private:
 
     /// `nearest`: how near to it one gets.
     void explain_point(Subject& subject, double nearest) {
-        if (const auto object = collision::obstruction(
-                world_, s_.settings.solids, subject.at + Vec3(0, 0.02, 0), body_.radius, body_.height)) {
-            const auto free = collision::nearest_free_placement(world_, s_.settings.solids, subject.at,
-                                                                body_.radius, body_.height, kPlacementSearch);
-            if (!free) {
-                subject.reason = "it is inside " + s_.campus.objects[index_of(*object)].id;
-                return;
-            }
-        }
-        const StrideEnd end = strider_.put_down(subject.at);
-        if (end.kind != StrideEnd::Kind::grounded) {
-            subject.reason = "there is no ground below it";
+        const PlaceCheck place = check_place(s_.campus, strider_, subject.at);
+        if (!place.ground) {
+            subject.reason = place.problem;
             return;
         }
-        if (const double drop = subject.at.y() - end.at.foot.y(); drop > kLevel) {
-            subject.reason = "the ground is " + fixed(drop, 2) + " m below it";
-            return;
-        }
-        subject.island = island_at(end.at.foot);
+        subject.island = island_at(place.ground->foot);
         if (!subject.island) {
             subject.reason = nearest > 1.0 ? "nothing that is reached lies near it"
                                            : "one gets to " + fixed(nearest, 2) + " m from it, not nearer" +

@@ -44,6 +44,36 @@ TEST_F(ReadSteps, SpawnsAtCoordinates) {
     EXPECT_NEAR(spawn.yaw, radians(-90), 1e-15);
 }
 
+TEST_F(ReadSteps, ReadsGoTo) {
+    const auto steps = read(
+        "  - spawn: gate\n"
+        "  - go_to: square\n"
+        "  - go_to: {to: [4, 5], through: [square, [1, 2]], avoid: [\"bench/*\", {center: gate, radius: "
+        "2}],\n"
+        "            within: 0.5, timeout: 30, speed: 2}\n"
+        "  - go_to: {to: square, avoid: fountain}\n"
+        "  - go_to: {to: square, avoid: {center: [3, 4], radius: 1}}\n");
+    const auto& square = std::get<GoToStep>(steps.at(1));
+    EXPECT_EQ(square.target.label, "square");
+    EXPECT_TRUE(square.through.empty());
+    EXPECT_TRUE(square.avoid.empty());
+    EXPECT_EQ(square.within, 0.05);
+    const auto& full = std::get<GoToStep>(steps.at(2));
+    EXPECT_EQ(full.target.label, "4,5");
+    ASSERT_EQ(full.through.size(), 2U);
+    EXPECT_EQ(full.through[0].label, "square");
+    EXPECT_EQ(full.through[1].label, "1,2");
+    ASSERT_EQ(full.avoid.size(), 2U);
+    EXPECT_EQ(full.avoid[0].objects->glob, "bench/*");
+    EXPECT_EQ(full.avoid[1].center.point, Vector3d(1, 0, 5));
+    EXPECT_EQ(full.avoid[1].radius, 2.0);
+    EXPECT_EQ(full.within, 0.5);
+    EXPECT_EQ(full.timeout, 30.0);
+    EXPECT_EQ(full.speed, 2.0);
+    EXPECT_EQ(std::get<GoToStep>(steps.at(3)).avoid.at(0).objects->glob, "fountain");
+    EXPECT_EQ(std::get<GoToStep>(steps.at(4)).avoid.at(0).center.point, Vector3d(3, 0, 4));
+}
+
 TEST_F(ReadSteps, ReadsWalkTo) {
     const auto steps = read(
         "  - spawn: gate\n"

@@ -96,6 +96,68 @@ Step read_walk_to(const CheckedNode& node, StepContext& context) {
     return step;
 }
 
+/// An object's id or glob, or `{center, radius}`.
+std::optional<Avoided> read_avoided(const CheckedNode& node, const StepContext& context) {
+    Avoided avoided;
+    if (!node.is_map()) {
+        std::optional<std::string> glob = node.line();
+        avoided.objects = NamePattern{node.mark(), glob.value_or("")};
+        return glob ? std::optional(avoided) : std::nullopt;
+    }
+    constexpr Range kRadius{0.0, 1e6, true, "m"};
+    CheckedMap map(node, "what to avoid");
+    if (const auto center = map.require("center")) {
+        avoided.center = context.names.target(*center);
+    }
+    map.require("radius");
+    map.number("radius", kRadius, avoided.radius);
+    map.refuse_other_keys();
+    return avoided;
+}
+
+/// One of them, or a list.
+std::vector<Avoided> read_all_avoided(const CheckedNode& node, const StepContext& context) {
+    std::vector<Avoided> all;
+    const auto add = [&](const CheckedNode& item) {
+        if (auto avoided = read_avoided(item, context)) {
+            all.push_back(std::move(*avoided));
+        }
+    };
+    if (node.is_map()) {
+        add(node);
+        return all;
+    }
+    std::ranges::for_each(node.items_or_one("an object or {center, radius}"), add);
+    if (all.empty() && (node.is_sequence() || node.is_null())) {
+        node.diagnose("bad-value", node.what() + " needs at least one object's id or {center, radius}");
+    }
+    return all;
+}
+
+Step read_go_to(const CheckedNode& node, StepContext& context) {
+    GoToStep step;
+    step.mark = node.mark();
+    if (!node.is_map()) {
+        step.target = context.names.target(node);
+        return step;
+    }
+    CheckedMap map(node, "'go_to'");
+    if (const auto to = map.require("to")) {
+        step.target = context.names.target(*to);
+    }
+    if (const auto through = map.find("through")) {
+        step.through = read_points(*through, context);
+    }
+    if (const auto avoid = map.find("avoid")) {
+        step.avoid = read_all_avoided(*avoid, context);
+    }
+    map.number("within", kDistance, step.within);
+    map.number("timeout", kTimeout, step.timeout);
+    map.number("speed", kSpeed, step.speed);
+    map.refuse_other_keys();
+    return step;
+}
+
 Step read_follow(const CheckedNode& node, StepContext& context) {
     FollowStep step;
     step.mark = node.mark();
@@ -271,15 +333,23 @@ Step read_disable(const CheckedNode& node, StepContext& /*context*/) {
     return read_switched(node, false);
 }
 
-constexpr std::array kReaders = {
-    StepReader{"spawn", read_spawn},       StepReader{"walk_to", read_walk_to},
-    StepReader{"follow", read_follow},     StepReader{"run", read_run},
-    StepReader{"speed", read_speed},       StepReader{"jump", read_jump},
-    StepReader{"crouch", read_crouch},     StepReader{"expect", read_expect},
-    StepReader{"wait", read_wait},         StepReader{"wait_until", read_wait_until},
-    StepReader{"turn", read_turn},         StepReader{"look_at", read_look_at},
-    StepReader{"teleport", read_teleport}, StepReader{"enable", read_enable},
-    StepReader{"disable", read_disable},   StepReader{"snapshot", read_snapshot}};
+constexpr std::array kReaders = {StepReader{"spawn", read_spawn},
+                                 StepReader{"walk_to", read_walk_to},
+                                 StepReader{"go_to", read_go_to},
+                                 StepReader{"follow", read_follow},
+                                 StepReader{"run", read_run},
+                                 StepReader{"speed", read_speed},
+                                 StepReader{"jump", read_jump},
+                                 StepReader{"crouch", read_crouch},
+                                 StepReader{"expect", read_expect},
+                                 StepReader{"wait", read_wait},
+                                 StepReader{"wait_until", read_wait_until},
+                                 StepReader{"turn", read_turn},
+                                 StepReader{"look_at", read_look_at},
+                                 StepReader{"teleport", read_teleport},
+                                 StepReader{"enable", read_enable},
+                                 StepReader{"disable", read_disable},
+                                 StepReader{"snapshot", read_snapshot}};
 
 }  // namespace
 

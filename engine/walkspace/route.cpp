@@ -1,0 +1,345 @@
+#include "engine/walkspace/route.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "engine/script/travel.h"
+#include "engine/walkspace/trial_walk.h"
+#include "engine/walkspace/worker_worlds.h"
+
+namespace campuswalk::engine {
+
+using collision::MoverState;
+using collision::Vec3;
+
+namespace {
+
+/// A way that is straight but for this share isn't worth a search, and neither are these ticks.
+constexpr double kNearlyStraight = 1.02;
+constexpr Tick kFewTicks = 5;
+/// A straight piece may end this far above or below the node that it is headed for, metres: less than the
+/// way between two floors, more than a step.
+constexpr double kSameGround = 0.35;
+/// Ticks more than the chain takes that a straight piece may take: one that slides along a wall is no gain.
+constexpr Tick kSlack = 20;
+/// A visitor walks round what stands in the way rather than into it, seconds.
+constexpr double kSecondsRoundATouch = 1.0;
+/// The last piece may go round what stands beside the target, seconds.
+constexpr double kLastPiece = 4.0;
+/// Nodes this near the target are asked whether they lead there, metres.
+constexpr double kNearTarget = 0.6;
+/// Nodes are at least this far from what is avoided, metres.
+constexpr double kRoomBeside = 0.1;
+/// After so many searches a leg is walked as the last chain goes, stride by stride.
+constexpr int kMostSearches = 12;
+/// Points that pieces go to have whole millimetres, so that they can be written down exactly.
+constexpr double kPointsPerMetre = 1000.0;
+
+Vec3 written(const Vec3& p) {
+    return {std::floor(p.x() * kPointsPerMetre + 0.5) / kPointsPerMetre, 0.0,
+            std::floor(p.z() * kPointsPerMetre + 0.5) / kPointsPerMetre};
+}
+
+/// A node of the chain that the route follows.
+struct ChainNode {
+    Stride stride;  ///< to it
+    GroundState at;
+    Tick ticks = 0;  ///< from the chain's start
+};
+
+/// A walked piece and where on the chain it leads.
+struct Pull {
+    std::size_t node = 0;
+    RoutePiece piece;
+    TrialWalk::End end;
+    std::vector<Vec3> path;
+};
+
+class Planner {
+public:
+    Planner(const collision::World& world, const RouteSettings& settings, const RouteRequest& request)
+        : worlds_(world, 1, {}),
+          settings_(settings),
+          strider_(world, settings.strides, settings.solids),
+          trial_(world, settings.strides, settings.solids, settings.keep_out),
+          state_(request.from) {
+        route_.path.push_back(state_.foot);
+    }
+
+    /// None if the target is reached.
+    std::optional<NoRoute> go_to(const Target& target, double within) {
+        target_ = target;
+        within_ = within;
+        const MoverState start = state_;
+        const std::optional<Pull> straight = walk_straight();
+        if (straight && is_nearly_straight(*straight)) {
+            append(*straight);
+            return std::nullopt;
+        }
+        const std::size_t pieces = route_.pieces.size();
+        const std::size_t points = route_.path.size();
+        if (auto none = search()) {
+            return none;
+        }
+        if (straight && cost_of(*straight) <= static_cast<Tick>(route_.path.size() - points)) {
+            route_.pieces.resize(pieces);
+            route_.path.resize(points);
+            state_ = start;
+            append(*straight);
+        }
+        return std::nullopt;
+    }
+
+    Route finished() { return std::move(route_); }
+
+private:
+    RoutePiece last_piece() const { return {target_, within_}; }
+
+    std::optional<Pull> walk_straight() {
+        Pull pull{0, last_piece(), {}, {}};
+        const auto end = trial_.walk(state_, pull.piece, std::numeric_limits<Tick>::max());
+        if (!end) {
+            return std::nullopt;
+        }
+        pull.end = *end;
+        pull.path = trial_.path();
+        return pull;
+    }
+
+    bool is_nearly_straight(const Pull& pull) const {
+        const double distance = flat(target_.point - state_.foot).norm();
+        const double ticks = distance / (settings_.strides.walk_speed * settings_.strides.seconds);
+        return pull.end.fall <= kHarmlessFall && static_cast<double>(pull.piece.ticks) <=
+                                                     kNearlyStraight * ticks + static_cast<double>(kFewTicks);
+    }
+
+    /// In ticks: falls count as longer than they are, as in the exploration, and so does bumping into things.
+    Tick cost_of(const Pull& pull) const {
+        const double round = std::max(0.0, pull.end.fall - kHarmlessFall) * kSecondsRoundAFall +
+                             (pull.end.touched ? kSecondsRoundATouch : 0.0);
+        return pull.piece.ticks + static_cast<Tick>(round / settings_.strides.seconds);
+    }
+
+    std::optional<NoRoute> search() {
+        for (int searches = 1;; ++searches) {
+            if (!land()) {
+                return NoRoute{target_, WalkSpace(WalkGrid{}), false};
+            }
+            WalkSpace space = explore(worlds_, explore_settings());
+            if (!space.goal) {
+                const bool cut = std::ranges::find(space.bounds, Bound::nodes) != space.bounds.end();
+                return NoRoute{target_, std::move(space), cut};
+            }
+            chain_ = chain_to(space);
+            if (follow_chain(space.grid, searches < kMostSearches)) {
+                return std::nullopt;
+            }
+            assert(searches < kMostSearches && "a chain can be followed stride by stride");
+            if (searches >= kMostSearches) {
+                return NoRoute{target_, std::move(space), true};
+            }
+        }
+    }
+
+    /// False if the body falls out of the world.
+    bool land() {
+        if (state_.grounded) {
+            return true;
+        }
+        Pull pull{0, {target_, within_, Vec3(Vec3::Zero())}, {}, {}};
+        const auto end = trial_.stride(state_, pull.piece);
+        if (end) {
+            pull.end = *end;
+            pull.path = trial_.path();
+            append(pull);
+        }
+        return end.has_value();
+    }
+
+    ExploreSettings explore_settings() {
+        ExploreSettings settings;
+        settings.strides = settings_.strides;
+        settings.solids = settings_.solids;
+        settings.more_starts = {{state_.foot, state_.support_y}};
+        settings.keep_rim = true;
+        settings.max_nodes = settings_.max_nodes;
+        if (settings_.keep_out) {
+            settings.keep_out = [this](const Vec3& foot) { return is_close_to_what_is_avoided(foot); };
+        }
+        settings.towards = target_.point;
+        settings.is_goal_state = [this](const GroundState& at) {
+            RoutePiece piece = last_piece();
+            if (!is_near_target(at.foot)) {
+                return false;
+            }
+            const auto end = trial_.walk(state_of(at), piece, last_ticks());
+            return end && end->fall <= kHarmlessFall;
+        };
+        return settings;
+    }
+
+    /// So that there is room for straight pieces beside it.
+    bool is_close_to_what_is_avoided(const Vec3& foot) const {
+        return std::ranges::any_of(grid_directions(), [&](const GridDirection& direction) {
+            return settings_.keep_out(foot + kRoomBeside * direction.unit);
+        });
+    }
+
+    Tick last_ticks() const { return static_cast<Tick>(kLastPiece / settings_.strides.seconds) + 1; }
+
+    bool is_near_target(const Vec3& foot) const {
+        return flat(target_.point - foot).norm() <= kNearTarget &&
+               (!target_.has_height || std::abs(foot.y() - target_.point.y()) <= kTargetLevel + kSameGround);
+    }
+
+    std::vector<ChainNode> chain_to(const WalkSpace& space) {
+        std::vector<ChainNode> chain;
+        std::vector<WalkNodeId> ids{*space.goal};
+        while (const auto parent = space.parent(ids.back())) {
+            ids.push_back(*parent);
+        }
+        std::ranges::reverse(ids);
+        chain.push_back({{}, {state_.foot, state_.support_y}, 0});
+        for (std::size_t i = 1; i < ids.size(); ++i) {
+            const Stride stride = space.node(ids[i]).stride();
+            const StrideEnd end = strider_.take(chain.back().at, stride, space.grid);
+            chain.push_back({stride, end.at, chain.back().ticks + end.ticks});
+        }
+        return chain;
+    }
+
+    /// Whether the target is reached. If not, the body stands where no node of the chain can be walked to
+    /// from, and has come nearer.
+    bool follow_chain(const WalkGrid& grid, bool pull) {
+        std::size_t at = 0;
+        bool exact = true;  // the body is in the very state of the chain's node
+        while (at < chain_.size()) {
+            const bool last = at + 1 == chain_.size();
+            auto next = pull || last ? farthest(at) : std::nullopt;
+            if (next) {
+                append(*next);
+                at = next->node;
+                exact = false;
+            } else if (exact && !last) {
+                take_stride(chain_[++at].stride, grid);
+            } else {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /// The farthest node of the chain that a straight piece leads to, found by ever larger leaps and then by
+    /// halving the last one; `chain_.size()` stands for the target.
+    std::optional<Pull> farthest(std::size_t at) {
+        std::optional<Pull> best;
+        const std::size_t end = chain_.size();
+        std::size_t fails = end + 1;
+        for (std::size_t leap = 1; best ? best->node < end : leap <= 4; leap *= 2) {
+            const std::size_t node = std::min(at + leap, end);
+            if (auto pull = piece_to(at, node)) {
+                best = std::move(pull);
+            } else if (best || node == end) {
+                fails = node;
+                break;
+            }
+        }
+        while (best && best->node + 1 < fails) {
+            const std::size_t middle = best->node + (fails - best->node) / 2;
+            if (auto pull = piece_to(at, middle)) {
+                best = std::move(pull);
+            } else {
+                fails = middle;
+            }
+        }
+        return best;
+    }
+
+    std::optional<Pull> piece_to(std::size_t at, std::size_t node) {
+        const bool last = node == chain_.size();
+        const ChainNode& goal = chain_[last ? node - 1 : node];
+        Pull pull{node, last_piece(), {}, {}};
+        if (!last) {
+            pull.piece = {{"", written(goal.at.foot), false}};
+        }
+        const Tick most = goal.ticks - chain_[at].ticks + kSlack + (last ? last_ticks() : 0);
+        const auto end = trial_.walk(state_, pull.piece, most);
+        if (!end || (end->touched && node > at + 1) ||
+            (!last && std::abs(end->state.foot.y() - goal.at.foot.y()) > kSameGround) ||
+            end->fall > std::max(kHarmlessFall, deepest_fall(at, node)) + kSameGround) {
+            return std::nullopt;
+        }
+        pull.end = *end;
+        pull.path = trial_.path();
+        return pull;
+    }
+
+    /// Of the chain's own strides, roughly: a straight piece must not leap down where the chain takes the
+    /// stairs.
+    double deepest_fall(std::size_t from, std::size_t to) const {
+        double deepest = 0.0;
+        for (std::size_t i = from + 1; i <= to && i < chain_.size(); ++i) {
+            deepest = std::max(deepest, chain_[i - 1].at.foot.y() - chain_[i].at.foot.y());
+        }
+        return deepest;
+    }
+
+    void take_stride(const Stride& stride, const WalkGrid& grid) {
+        const StrideEnd end = strider_.take({state_.foot, state_.support_y}, stride, grid);
+        const double length = settings_.strides.walk_speed * settings_.strides.seconds;
+        const Vec3 ahead = length * grid_directions()[stride.direction].unit;
+        append_stride(ahead, end.ticks_ahead);
+        if (end.ticks > end.ticks_ahead) {
+            append_stride(stride.steering == Stride::kStraightOn ? ahead
+                          : stride.steering == Stride::kLetGo
+                              ? Vec3(Vec3::Zero())
+                              : Vec3(length * grid_directions()[stride.steering].unit),
+                          end.ticks - end.ticks_ahead);
+        }
+    }
+
+    void append_stride(const Vec3& move, int ticks) {
+        Pull pull{0, {target_, within_, move, ticks}, {}, {}};
+        if (const auto end = trial_.stride(state_, pull.piece)) {
+            pull.end = *end;
+            pull.path = trial_.path();
+            append(pull);
+        }
+    }
+
+    void append(const Pull& pull) {
+        route_.pieces.push_back(pull.piece);
+        route_.path.insert(route_.path.end(), pull.path.begin(), pull.path.end());
+        state_ = pull.end.state;
+    }
+
+    const WorkerWorlds worlds_;
+    const RouteSettings& settings_;
+    Strider strider_;
+    TrialWalk trial_;
+    MoverState state_;  ///< at the end of the route so far
+    Route route_;
+    Target target_;
+    double within_ = 0.0;
+    std::vector<ChainNode> chain_;
+};
+
+}  // namespace
+
+std::variant<Route, NoRoute> plan_route(const collision::World& world, const RouteSettings& settings,
+                                        const RouteRequest& request) {
+    Planner planner(world, settings, request);
+    for (std::size_t i = 0; i < request.to.size(); ++i) {
+        const bool last = i + 1 == request.to.size();
+        if (auto none = planner.go_to(request.to[i], last ? request.within : RoutePiece().within)) {
+            return std::move(*none);
+        }
+    }
+    return planner.finished();
+}
+
+}  // namespace campuswalk::engine

@@ -1,0 +1,171 @@
+#include "engine/walkspace/unreachable.h"
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "collision/world/obstacle.h"
+#include "engine/events/decimals.h"
+#include "engine/script/travel.h"
+#include "engine/walkspace/barrier_text.h"
+#include "engine/walkspace/island_barriers.h"
+#include "engine/walkspace/node_numbers.h"
+#include "engine/walkspace/place_check.h"
+#include "engine/walkspace/worker_worlds.h"
+
+namespace campuswalk::engine {
+
+using collision::Vec3;
+
+namespace {
+
+/// As much of the target's ground is looked at: 1,250 m² with cells of 0.25 m.
+constexpr std::size_t kMostGround = 20'000;
+/// And of that, what is this near to where the way would lead over to it, metres.
+constexpr double kAroundCrossing = 4.0;
+
+std::string coordinates_text(const Vec3& p) {
+    return fixed(p.x(), 2) + ", " + fixed(p.y(), 2) + ", " + fixed(p.z(), 2);
+}
+
+/// What a body at `at` stands on.
+void find_ground(const Strider& strider, UnreachedSpot& spot) {
+    const double radius = strider.settings().body.radius;
+    const Vec3 center = spot.at.foot + Vec3(0, radius, 0);
+    std::vector<collision::Obstacle> near;
+    collision::gather_obstacles(strider.world(), strider.filter(), {center, center}, radius + 0.02, near);
+    double lowest = std::numeric_limits<double>::max();
+    for (const collision::Obstacle& piece : near) {
+        if (const double y = collision::closest({center, center}, piece).on_shape.y(); y < lowest) {
+            lowest = y;
+            spot.object = piece.object;
+            spot.triangle = piece.triangle;
+        }
+    }
+}
+
+/// Whether something that is reached is in one of the cells within 2 m, at whatever height.
+bool is_near_reached(const WalkSpace& reached, const Vec3& foot) {
+    constexpr int kCells = 8;
+    constexpr double kAnyHeight = 20.0;
+    const GridCell cell = reached.grid.cell_at(foot);
+    for (int dx = -kCells; dx <= kCells; dx += 2) {
+        for (int dz = -kCells; dz <= kCells; dz += 2) {
+            if (reached.find({cell.x + dx, cell.z + dz}, foot.y(), kAnyHeight)) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/// A body that falls back from the target's ground may land between nodes that are reached.
+bool is_beside_reached(const WalkSpace& reached, const Vec3& foot) {
+    constexpr double kSameLevel = 0.3;
+    const GridCell cell = reached.grid.cell_at(foot);
+    for (int k = 0; k < 9; ++k) {
+        if (reached.find({cell.x + k % 3 - 1, cell.z + k / 3 - 1}, foot.y(), kSameLevel)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// The ground around the target that isn't reached.
+std::vector<UnreachedSpot> ground_of(const WorkerWorlds& worlds, ExploreSettings settings,
+                                     const GroundState& target, const WalkSpace& reached, Strider& strider) {
+    settings.more_starts = {target};
+    settings.known = &reached;
+    settings.max_nodes = kMostGround;
+    const WalkSpace space = explore(worlds, settings);
+    std::vector<UnreachedSpot> spots;
+    NodeNumbers(space).for_each([&](const WalkNodeId& id) {
+        const Vec3 foot = space.position(id);
+        if (!is_beside_reached(reached, foot)) {
+            spots.push_back({{foot, foot.y()}});
+            find_ground(strider, spots.back());
+        }
+    });
+    return spots;
+}
+
+/// Where the way would most likely lead over to that ground: nearest to both start and target. Its spots
+/// around there are the island that is asked about, so that the answer is about this way.
+Island part_to_cross_to(const std::vector<UnreachedSpot>& spots, const WalkSpace& reached, const Vec3& start,
+                        const Vec3& target) {
+    const UnreachedSpot* best = nullptr;
+    double least = std::numeric_limits<double>::max();
+    for (const UnreachedSpot& spot : spots) {
+        const Vec3& foot = spot.at.foot;
+        const double length = (foot - start).norm() + (foot - target).norm();
+        if (length < least && is_near_reached(reached, foot)) {
+            least = length;
+            best = &spot;
+        }
+    }
+    Island island;
+    for (const UnreachedSpot& spot : spots) {
+        if (best != nullptr && (spot.at.foot - best->at.foot).norm() <= kAroundCrossing) {
+            island.spots.push_back(spot);
+            island.bounds.extend(spot.at.foot);
+        }
+    }
+    return island;
+}
+
+/// How near one gets.
+std::string nearest_text(const WalkSpace& reached, const Target& target) {
+    std::optional<Vec3> nearest;
+    double least = std::numeric_limits<double>::max();
+    NodeNumbers(reached).for_each([&](const WalkNodeId& id) {
+        const Vec3 p = reached.position(id);
+        const double apart = (target.has_height ? Vec3(target.point - p) : flat(target.point - p)).norm();
+        if (apart < least) {
+            least = apart;
+            nearest = p;
+        }
+    });
+    return nearest ? "one gets no nearer than " + fixed(least, 2) + " m, to " + coordinates_text(*nearest)
+                   : "the avatar falls out of the world";
+}
+
+}  // namespace
+
+std::string why_unreachable(const scene::Campus& campus, const RouteSettings& settings,
+                            const RouteRequest& request, const NoRoute& none) {
+    if (none.reached.tiles.empty()) {
+        return "the avatar falls out of the world";
+    }
+    if (none.incomplete) {
+        return "there is no way to it within " + fixed(none.reached.area(), 0) +
+               " m², the most that is explored";
+    }
+    if (settings.keep_out) {
+        RouteSettings anywhere = settings;
+        anywhere.keep_out = {};
+        if (std::holds_alternative<Route>(plan_route(campus.world, anywhere, request))) {
+            return "every way leads where it is to be avoided";
+        }
+    }
+    Strider strider(campus.world, settings.strides, settings.solids);
+    Vec3 point = none.target.point;
+    if (!none.target.has_height) {
+        point.y() = request.from.foot.y();
+    }
+    const PlaceCheck place = check_place(campus, strider, point);
+    if (!place.ground) {
+        return place.problem;
+    }
+    const WorkerWorlds worlds(campus.world, 1, {});
+    ExploreSettings exploration;
+    exploration.strides = settings.strides;
+    exploration.solids = settings.solids;
+    const std::vector<UnreachedSpot> ground =
+        ground_of(worlds, exploration, *place.ground, none.reached, strider);
+    const std::vector<Island> islands{
+        part_to_cross_to(ground, none.reached, request.from.foot, place.ground->foot)};
+    const auto barrier = find_island_barriers(worlds, exploration, none.reached, islands, 1).front();
+    return barrier ? barrier_text(campus, *barrier) : nearest_text(none.reached, none.target);
+}
+
+}  // namespace campuswalk::engine

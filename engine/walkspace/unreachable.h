@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "engine/walkspace/route.h"
+#include "scene/campus/campus.h"
+
+namespace campuswalk::engine {
+
+/// Why there is no route, measured: "riser of 0.45 m at stair, 3.20, 0.45, -1.00; the avatar steps 0.30 m".
+/// A sentence without its full stop. Takes seconds where the way is long to look for.
+std::string why_unreachable(const scene::Campus& campus, const RouteSettings& settings,
+                            const RouteRequest& request, const NoRoute& none);
+
+}  // namespace campuswalk::engine

@@ -1,0 +1,128 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "engine/simulation/check_walk.h"
+#include "tests/engine/short_walk.h"
+#include "tests/engine/small_campus.h"
+
+namespace campuswalk::engine {
+namespace {
+
+GoToStep go_to(double x, double z, std::optional<double> y = {}) {
+    GoToStep step;
+    step.target = {"goal", {x, y.value_or(0.0), z}, y.has_value()};
+    return step;
+}
+
+/// A yard of 10 m by 10 m behind walls of 4 m, with a gate of 1.2 m in its south side at z = 5.
+scene::Campus yard() {
+    scene::Campus campus = level_campus(15.0);
+    add_box(campus, "north", {-5, 0, -5.2}, {5, 4, -5});
+    add_box(campus, "west", {-5.2, 0, -5.2}, {-5, 4, 5.2});
+    add_box(campus, "east", {5, 0, -5.2}, {5.2, 4, 5.2});
+    add_box(campus, "south-west", {-5, 0, 5}, {-0.6, 4, 5.2});
+    add_box(campus, "south-east", {0.6, 0, 5}, {5, 4, 5.2});
+    add_box(campus, "gate", {-0.6, 0, 5.05}, {0.6, 4, 5.15});
+    return campus;
+}
+
+TEST(GoTo, ArrivesWithOneEvent) {
+    const scene::Campus campus = yard();
+    const RecordedRun result = run(campus, walk_of({spawn_at({3, 0, 8}), go_to(-8, -8, 0.0)}));
+    EXPECT_TRUE(result.summary.passed);
+    EXPECT_EQ(result.recorder.events("avatar.arrive *").size(), 1U);
+    EXPECT_EQ(result.recorder.events("avatar.arrive goal").size(), 1U);
+    EXPECT_TRUE(result.recorder.events("avatar.blocked *").empty());
+}
+
+TEST(GoTo, HeedsWhatIsEnabledThen) {
+    const scene::Campus campus = yard();
+    const RecordedRun open =
+        run(campus, walk_of({spawn_at({0, 0, 8}), disable("gate"), go_to(0, 0), enable("gate")}));
+    EXPECT_TRUE(open.summary.passed);
+    const RecordedRun shut = run(
+        campus, walk_of({spawn_at({0, 0, 8}), disable("gate"), go_to(0, 0), enable("gate"), go_to(0, 8)}));
+    ASSERT_EQ(shut.summary.failures.size(), 1U);
+    EXPECT_EQ(shut.summary.failures.front().code, "unreachable");
+    EXPECT_THAT(shut.summary.failures.front().message,
+                testing::HasSubstr("go_to goal can't be reached: gate stands in the way"));
+}
+
+TEST(GoTo, SaysHowHighTheRiserIsThatKeepsItAway) {
+    scene::Campus campus = level_campus(10.0);
+    add_box(campus, "stage", {-3, 0, -8}, {3, 0.45, -3});
+    const RecordedRun result = run(campus, walk_of({spawn_at({0, 0, 4}), go_to(0, -6, 0.45)}));
+    ASSERT_EQ(result.summary.failures.size(), 1U);
+    EXPECT_EQ(result.summary.failures.front().code, "unreachable");
+    EXPECT_THAT(result.summary.failures.front().message, testing::HasSubstr("riser of 0.45 m at stage"));
+    EXPECT_THAT(result.summary.failures.front().message, testing::HasSubstr("the avatar steps 0.30 m"));
+    AvatarProfile climber;
+    climber.step_height = 0.46;
+    Walk walk = walk_of({spawn_at({0, 0, 4}), go_to(0, -6, 0.45)});
+    walk.avatar = climber;
+    EXPECT_TRUE(run(campus, walk).summary.passed);
+}
+
+TEST(GoTo, GoesUnderWhatOnlyACrouchedBodyPasses) {
+    scene::Campus campus = level_campus(10.0);
+    add_box(campus, "beam", {-12, 1.3, -0.2}, {12, 3, 0.2});
+    EXPECT_FALSE(run(campus, walk_of({spawn_at({0, 0, 4}), go_to(0, -4)})).summary.passed);
+    const Walk crouched = walk_of({spawn_at({0, 0, 4}), set_height(1.1), go_to(0, -4)});
+    EXPECT_TRUE(run(campus, crouched).summary.passed);
+}
+
+TEST(GoTo, LandsFirst) {
+    const scene::Campus campus = yard();
+    const RecordedRun result = run(campus, walk_of({spawn_at({3, 3, 8}), go_to(-8, -8, 0.0)}));
+    EXPECT_TRUE(result.summary.passed);
+}
+
+TEST(GoTo, FailsIfItsTimeoutIsTooShort) {
+    const scene::Campus campus = yard();
+    GoToStep step = go_to(-8, -8);
+    step.timeout = 2.0;
+    const RecordedRun result = run(campus, walk_of({spawn_at({3, 0, 8}), step}));
+    ASSERT_EQ(result.summary.failures.size(), 1U);
+    EXPECT_EQ(result.summary.failures.front().code, "timeout");
+    EXPECT_EQ(result.summary.ticks, 120);
+}
+
+TEST(GoTo, TakesItsOwnSpeed) {
+    const scene::Campus campus = yard();
+    GoToStep fast = go_to(-8, -8);
+    fast.speed = 2.8;
+    const Tick slow_ticks = run(campus, walk_of({spawn_at({3, 0, 8}), go_to(-8, -8)})).summary.ticks;
+    const Tick fast_ticks = run(campus, walk_of({spawn_at({3, 0, 8}), fast})).summary.ticks;
+    EXPECT_NEAR(static_cast<double>(fast_ticks), 0.5 * static_cast<double>(slow_ticks), 10.0);
+}
+
+TEST(GoTo, KeepsAwayFromWhatItAvoids) {
+    scene::Campus campus = level_campus(10.0);
+    add_box(campus, "lawn", {-3, 0, -3}, {3, 0.3, 3}, {collision::Detection::trigger, "", true, ""});
+    GoToStep step = go_to(0, -6);
+    step.avoid.push_back({NamePattern{{}, "lawn"}, {}, 0.0});
+    const Walk around = walk_of({spawn_at({0, 0, 6}), step});
+    const RecordedRun result = run(campus, around);
+    EXPECT_TRUE(result.summary.passed);
+    EXPECT_TRUE(result.recorder.events("trigger.enter lawn").empty());
+    EXPECT_FALSE(run(campus, walk_of({spawn_at({0, 0, 6}), go_to(0, -6)}))
+                     .recorder.events("trigger.enter lawn")
+                     .empty());
+    step.avoid.push_back({std::nullopt, {"goal", {0, 0, -6}, true}, 1.0});
+    const RecordedRun none = run(campus, walk_of({spawn_at({0, 0, 6}), step}));
+    ASSERT_EQ(none.summary.failures.size(), 1U);
+    EXPECT_THAT(none.summary.failures.front().message,
+                testing::HasSubstr("every way leads where it is to be avoided"));
+}
+
+TEST(GoTo, ToAvoidAnObjectThatIsNotThereIsAnError) {
+    const scene::Campus campus = yard();
+    GoToStep step = go_to(0, -6);
+    step.avoid.push_back({NamePattern{{}, "gates"}, {}, 0.0});
+    const auto diagnostics = check_walk(campus, walk_of({spawn_at({0, 0, 6}), step}));
+    ASSERT_EQ(diagnostics.size(), 1U);
+    EXPECT_EQ(diagnostics.front().code, "unknown-name");
+}
+
+}  // namespace
+}  // namespace campuswalk::engine

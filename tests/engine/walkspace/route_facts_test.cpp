@@ -1,0 +1,60 @@
+#include "engine/walkspace/route_facts.h"
+
+#include <memory>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "engine/walkspace/route.h"
+#include "engine/walkspace/trial_walk.h"
+#include "engine/walkspace/walk_report.h"
+#include "tests/engine/small_campus.h"
+#include "tests/support/mesh_pieces.h"
+
+namespace campuswalk::engine {
+namespace {
+
+using collision::Vec3;
+
+RouteFacts facts_between(const scene::Campus& campus, const Vec3& from, const Vec3& to) {
+    const ExploreSettings exploration = explore_settings(campus, AvatarProfile(), 60);
+    RouteSettings settings;
+    settings.strides = exploration.strides;
+    settings.solids = exploration.solids;
+    TrialWalk body(campus.world, settings.strides, settings.solids, {});
+    const auto found = plan_route(campus.world, settings, {*body.put_down(from), {{"goal", to, true}}});
+    return facts_of(std::get<Route>(found), campus.world, settings.strides.body, settings.solids);
+}
+
+TEST(RouteFacts, NamesTheDoorThatIsNarrowest) {
+    scene::Campus campus = level_campus(10.0);
+    add_box(campus, "left", {-10, 0, -0.1}, {-0.45, 2.5, 0.1});
+    add_box(campus, "right", {0.45, 0, -0.1}, {10, 2.5, 0.1});
+    add_box(campus, "post", {-0.9, 0, 4}, {-0.8, 2.5, 4.1});  // nothing on the other side
+    const RouteFacts facts = facts_between(campus, {0, 0, 6}, {0, 0, -6});
+    ASSERT_TRUE(facts.narrowest);
+    EXPECT_NEAR(facts.narrowest->value, 0.9, 0.005);
+    EXPECT_NEAR(facts.narrowest->at.z(), 0.0, 0.12);
+    EXPECT_NEAR(facts.steepest.value, 0.0, 1e-3);
+}
+
+TEST(RouteFacts, OpenGroundHasNoNarrowestSpot) {
+    EXPECT_FALSE(facts_between(level_campus(10.0), {0, 0, 6}, {0, 0, -6}).narrowest);
+}
+
+TEST(RouteFacts, NamesTheSteepestRamp) {
+    scene::Campus campus = empty_campus();
+    collision::TriangleMesh mesh;
+    support::add_floor(mesh, 10.0);
+    support::add_quad(mesh, {0, 0, -2}, {0, 0, 2}, {3, 1.2, 2}, {3, 1.2, -2});
+    support::add_box(mesh, {3, 0, -2}, {6, 1.2, 2});
+    add_object(campus, "ground", std::make_shared<const collision::MeshCollider>(std::move(mesh)),
+               Vec3::Zero());
+    const RouteFacts facts = facts_between(campus, {-4, 0, 0}, {5, 1.2, 0});
+    EXPECT_NEAR(facts.steepest.value, std::atan2(1.2, 3.0), 1e-3);
+    EXPECT_GT(facts.steepest.at.x(), -0.5);
+    EXPECT_LT(facts.steepest.at.x(), 3.5);
+}
+
+}  // namespace
+}  // namespace campuswalk::engine
