@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
                            add_snapshot(program, chosen);
                            add_collide(program, chosen);
                            add_explore(program, chosen);
+                           add_route(program, chosen);
                            add_completion(program, chosen);
                            add_help(program, chosen);
                        });

@@ -76,6 +76,7 @@ PROJECT = {
                              "tools/campuswalk/base"] + _CORE,
     "tools/campuswalk/collide": ["tools/campuswalk/loading", "tools/campuswalk/base"] + _CORE,
     "tools/campuswalk/explore": ["tools/campuswalk/base"] + _CORE,
+    "tools/campuswalk/route": ["tools/campuswalk/base"] + _CORE,
     "tools/campuswalk/completion": ["tools/campuswalk/command_line", "tools/campuswalk/base"],
     "tools/campuswalk/help": ["tools/campuswalk/base"] + _CORE,
     "tools/campuswalk/init": ["tools/campuswalk/base"] + _CORE,

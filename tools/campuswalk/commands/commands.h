@@ -2,8 +2,10 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "collision/geometry/shapes.h"
+#include "scene/campus/campus.h"
 #include "scene/campus/campus_description.h"
 #include "tools/campuswalk/command_line/command.h"
 #include "tools/campuswalk/images/rendering_backend.h"
@@ -25,6 +27,7 @@ void add_info(Command program, CommandAction& chosen);
 void add_snapshot(Command program, CommandAction& chosen);
 void add_collide(Command program, CommandAction& chosen);
 void add_explore(Command program, CommandAction& chosen);
+void add_route(Command program, CommandAction& chosen);
 void add_completion(Command program, CommandAction& chosen);
 void add_help(Command program, CommandAction& chosen);
 
@@ -39,5 +42,10 @@ void add_rendering_backend(Command command, Backend& backend);
 void add_tree(Command command, std::optional<collision::TreeKind>& tree);
 /// `--color`, for a command that prints reports.
 void add_color(Command command, ColorChoice& color);
+
+/// `--disable`: globs over the campus' objects.
+void add_disable(Command command, std::vector<std::string>& globs);
+/// By object, whether a glob of `--disable` matches it. Throws for a glob that matches none.
+std::vector<bool> disabled_objects(const scene::Campus& campus, const std::vector<std::string>& globs);
 
 }  // namespace campuswalk::tools

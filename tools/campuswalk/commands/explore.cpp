@@ -55,25 +55,6 @@ collision::Vec3 spawn_position(const scene::CampusDescription& campus, const std
                             "the campus has no spawn '" + name + "'" + scene::did_you_mean(name, names));
 }
 
-/// By object. Throws for a glob that matches none.
-std::vector<bool> disabled_objects(const scene::Campus& campus, const std::vector<std::string>& globs) {
-    std::vector<bool> disabled(campus.objects.size(), false);
-    for (const std::string& glob : globs) {
-        bool known = false;
-        for (std::size_t i = 0; i < disabled.size(); ++i) {
-            if (scene::glob_matches(glob, campus.objects[i].id)) {
-                disabled[i] = true;
-                known = true;
-            }
-        }
-        if (!known) {
-            throw scene::InputError({"--disable", 1, 1}, "unknown-name",
-                                    "the campus has no object '" + glob + "'");
-        }
-    }
-    return disabled;
-}
-
 bool has(const std::vector<std::string>& words, const std::string& word) {
     return std::ranges::find(words, word) != words.end();
 }
@@ -212,10 +193,7 @@ void add_explore(Command program, CommandAction& chosen) {
         options->from);
     command.choices({.names = "--allow", .help = "What the visitor may do besides walking; may be repeated"},
                     {"run", "jump"}, options->allow);
-    command.option({.names = "--disable",
-                    .help = "Objects that aren't there, such as a gate: a glob; may be repeated",
-                    .value = "OBJECT"},
-                   options->disable);
+    add_disable(command, options->disable);
     command.option({.names = "--require",
                     .help = "Exit with 1 unless this place is reached, or 'all'; may be repeated",
                     .value = "PLACE"},

@@ -1,6 +1,7 @@
 #include <map>
 #include <string>
 
+#include "scene/base/glob.h"
 #include "tools/campuswalk/commands/commands.h"
 
 namespace campuswalk::tools {
@@ -38,6 +39,31 @@ void add_color(Command command, ColorChoice& color) {
         {"auto", ColorChoice::automatic}, {"always", ColorChoice::always}, {"never", ColorChoice::never}};
     command.choice({.names = "--color", .help = "auto is on a terminal, unless NO_COLOR is set"}, colors,
                    color);
+}
+
+void add_disable(Command command, std::vector<std::string>& globs) {
+    command.option({.names = "--disable",
+                    .help = "Objects that aren't there, such as a gate: a glob; may be repeated",
+                    .value = "OBJECT"},
+                   globs);
+}
+
+std::vector<bool> disabled_objects(const scene::Campus& campus, const std::vector<std::string>& globs) {
+    std::vector<bool> disabled(campus.objects.size(), false);
+    for (const std::string& glob : globs) {
+        bool known = false;
+        for (std::size_t i = 0; i < disabled.size(); ++i) {
+            if (scene::glob_matches(glob, campus.objects[i].id)) {
+                disabled[i] = true;
+                known = true;
+            }
+        }
+        if (!known) {
+            throw scene::InputError({"--disable", 1, 1}, "unknown-name",
+                                    "the campus has no object '" + glob + "'");
+        }
+    }
+    return disabled;
 }
 
 }  // namespace campuswalk::tools

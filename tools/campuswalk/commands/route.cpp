@@ -1,0 +1,176 @@
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "config/loader/load_run.h"
+#include "engine/walkspace/keep_out.h"
+#include "engine/walkspace/route.h"
+#include "engine/walkspace/trial_walk.h"
+#include "engine/walkspace/unreachable.h"
+#include "engine/walkspace/walk_report.h"
+#include "scene/base/atomic_file.h"
+#include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/print.h"
+#include "tools/campuswalk/base/writable_path.h"
+#include "tools/campuswalk/commands/commands.h"
+#include "tools/campuswalk/images/images.h"
+#include "tools/campuswalk/loading/model_importer.h"
+#include "tools/campuswalk/loading/walk_loader.h"
+#include "tools/campuswalk/route/route_plan.h"
+#include "tools/campuswalk/route/route_request.h"
+#include "tools/campuswalk/route/route_text.h"
+
+namespace campuswalk::tools {
+
+namespace {
+
+struct RouteOptions {
+    std::filesystem::path campus;
+    std::string from;
+    std::string to;
+    std::string avatar = "adult";
+    std::vector<std::string> through;
+    std::vector<std::string> disable;            ///< globs over objects
+    std::optional<std::filesystem::path> write;  ///< a NAME.steps.yaml
+    std::optional<std::filesystem::path> map;    ///< a picture
+    bool json = false;
+};
+
+constexpr const char* kStepsSuffix = ".steps.yaml";
+
+void check_outputs(const RouteOptions& options) {
+    if (options.write) {
+        if (!options.write->filename().string().ends_with(kStepsSuffix)) {
+            throw scene::InputError({"--write", 1, 1}, "file-name",
+                                    "steps are read from files named NAME" + std::string(kStepsSuffix));
+        }
+        require_writable_file(*options.write, "the steps can't be written here");
+    }
+    if (options.map) {
+        if (!can_draw()) {
+            throw scene::InputError({"--map", 1, 1}, "no-rendering", "this build can't draw plans");
+        }
+        require_writable_png(*options.map, "the plan can't be drawn here");
+    }
+}
+
+/// A point without a height is meant at the height of the first spawn.
+collision::Vec3 start_at(const engine::Target& from, const scene::CampusDescription& campus) {
+    collision::Vec3 at = from.point;
+    if (!from.has_height && !campus.spawns.empty()) {
+        at.y() = campus.spawns.front().position.y();
+    }
+    return at;
+}
+
+engine::RouteSettings settings_of(const scene::Campus& campus, const engine::AvatarProfile& avatar,
+                                  const std::vector<bool>& disabled) {
+    const engine::ExploreSettings exploration =
+        engine::explore_settings(campus, avatar, engine::SimSettings().ticks_per_second);
+    engine::RouteSettings settings;
+    settings.strides = exploration.strides;
+    settings.solids = exploration.solids;
+    settings.solids.disabled = &disabled;
+    return settings;
+}
+
+engine::RouteRequest request_of(const RouteOptions& options, const scene::Campus& campus,
+                                const engine::RouteSettings& settings, const collision::Vec3& start) {
+    engine::RouteRequest request;
+    for (const std::string& place : options.through) {
+        request.to.push_back(route::parse_target(campus.description, place, "--through"));
+    }
+    request.to.push_back(route::parse_target(campus.description, options.to, "TO"));
+    engine::TrialWalk body(campus.world, settings.strides, settings.solids, {});
+    const auto state = body.put_down(start);
+    if (!state) {
+        throw scene::InputError({"FROM", 1, 1}, "spawn-blocked",
+                                "the avatar doesn't fit at " + options.from + "; start elsewhere");
+    }
+    request.from = *state;
+    return request;
+}
+
+void write_steps(const RouteOptions& options, const scene::Campus& campus,
+                 const engine::AvatarProfile& avatar, const collision::Vec3& start,
+                 const route::RouteAnswer& answer) {
+    if (const std::string why = route::why_steps_fail(campus, avatar, start, answer, options.disable);
+        !why.empty()) {
+        throw std::runtime_error("this route can't be written as walk_to steps, use go_to: " + why);
+    }
+    scene::write_file_atomically(*options.write, route::steps_yaml(answer));
+}
+
+int find_route(const RouteOptions& options) {
+    check_outputs(options);
+    WalkLoader loader;
+    const std::shared_ptr<const scene::Campus> campus = loader.load_campus(options.campus);
+    const engine::AvatarProfile avatar = config::read_avatar_text(
+        options.avatar, "--avatar", options.campus.parent_path(), campus->description, search_paths());
+    const std::vector<bool> disabled = disabled_objects(*campus, options.disable);
+    const engine::RouteSettings settings = settings_of(*campus, avatar, disabled);
+    const collision::Vec3 start =
+        start_at(route::parse_target(campus->description, options.from, "FROM"), campus->description);
+    const engine::RouteRequest request = request_of(options, *campus, settings, start);
+
+    route::RouteAnswer answer{options.from, options.to, {}, {}, {}};
+    auto found = engine::plan_route(campus->world, settings, request);
+    if (auto* route = std::get_if<engine::Route>(&found)) {
+        answer.facts = engine::facts_of(*route, campus->world, settings.strides.body, settings.solids);
+        answer.route = std::move(*route);
+    } else {
+        answer.why_not =
+            engine::why_unreachable(*campus, settings, request, std::get<engine::NoRoute>(found));
+    }
+    if (options.json) {
+        print_lines(route::answer_json(answer));
+    } else {
+        route::print_answer(answer);
+    }
+    if (options.write && answer.route) {
+        write_steps(options, *campus, avatar, start, answer);
+    }
+    if (options.map && answer.route) {
+        draw_storey_plan(route::route_plan(*campus, settings, *answer.route, options.from, options.to),
+                         *options.map);
+    }
+    return answer.route ? kPass : kExpectationFailed;
+}
+
+}  // namespace
+
+void add_route(Command program, CommandAction& chosen) {
+    const auto options = std::make_shared<RouteOptions>();
+    Command command = program.add("route", "Find the way from one place to another, or why there is none");
+    command.option({.names = "CAMPUS", .help = "NAME.campus.yaml", .value = "FILE", .required = true},
+                   options->campus);
+    command.option({.names = "FROM",
+                    .help = "A place, a spawn, x,z (at the height of the first spawn) or x,y,z",
+                    .required = true},
+                   options->from);
+    command.option({.names = "TO", .help = "A place, a spawn, x,z or x,y,z", .required = true}, options->to);
+    command.option({.names = "--avatar",
+                    .help = "A profile, or as in a walk: '{profile: adult, step_height: 0.4}'",
+                    .value = "AVATAR",
+                    .show_default = true},
+                   options->avatar);
+    command.option({.names = "--through",
+                    .help = "Pass there on the way; may be repeated, and is kept in order",
+                    .value = "PLACE"},
+                   options->through);
+    add_disable(command, options->disable);
+    command.option({.names = "--write",
+                    .help = "Write the route as steps that any walk may include: NAME.steps.yaml",
+                    .value = "FILE"},
+                   options->write);
+    command.option({.names = "--map", .help = "Draw a plan of it: NAME.png", .value = "FILE"}, options->map);
+    command.flag({.names = "--json", .help = "Print it for programs"}, options->json);
+    add_import_options(command);
+    add_root_option(command);
+    command.choose(chosen, [options] { return find_route(*options); });
+}
+
+}  // namespace campuswalk::tools
