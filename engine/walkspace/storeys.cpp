@@ -91,7 +91,7 @@ void describe(const WalkSpace& space, const NodeNumbers& numbers, Storeys& store
         const double y = static_cast<double>(space.node(id).y);
         own.low = std::min(own.low, y);
         own.high = std::max(own.high, y);
-        own.area += space.grid.cell * space.grid.cell;
+        own.area += space.node(id).hangs == 0 ? space.grid.cell * space.grid.cell : 0.0;
         ++heights[storeys.of(id)][static_cast<int>(std::floor(10.0 * y + 0.5))];
     });
     for (std::size_t i = 0; i < heights.size(); ++i) {

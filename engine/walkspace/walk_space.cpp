@@ -33,6 +33,15 @@ std::size_t WalkSpace::node_count() const {
     return count;
 }
 
+double WalkSpace::area() const {
+    std::size_t count = 0;
+    for (const WalkTile& tile : tiles) {
+        count += static_cast<std::size_t>(
+            std::ranges::count_if(tile.nodes, [](const WalkNode& node) { return node.hangs == 0; }));
+    }
+    return static_cast<double>(count) * grid.cell * grid.cell;
+}
+
 collision::Vec3 WalkSpace::position(const WalkNodeId& ref) const {
     collision::Vec3 p = grid.center(cell_of(ref));
     p.y() = static_cast<double>(node(ref).y);

@@ -46,7 +46,8 @@ public:
     std::uint64_t strides = 0;
 
     std::size_t node_count() const;
-    double area() const { return static_cast<double>(node_count()) * grid.cell * grid.cell; }
+    /// m² of cells, each level counted; bodies that hang over an edge stand on no ground of their own.
+    double area() const;
     const WalkNode& node(const WalkNodeId& ref) const { return tiles[ref.tile].nodes[ref.node]; }
     GridCell cell_of(const WalkNodeId& ref) const { return tiles[ref.tile].cell_of(node(ref)); }
     /// The middle of the node's cell, at the node's height: the foot is within a cell's half diagonal.

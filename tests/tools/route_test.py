@@ -65,6 +65,14 @@ class Route(ProgramCase):
         done = self.run_program("run", "way.walk.yaml")
         self.assertEqual(0, done.code, done.out + done.err)
 
+    def test_draws_it(self):
+        """In a build without rendering, that is refused instead."""
+        done = self.run_program("route", "yard.campus.yaml", "south", "north", "--map", "route.png", "--no-cache",
+                                "--sandbox", "auto", "--root", ".")
+        if done.code != 2:
+            self.assertEqual(0, done.code, done.err)
+            self.assertTrue(self.read("route.png").startswith(b"\x89PNG"))
+
     def test_is_the_same_each_time(self):
         self.assertEqual(self.route("south", "north", "--json"), self.route("south", "north", "--json"))
 

@@ -89,23 +89,6 @@ TEST_F(Findings, UnreachedGroundIsAnIslandOfItsSize) {
     EXPECT_EQ(campus.objects[index_of(barrier->object.value())].id, "stage");
 }
 
-TEST_F(Findings, StairsAreOneIslandWithTheLandingThatTheyLeadTo) {
-    scene::Campus campus = walled_yard();
-    add_box(campus, "block", {-6, -0.1, 1}, {-4, 0.5, 4.5});  // its first riser is too high
-    for (int i = 1; i <= 4; ++i) {
-        add_box(campus, "tread-" + std::to_string(i), {-6, -0.1, 1.0 - 0.4 * i},
-                {-4, 0.5 + 0.25 * i, 1.4 - 0.4 * i});
-    }
-    add_box(campus, "landing", {-6, -0.1, -5}, {-4, 1.75, -0.6});
-    explored(campus);
-    std::vector<Island> found = islands();
-    std::erase_if(found, [](const Island& island) { return island.bounds.min.y() > 3.0; });
-    std::erase_if(found, [](const Island& i) { return i.bounds.max.cwiseAbs().maxCoeff() > 6.0; });
-    ASSERT_EQ(found.size(), 1U);
-    EXPECT_NEAR(found[0].bounds.min.y(), 0.5, 1e-3);
-    EXPECT_NEAR(found[0].bounds.max.y(), 1.75, 1e-3);
-}
-
 TEST_F(Findings, APitThatOneCantClimbOutOfIsATrap) {
     scene::Campus campus = walled_yard();
     // A deck of 1 m that steps lead up to, with a hole in it.
