@@ -126,15 +126,15 @@ public:
         }
         const std::vector<ObjectId> touched = touched_;
         const std::vector<Ability> abilities = abilities_of(body);
-        const std::optional<FoundPath> easiest = find_path(easiest_of(abilities), query_.from);
         std::vector<Barrier> found;
         for (const Ability& ability : abilities) {
-            if (auto barrier = easiest ? try_ability(ability, body) : std::nullopt) {
+            if (auto barrier = try_ability(ability, body)) {
                 found.push_back(std::move(*barrier));
             }
         }
         try_objects(touched, found);
         if (found.empty()) {
+            const std::optional<FoundPath> easiest = find_path(easiest_of(abilities), query_.from);
             return easiest ? all_at_once(abilities, *easiest) : closed_off();
         }
         std::ranges::stable_sort(found, {}, change_of);

@@ -137,7 +137,7 @@ TEST(JsonLines, ContainTheSameValuesAsTheTextLog) {
         const Json object = Json::parse(json[i]);
         std::string rebuilt;
         for (const auto& [name, value] : object.items()) {
-            if (name == "title" || name == "body") {
+            if (name == "title" || name == "body" || name == "why") {
                 rebuilt += " " + name + "=" + value.dump();
             } else if (name != "tick" && name != "time" && name != "event" && name != "object") {
                 rebuilt += " " + name + "=" + as_text(value, name == "yaw" ? 1 : 3);
