@@ -28,6 +28,9 @@ double distance_below(const Model& model, const Node& node, const Eigen::Vector3
 }  // namespace
 
 std::string node_at(const Campus& campus, const CampusObject& object, const Eigen::Vector3d& point) {
+    if (campus.models.empty()) {
+        return "";  // only what is collided with was kept
+    }
     const std::vector<NodeRef> nodes = nodes_of(campus.models, object.nodes);
     if (nodes.size() == 1) {
         return campus.models[nodes.front().model].nodes[nodes.front().node].name;
