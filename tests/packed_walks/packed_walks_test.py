@@ -7,6 +7,7 @@ that runs it, such as an emulator of another processor.
 
 import glob
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -34,7 +35,9 @@ class PackedWalks(unittest.TestCase):
         logs = {os.path.basename(walk): self.play(os.path.relpath(walk, ROOT)) for walk in walks}
         ends = b"".join(log.splitlines(keepends=True)[-1] for log in logs.values())
         self.assertEqual(ends.decode(), golden("walk-ends.txt").decode())
-        self.assertEqual(logs["first-tour.walk.yaml"].decode(), golden("first-tour.log").decode())
+        # A packed campus has no models, so that reasons name no node: why="bench/bench-01 (bench_01) is …".
+        tour = re.sub(r'(why="\S+) \(\w+\)', r"\1", golden("first-tour.log").decode())
+        self.assertEqual(logs["first-tour.walk.yaml"].decode(), tour)
 
 
 if __name__ == "__main__":
