@@ -186,7 +186,7 @@ class Bench(ProgramCase):
             self.assertLessEqual(float(row["s_least"]), float(row["s_median"]))
             self.assertAlmostEqual(float(row["reachable_m2"]) / 72 ** 2, 1.0, delta=0.15)
         for row in rows[:2]:
-        self.assertLessEqual(float(row["reachable_m2"]), int(row["nodes"]) / 16)  # some nodes hang over edges
+            self.assertLessEqual(float(row["reachable_m2"]), int(row["nodes"]) / 16)  # some nodes hang over edges
             self.assertEqual((row["walks_outside"], row["steered_walks_outside"]), ("0", "0"))
         verdicts = outcome.out[outcome.out.index("Compared with the targets"):].splitlines()[1:]
         self.assertEqual(len(verdicts), 5)
