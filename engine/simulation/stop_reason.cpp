@@ -24,15 +24,6 @@ constexpr double kAround = 3.0;
 constexpr double kHeight = 3.2;
 constexpr std::size_t kMostNodes = 1'500;
 
-/// The length of a chain of strides, metres.
-double length_of(const std::vector<ChainLink>& chain) {
-    double length = 0.0;
-    for (std::size_t i = 1; i < chain.size(); ++i) {
-        length += (chain[i].at.foot - chain[i - 1].at.foot).norm();
-    }
-    return length;
-}
-
 class StopReason {
 public:
     StopReason(const scene::Campus& campus, const StoppedBody& body)

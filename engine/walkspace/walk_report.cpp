@@ -10,14 +10,6 @@ namespace campuswalk::engine {
 
 namespace {
 
-double length_of(const std::vector<ChainLink>& chain) {
-    double length = 0.0;
-    for (std::size_t i = 1; i < chain.size(); ++i) {
-        length += (chain[i].at.foot - chain[i - 1].at.foot).norm();
-    }
-    return length;
-}
-
 /// The most islands that are explained: those that are worth a line or that a subject is on.
 std::size_t explained(const std::vector<Island>& islands, const std::vector<Subject>& subjects,
                       const WalkGrid& grid) {

@@ -32,7 +32,7 @@ struct WalkReport {
     WalkSpace space;
     Storeys storeys = {};
     std::vector<SubjectReport> subjects = {};
-    std::vector<IslandReport> islands = {};  ///< also those below `least_island`: subjects may be on them
+    std::vector<IslandReport> islands = {};  ///< also small ones: subjects may be on them
     std::vector<Trap> traps = {};
     std::vector<Hole> holes = {};
 };

@@ -25,6 +25,14 @@ const char* name_of(Bound bound) {
     return kNames[static_cast<std::size_t>(bound)];
 }
 
+double length_of(const std::vector<ChainLink>& chain) {
+    double length = 0.0;
+    for (std::size_t i = 1; i < chain.size(); ++i) {
+        length += (chain[i].at.foot - chain[i - 1].at.foot).norm();
+    }
+    return length;
+}
+
 std::size_t WalkSpace::node_count() const {
     std::size_t count = 0;
     for (const WalkTile& tile : tiles) {

@@ -29,6 +29,9 @@ struct ChainLink {
     GroundState at;
 };
 
+/// From one end of its strides to the next, metres.
+double length_of(const std::vector<ChainLink>& chain);
+
 /// All places that a body can reach by walking from its starts: nodes in cells of a grid. Every node has a
 /// chain of strides from a start, each of which starts exactly where the one before ended.
 class WalkSpace {

@@ -23,7 +23,7 @@ struct Finding {
 };
 
 /// Unreached subjects first, then traps, holes and islands. Subjects on one island are one finding; islands
-/// that are the tops of things, higher than anyone climbs, are left to `count_tops`.
+/// that are the tops of things, higher than anyone climbs (is_top), are left out.
 std::vector<Finding> find_findings(const scene::Campus& campus, const engine::WalkReport& report);
 
 /// Roofs, the tops of walls and the like: islands that are only reached over a ledge.
