@@ -43,6 +43,9 @@ public:
         if (const auto round = path_round(query)) {
             return contact.empty() ? "" : contact + "; " + fixed(*round, 1) + " m lead round it";
         }
+        const scene::NodeTriangles nodes(campus_);
+        query.nodes = &nodes;
+        query.single_change = true;
         const auto barrier = why_not(worlds_, settings_, query);
         return !barrier || barrier->kind == BarrierKind::solid ? contact : barrier_text(campus_, *barrier);
     }

@@ -111,7 +111,8 @@ Heights heights_of(const Island& island, const WalkGrid& grid, const collision::
 }
 
 std::optional<Barrier> barrier_before(const WorkerWorlds& worlds, const ExploreSettings& settings,
-                                      const WalkSpace& reached, const Island& island, const Rim& rim) {
+                                      const WalkSpace& reached, const Island& island, const Rim& rim,
+                                      const scene::NodeTriangles* nodes) {
     const std::vector<Approach> approaches = approaches_to(island, rim);
     if (approaches.empty()) {
         return std::nullopt;
@@ -144,16 +145,15 @@ std::optional<Barrier> barrier_before(const WorkerWorlds& worlds, const ExploreS
                });
     };
     query.known = &reached;
+    query.nodes = nodes;
     return why_not(worlds, settings, query);
 }
 
 }  // namespace
 
-std::vector<std::optional<Barrier>> find_island_barriers(const WorkerWorlds& worlds,
-                                                         const ExploreSettings& settings,
-                                                         const WalkSpace& reached,
-                                                         const std::vector<Island>& islands,
-                                                         std::size_t count) {
+std::vector<std::optional<Barrier>> find_island_barriers(
+    const WorkerWorlds& worlds, const ExploreSettings& settings, const WalkSpace& reached,
+    const std::vector<Island>& islands, std::size_t count, const scene::NodeTriangles* nodes) {
     Rim rim;
     for (const WalkTile& tile : reached.tiles) {
         for (const WalkTile::Keyframe& at : tile.rim) {
@@ -163,7 +163,7 @@ std::vector<std::optional<Barrier>> find_island_barriers(const WorkerWorlds& wor
     std::vector<std::optional<Barrier>> barriers(std::min(count, islands.size()));
     for_each_item(barriers.size(), worlds.size(), [&](std::size_t worker, std::size_t island) {
         const WorkerWorlds own(worlds[worker], 1, {});
-        barriers[island] = barrier_before(own, settings, reached, islands[island], rim);
+        barriers[island] = barrier_before(own, settings, reached, islands[island], rim, nodes);
     });
     return barriers;
 }

@@ -11,11 +11,10 @@
 namespace campuswalk::engine {
 
 /// Why each of the first `count` islands isn't reached; none where nothing that is reached lies near it. The
-/// space must have its rim (ExploreSettings::keep_rim). The islands share the workers.
-std::vector<std::optional<Barrier>> find_island_barriers(const WorkerWorlds& worlds,
-                                                         const ExploreSettings& settings,
-                                                         const WalkSpace& reached,
-                                                         const std::vector<Island>& islands,
-                                                         std::size_t count);
+/// space must have its rim (ExploreSettings::keep_rim). The islands share the workers. `nodes`: what the
+/// objects' meshes consist of.
+std::vector<std::optional<Barrier>> find_island_barriers(
+    const WorkerWorlds& worlds, const ExploreSettings& settings, const WalkSpace& reached,
+    const std::vector<Island>& islands, std::size_t count, const scene::NodeTriangles* nodes = nullptr);
 
 }  // namespace campuswalk::engine

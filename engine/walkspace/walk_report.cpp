@@ -33,8 +33,9 @@ WalkReport report_walks(const scene::Campus& campus, const AvatarProfile& avatar
     std::vector<Island> islands = find_unreached_ground(worlds, settings, report.space, 0.0);
     const std::vector<Subject> subjects =
         find_subjects({campus, avatar, worlds, settings, report.space, islands});
+    const scene::NodeTriangles nodes(campus);
     std::vector<std::optional<Barrier>> barriers = find_island_barriers(
-        worlds, settings, report.space, islands, explained(islands, subjects, report.space.grid));
+        worlds, settings, report.space, islands, explained(islands, subjects, report.space.grid), &nodes);
     barriers.resize(islands.size());
     for (std::size_t i = 0; i < islands.size(); ++i) {
         report.islands.push_back({std::move(islands[i]), std::move(barriers[i])});

@@ -7,11 +7,14 @@
 #include <utility>
 
 #include "collision/geometry/trigonometry.h"
+#include "collision/mesh/mesh_collider.h"
 #include "collision/world/obstacle.h"
+#include "engine/walkspace/partial_world.h"
 
 namespace campuswalk::engine {
 
 using collision::ObjectId;
+using collision::Obstacle;
 using collision::Vec3;
 
 namespace {
@@ -21,6 +24,12 @@ constexpr double kDegree = 0.017453292519943295;
 constexpr std::size_t kMostNodes = 4'000;
 /// Objects that are taken away for a try, the nearest to where the body stopped first.
 constexpr std::size_t kMostObjects = 12;
+/// Nodes of larger meshes that are taken away for a try, the nearest to a start first, if they are this near
+/// to a body that stands there, metres.
+constexpr std::size_t kMostNodesTaken = 6;
+constexpr double kNearNode = 0.4;
+/// As much of the world is kept for that around where ways are looked for, metres.
+constexpr double kAroundSearch = 2.0;
 /// How far around the way that was found the exact number is looked for, metres.
 constexpr double kAround = 1.5;
 /// The skin of a body that an opening's width is measured with, metres.
@@ -86,6 +95,11 @@ std::vector<Ability> abilities_of(const collision::MoverSettings& body) {
     return all;
 }
 
+bool is_about_height(const Barrier& barrier) {
+    return barrier.kind == BarrierKind::riser || barrier.kind == BarrierKind::ledge ||
+           barrier.kind == BarrierKind::slope;
+}
+
 /// How much would have to change: of heights, in metres; else the share of what the body has.
 double change_of(const Barrier& barrier) {
     const bool climb = barrier.kind == BarrierKind::riser || barrier.kind == BarrierKind::ledge;
@@ -133,6 +147,12 @@ public:
             }
         }
         try_objects(touched, found);
+        if (std::ranges::none_of(found, is_about_height)) {
+            try_nodes(found);
+        }
+        if (found.empty() && query_.single_change) {
+            return closed_off();
+        }
         if (found.empty()) {
             const std::optional<FoundPath> easiest = find_path(easiest_of(abilities), query_.from);
             return easiest ? all_at_once(abilities, *easiest) : closed_off();
@@ -146,10 +166,15 @@ public:
 private:
     std::optional<FoundPath> find_path(const collision::MoverSettings& body,
                                        std::span<const GroundState> from) {
+        return find_path_in(worlds_, body, from);
+    }
+
+    std::optional<FoundPath> find_path_in(const WorkerWorlds& worlds, const collision::MoverSettings& body,
+                                          std::span<const GroundState> from) {
         ExploreSettings settings = settings_;
         settings.strides.body = body;
         settings.more_starts.assign(from.begin(), from.end());
-        const WalkSpace space = explore(worlds_, settings);
+        const WalkSpace space = explore(worlds, settings);
         touched_.clear();
         for (std::size_t i = 0; i < space.touched.size(); ++i) {
             if (space.touched[i]) {
@@ -159,7 +184,7 @@ private:
         if (!space.goal) {
             return std::nullopt;
         }
-        Strider strider(worlds_[0], settings.strides, settings.solids);
+        Strider strider(worlds[0], settings.strides, settings.solids);
         const std::vector<ChainLink> chain = space.chain(*space.goal, strider);
         FoundPath path{chain.front().at, {}};
         for (const ChainLink& link : chain) {
@@ -284,6 +309,108 @@ private:
         }
     }
 
+    /// A node that is part of an object's mesh, and where it is nearest to a start.
+    struct NearNode {
+        Obstacle piece;
+        scene::TriangleRange triangles;
+        double distance = 0.0;
+        Vec3 at = Vec3::Zero();
+    };
+
+    /// Nodes near the starts: without which of them would there be a way? A door rather than a wall, so the
+    /// smallest first.
+    void try_nodes(std::vector<Barrier>& found) {
+        const collision::MoverSettings& body = settings_.strides.body;
+        const collision::Aabb kept = query_.within.grown(kAroundSearch);
+        std::vector<NearNode> near = nodes_near_starts();
+        near.resize(std::min(near.size(), kMostNodesTaken));
+        std::ranges::stable_sort(near, {}, [&](const NearNode& node) { return size_of(node); });
+        for (const NearNode& node : near) {
+            const auto without = world_without(worlds_[0], node.piece.object, node.triangles, kept);
+            if (without == nullptr) {
+                continue;
+            }
+            const auto path = find_path_in(WorkerWorlds(*without, 1, {}), body, query_.from);
+            if (path) {
+                Barrier barrier;
+                barrier.kind = BarrierKind::object;
+                locate(*path, body, barrier);
+                if (barrier.object != node.piece.object || !node.triangles.contains(barrier.triangle)) {
+                    barrier.at = node.at;
+                }
+                barrier.object = node.piece.object;
+                barrier.triangle = node.piece.triangle;
+                found.push_back(barrier);
+                return;
+            }
+        }
+    }
+
+    /// The diagonal of its bounds.
+    double size_of(const NearNode& node) const {
+        const auto& shape = worlds_[0].object(node.piece.object).shape;
+        const auto& mesh = std::get<std::shared_ptr<const collision::MeshCollider>>(shape)->mesh();
+        collision::Aabb bounds;
+        for (std::uint32_t t = node.triangles.first; t < node.triangles.end; ++t) {
+            const collision::Triangle triangle = collision::vertices(mesh, t);
+            bounds.extend(triangle.a);
+            bounds.extend(triangle.b);
+            bounds.extend(triangle.c);
+        }
+        return (bounds.max - bounds.min).norm();
+    }
+
+    /// The nearest first, without those that carry a start.
+    std::vector<NearNode> nodes_near_starts() const {
+        std::vector<NearNode> nodes;
+        if (query_.nodes == nullptr) {
+            return nodes;
+        }
+        const collision::MoverSettings& body = settings_.strides.body;
+        std::vector<NearNode> grounds;
+        std::vector<Obstacle> near;
+        for (const GroundState& at : query_.from) {
+            const collision::Segment core = body.core(at.foot);
+            collision::gather_obstacles(worlds_[0], settings_.solids, core, body.radius + kNearNode, near);
+            for (const Obstacle& piece : near) {
+                const auto triangles = query_.nodes->of_same_node(piece.object, piece.triangle);
+                if (!triangles) {
+                    continue;
+                }
+                const collision::Closest c = collision::closest(core, piece);
+                const NearNode node{piece, *triangles, c.distance, c.on_shape};
+                keep_nearest(carries(at, c) ? grounds : nodes, node);
+            }
+        }
+        std::erase_if(nodes, [&](const NearNode& node) {
+            return std::ranges::any_of(grounds,
+                                       [&](const NearNode& ground) { return is_same(node, ground); });
+        });
+        std::ranges::stable_sort(nodes, {}, &NearNode::distance);
+        return nodes;
+    }
+
+    static bool is_same(const NearNode& a, const NearNode& b) {
+        return a.piece.object == b.piece.object && a.triangles == b.triangles;
+    }
+
+    static void keep_nearest(std::vector<NearNode>& nodes, const NearNode& node) {
+        const auto known =
+            std::ranges::find_if(nodes, [&](const NearNode& other) { return is_same(other, node); });
+        if (known == nodes.end()) {
+            nodes.push_back(node);
+        } else if (node.distance < known->distance) {
+            *known = node;
+        }
+    }
+
+    /// Whether a body that stands there is carried by what it is nearest to in `c`.
+    bool carries(const GroundState& at, const collision::Closest& c) const {
+        constexpr double kTouching = 0.01;
+        const double radius = settings_.strides.body.radius;
+        return c.distance <= radius + kTouching && c.on_shape.y() <= at.foot.y() + 0.3 * radius;
+    }
+
     /// Taking away the ground is no change that helps.
     bool carries_a_start(ObjectId id) const {
         const collision::Aabb& box = worlds_[0].bounds(id);
@@ -298,10 +425,10 @@ private:
     bool supports(ObjectId id, const GroundState& at) const {
         const double radius = settings_.strides.body.radius;
         const Vec3 center = at.foot + Vec3(0, radius, 0);
-        std::vector<collision::Obstacle> near;
+        std::vector<Obstacle> near;
         collision::gather_pieces(worlds_[0], id, {center, center}, radius + 0.01, near);
-        return std::ranges::any_of(near, [&](const collision::Obstacle& piece) {
-            return collision::closest({center, center}, piece).on_shape.y() <= at.foot.y() + 0.3 * radius;
+        return std::ranges::any_of(near, [&](const Obstacle& piece) {
+            return carries(at, collision::closest({center, center}, piece));
         });
     }
 
@@ -385,11 +512,11 @@ std::optional<OpposingContact> opposing_contact(const collision::World& world,
     constexpr double kReach = 0.05;
     constexpr double kLeast = 0.1;  // of the cosine between the contact and the move
     const collision::Segment core = body.core(foot);
-    std::vector<collision::Obstacle> near;
+    std::vector<Obstacle> near;
     collision::gather_obstacles(world, solids, core, body.radius + body.skin + kReach, near);
     std::optional<OpposingContact> contact;
     double strongest = kLeast;
-    for (const collision::Obstacle& piece : near) {
+    for (const Obstacle& piece : near) {
         const collision::Closest c = collision::closest(core, piece);
         Vec3 towards = c.on_shape - c.on_segment;
         towards.y() = 0.0;

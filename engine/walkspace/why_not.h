@@ -10,6 +10,7 @@
 #include "engine/walkspace/explore.h"
 #include "engine/walkspace/walk_space.h"
 #include "engine/walkspace/worker_worlds.h"
+#include "scene/campus/node_triangles.h"
 
 namespace campuswalk::engine {
 
@@ -20,7 +21,7 @@ enum class BarrierKind : std::uint8_t {
     slope,     ///< too steep: radians
     opening,   ///< too narrow: widths, metres
     headroom,  ///< too low: heights, metres
-    object,    ///< an object stands in the way
+    object,    ///< an object, or a node that is part of its mesh, stands in the way
     several,   ///< more than one of these at once: see `parts`
     solid,     ///< nothing that a change of the body would overcome
 };
@@ -43,13 +44,15 @@ struct PassageQuery {
     std::vector<GroundState> from;
     /// Whether a node in this cell, at this height, is beyond the barrier.
     std::function<bool(const GridCell&, double y)> is_beyond;
-    collision::Aabb within;            ///< where to look for ways, horizontally and vertically
-    const WalkSpace* known = nullptr;  ///< where the body got to; may be null
+    collision::Aabb within;                       ///< where to look for ways, horizontally and vertically
+    const WalkSpace* known = nullptr;             ///< where the body got to; may be null
+    const scene::NodeTriangles* nodes = nullptr;  ///< what meshes consist of; may be null
+    bool single_change = false;  ///< don't look for ways that take several changes at once, which is slow
 };
 
 /// The smallest change that would let the body through: of its step, its slope, its width or its height, or
-/// one object less. Found by walking with a changed body, measured to a millimetre and a tenth of a degree.
-/// None if the body gets through as it is.
+/// one object or node less. Found by walking with a changed body, measured to a millimetre and a tenth of a
+/// degree. None if the body gets through as it is.
 std::optional<Barrier> why_not(const WorkerWorlds& worlds, const ExploreSettings& settings,
                                const PassageQuery& query);
 

@@ -44,16 +44,26 @@ bool float_holds(const WorldGeometry& geometry) {
     });
 }
 
+using TriangleInFloats = std::array<Eigen::Vector3f, 3>;
+
+TriangleInFloats about(const Vec3& origin, const Vec3& a, const Vec3& b, const Vec3& c) {
+    return {(a - origin).cast<float>(), (b - origin).cast<float>(), (c - origin).cast<float>()};
+}
+
+bool is_thick(const TriangleInFloats& vertices) {
+    return thickness(vertices[0].cast<double>(), vertices[1].cast<double>(), vertices[2].cast<double>()) >=
+           kMinThickness;
+}
+
 /// Adds the triangles for which `is_included(vertices)`, relative to the mesh's origin.
 template <typename IsIncluded>
 void add_triangles(const WorldGeometry& geometry, BakedMesh& baked, const IsIncluded& is_included) {
     WeldTable<3> welded(geometry.positions.size());
     auto& positions = baked.mesh.positions;
     for (const auto& triangle : geometry.triangles) {
-        std::array<Eigen::Vector3f, 3> vertices;
-        for (std::size_t k = 0; k < 3; ++k) {
-            vertices[k] = (geometry.positions[triangle[k]] - baked.p_world_origin).cast<float>();
-        }
+        const TriangleInFloats vertices =
+            about(baked.p_world_origin, geometry.positions[triangle[0]], geometry.positions[triangle[1]],
+                  geometry.positions[triangle[2]]);
         if (!is_included(vertices)) {
             continue;
         }
@@ -77,13 +87,16 @@ BakedMesh bake_mesh(const WorldGeometry& geometry) {
         return baked;
     }
     baked.p_world_origin = whole_millimetres(bounds.center());
-    add_triangles(geometry, baked, [&](const std::array<Eigen::Vector3f, 3>& vertices) {
-        const bool thick = thickness(vertices[0].cast<double>(), vertices[1].cast<double>(),
-                                     vertices[2].cast<double>()) >= kMinThickness;
+    add_triangles(geometry, baked, [&](const TriangleInFloats& vertices) {
+        const bool thick = is_thick(vertices);
         baked.zero_area += thick ? 0U : 1U;
         return thick;
     });
     return baked;
+}
+
+bool is_baked(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p_world_origin) {
+    return is_thick(about(p_world_origin, a, b, c));
 }
 
 BakedMesh bake_every_triangle(const WorldGeometry& geometry) {
@@ -92,7 +105,7 @@ BakedMesh bake_every_triangle(const WorldGeometry& geometry) {
     if (!bounds.empty() && !float_holds(geometry)) {
         baked.p_world_origin = whole_millimetres(bounds.center());
     }
-    add_triangles(geometry, baked, [](const std::array<Eigen::Vector3f, 3>&) { return true; });
+    add_triangles(geometry, baked, [](const TriangleInFloats&) { return true; });
     return baked;
 }
 

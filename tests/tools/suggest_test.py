@@ -110,6 +110,8 @@ class Suggest(ProgramCase):
         self.write("new.campus.yaml", campus.replace(', except: ["Tür"]', ""))
         stuck = self.run_program("run", "door.walk.yaml")
         self.assertEqual(stuck.code, 1, stuck.out)
+        # The door's node is named, though all nodes are one object.
+        self.assertIn('why="world (Tür) stands in the way at 0.00, ', stuck.out)
 
     def test_nothing_is_overwritten_without_a_flag(self):
         for taken in ("new.campus.yaml", "new.walk.yaml"):
