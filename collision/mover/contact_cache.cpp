@@ -66,9 +66,9 @@ void ContactCache::clear() {
     cached_.clear();
 }
 
-void ContactCache::cover(const Aabb& box, QueryStatistics* statistics) {
+void ContactCache::cover(const Aabb& box, double below, QueryStatistics* statistics) {
     const Vec3 more(margin_, kVerticalMargin, margin_);
-    const Aabb wanted{box.min - more, box.max + more};
+    const Aabb wanted{box.min - more - Vec3(0, below, 0), box.max + more};
     if (!contains(covered_, box)) {
         move_to(wanted, statistics);
         return;

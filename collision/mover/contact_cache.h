@@ -62,8 +62,8 @@ public:
     /// Drops the contents and retains the memory.
     void clear();
 
-    /// Gathers the pieces in `box` that aren't cached yet.
-    void cover(const Aabb& box, QueryStatistics* statistics = nullptr);
+    /// Gathers the pieces in `box` that aren't cached yet; if it has to, those so far below as well, metres.
+    void cover(const Aabb& box, double below = 0.0, QueryStatistics* statistics = nullptr);
 
     /// The pieces that the body may come within `reach` of as it moves from `foot` to anywhere up to
     /// `sideways`, `up` and `down` from there. The result is valid until the next `survey` or `cover`.

@@ -41,15 +41,19 @@ Support support_of(const MoverSettings& body, const MoverState& state) {
     return {state.foot, known ? std::max(foot_y, state.support_y) : foot_y};
 }
 
-/// Surveys what the body may touch this far from its place.
+/// A fall gathers what it will meet in its next ticks at once.
+constexpr double kFallAhead = 0.5;  // metres
+constexpr double kTicksAhead = 6.0;
+
+/// Surveys what the body may touch this far from its place. It will soon be so far `below`.
 void survey(MoveContext& context, const Vec3& foot, double sideways, double up, double down,
-            QueryStatistics* statistics) {
+            QueryStatistics* statistics, double below = 0.0) {
     const MoverSettings& body = context.body;
     const double beside = sideways + kProbeDistance;
     const double reach = body.radius + beside + body.skin + kSurroundings;
     const Vec3 low(reach, down + kSurroundings + body.skin, reach);
     const Vec3 high(reach, body.height + up + kSurroundings + body.skin, reach);
-    context.contacts.cover({foot - low, foot + high}, statistics);
+    context.contacts.cover({foot - low, foot + high}, below, statistics);
     context.near = context.contacts.survey(foot, beside, up, down, body.skin + kListed);
 }
 
@@ -211,8 +215,28 @@ void move_part(MoveContext& context, MoverState& state, const Vec3& desired, dou
     }
     const double high =
         (std::abs(state.vertical_speed) + context.body.gravity * seconds) * seconds + kHeightSlack;
-    survey(context, state.foot, length + high, high, high, statistics);
+    survey(context, state.foot, length + high, high, high, statistics, kFallAhead + kTicksAhead * high);
     fall(context, state, desired, seconds, trace);
+}
+
+/// A tick, in equal parts.
+void move_parts(MoveContext& context, MoverState& state, const Vec3& desired, double seconds,
+                MoveTrace& trace, QueryStatistics* statistics) {
+    trace.path.assign(1, state.foot);
+    trace.landed = false;
+    trace.fall_height = 0.0;
+    const MoverSettings& body = context.body;
+    // In parts this short, a body at skin distance from a flat wall never touches an edge of it.
+    const double longest = std::max(0.99 * std::sqrt(2.0 * body.radius * body.skin), 0.1 * body.radius);
+    const double length = horizontal_norm(desired) + horizontal_norm(state.slide_velocity) * seconds;
+    const int parts = std::max(1, static_cast<int>(std::ceil(length / longest)));
+    if (parts > 1) {
+        survey(context, state.foot, length, body.step_height, body.step_height, statistics);
+    }
+    for (int i = 0; i < parts; ++i) {
+        move_part(context, state, desired / parts, seconds / parts, trace, statistics);
+        trace.path.push_back(state.foot);
+    }
 }
 
 void list_touching(MoveContext& context, const MoverState& state, MoveTrace& trace) {
@@ -243,6 +267,8 @@ bool repeats(const RestingMove& resting, const MoverState& state, const Vec3& de
         return false;
     }
     trace.path.assign(resting.path_points, state.foot);
+    trace.landed = false;
+    trace.fall_height = 0.0;
     trace.touching = resting.touching;
     return true;
 }
@@ -268,27 +294,13 @@ MoveContext CapsuleMover::context_with(MoverCache& cache) const {
 
 void CapsuleMover::move(MoverState& state, const Vec3& desired, double seconds, MoverCache& cache,
                         MoveTrace& trace, QueryStatistics* statistics) const {
-    trace.path.assign(1, state.foot);
-    trace.landed = false;
-    trace.fall_height = 0.0;
     MoveContext context = context_with(cache);
     RestingMove& resting = cache.resting;
     if (repeats(resting, state, desired, seconds, trace)) {
         return;
     }
     const MoverState before = state;
-    // In parts this short, a body at skin distance from a flat wall never touches an edge of it.
-    const double longest =
-        std::max(0.99 * std::sqrt(2.0 * settings_.radius * settings_.skin), 0.1 * settings_.radius);
-    const double length = horizontal_norm(desired) + horizontal_norm(state.slide_velocity) * seconds;
-    const int parts = std::max(1, static_cast<int>(std::ceil(length / longest)));
-    if (parts > 1) {
-        survey(context, state.foot, length, settings_.step_height, settings_.step_height, statistics);
-    }
-    for (int i = 0; i < parts; ++i) {
-        move_part(context, state, desired / parts, seconds / parts, trace, statistics);
-        trace.path.push_back(state.foot);
-    }
+    move_parts(context, state, desired, seconds, trace, statistics);
     list_touching(context, state, trace);
     resting.known = state == before && !trace.landed;
     if (resting.known) {
@@ -298,6 +310,13 @@ void CapsuleMover::move(MoverState& state, const Vec3& desired, double seconds, 
         resting.path_points = trace.path.size();
         resting.touching = trace.touching;
     }
+}
+
+void CapsuleMover::advance(MoverState& state, const Vec3& desired, double seconds, MoverCache& cache,
+                           MoveTrace& trace, QueryStatistics* statistics) const {
+    MoveContext context = context_with(cache);
+    move_parts(context, state, desired, seconds, trace, statistics);
+    trace.touching.clear();
 }
 
 void CapsuleMover::place(MoverState& state, const Vec3& foot, double search, MoverCache& cache,

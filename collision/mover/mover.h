@@ -90,6 +90,10 @@ public:
     void move(MoverState& state, const Vec3& desired, double seconds, MoverCache& cache, MoveTrace& trace,
               QueryStatistics* statistics = nullptr) const;
 
+    /// As `move`, but leaves `trace.touching` empty: a quarter of the time goes into listing that.
+    void advance(MoverState& state, const Vec3& desired, double seconds, MoverCache& cache, MoveTrace& trace,
+                 QueryStatistics* statistics = nullptr) const;
+
     /// Leaves the ground at `speed`, metres per second upwards; the moves that follow rise and fall on the
     /// exact parabola. False, with nothing changed, unless the body is grounded.
     bool jump(MoverState& state, double speed) const;

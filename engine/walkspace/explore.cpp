@@ -32,18 +32,29 @@ constexpr double kHighFall = 2.0;
 /// Fifths of a second; a fall of 5 m takes one second.
 constexpr std::uint8_t kLatestSteering = 3;
 
+/// Nodes take the strides across their cell's corners this much later, metres of walking: somewhat more than
+/// the 0.1 m that they are longer, so that nearly all cells are reached by the shorter strides.
+constexpr double kMetresLaterAcross = 0.19;
+
 /// A node whose strides are yet to be taken.
 struct Pending {
     std::uint32_t order = 0;  ///< ticks, and those to the goal, if there is one
     std::uint32_t ticks = 0;  ///< of its chain
     std::uint16_t node = 0;
     std::uint8_t since_keyframe = 0;
+    bool across_corners = false;  ///< only the strides across the cell's corners are left
+    bool on_rim = false;          ///< one of the others didn't get to its cell
     GroundState at;
 };
 
 /// The earlier first, at the top of a heap.
 bool later(const Pending& a, const Pending& b) {
     return std::tie(a.order, a.ticks, a.node) > std::tie(b.order, b.ticks, b.node);
+}
+
+void push(std::vector<Pending>& pending, const Pending& node) {
+    pending.push_back(node);
+    std::ranges::push_heap(pending, later);
 }
 
 /// What a stride leads to outside of its tile.
@@ -75,6 +86,9 @@ class Exploration {
 public:
     Exploration(const WorkerWorlds& worlds, const ExploreSettings& settings)
         : settings_(settings), space_(WalkGrid{cell_for(settings)}) {
+        if (!settings_.towards) {  // the way to a point is worth the longer stride
+            later_across_corners_ = ticks_in(kMetresLaterAcross / settings_.strides.walk_speed);
+        }
         for (std::size_t i = 0; i < worlds.size(); ++i) {
             workers_.push_back({Strider(worlds[i], settings.strides, settings.solids)});
         }
@@ -206,17 +220,17 @@ private:
         }
     }
 
-    void stride_from(std::uint32_t tile, const Pending& from, Worker& worker) {
+    void stride_from(std::uint32_t tile, Pending from, Worker& worker) {
         const GridCell cell = space_.grid.cell_at(from.at.foot);
-        bool on_rim = false;
-        for (std::uint8_t i = 0; i < 8; ++i) {
+        const std::uint8_t first = from.across_corners ? 4 : 0;
+        for (std::uint8_t i = first; i < first + 4; ++i) {
             const GridDirection& direction = grid_directions()[i];
             const GridCell goal{cell.x + direction.x, cell.z + direction.z};
             if (is_known(goal, from.at, tile, worker)) {
                 continue;
             }
             const StrideEnd end = try_stride(tile, from, {.direction = i}, worker);
-            on_rim = on_rim || end.left_ground || space_.grid.cell_at(end.at.foot) != goal;
+            from.on_rim = from.on_rim || end.left_ground || space_.grid.cell_at(end.at.foot) != goal;
             const bool stopped =
                 end.kind == StrideEnd::Kind::grounded && space_.grid.cell_at(end.at.foot) == cell;
             if (settings_.run && end.left_ground) {
@@ -226,7 +240,11 @@ private:
                 try_stride(tile, from, {.direction = i, .gait = Gait::jump}, worker);
             }
         }
-        if (on_rim && settings_.keep_rim) {
+        if (!from.across_corners) {
+            from.across_corners = true;
+            from.order += later_across_corners_;
+            push(frontiers_[tile].pending, from);
+        } else if (from.on_rim && settings_.keep_rim) {
             space_.tiles[tile].rim.push_back({from.node, from.at});
         }
     }
@@ -290,6 +308,10 @@ private:
             return;
         }
         known.emplace_back(cell, height);
+        if (straight.kind == StrideEnd::Kind::gone &&
+            !worker.strider.has_ground_below(straight.edge, stride.gait)) {
+            return;
+        }
         worker.bounds.insert(Bound::steering);
         Stride other = stride;
         other.steering = Stride::kLetGo;
@@ -437,10 +459,11 @@ private:
         if (keep) {
             own.keyframes.push_back({number, at});
         }
-        std::vector<Pending>& pending = frontiers_[tile].pending;
-        pending.push_back(
-            {ticks + ticks_to_goal(at.foot), ticks, number, keep ? std::uint8_t{0} : since_keyframe, at});
-        std::ranges::push_heap(pending, later);
+        push(frontiers_[tile].pending, {.order = ticks + ticks_to_goal(at.foot),
+                                        .ticks = ticks,
+                                        .node = number,
+                                        .since_keyframe = keep ? std::uint8_t{0} : since_keyframe,
+                                        .at = at});
         return number;
     }
 
@@ -460,6 +483,7 @@ private:
     }
 
     const ExploreSettings& settings_;
+    std::uint32_t later_across_corners_ = 0;  ///< ticks
     WalkSpace space_;
     std::vector<Worker> workers_;
     std::vector<Frontier> frontiers_;  ///< by tile

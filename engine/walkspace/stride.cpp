@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision/mesh/mesh_query.h"
 #include "collision/world/placement.h"
 #include "engine/script/avatar_body.h"
 
@@ -18,6 +19,10 @@ constexpr double kMaxFall = 30.0;
 constexpr double kStill = 1e-9;
 /// Seconds; see Stride::steers_after.
 constexpr double kFifth = 0.2;
+/// In a fall, after so many ticks, half as many more and so on, it is asked whether it goes on for ever.
+constexpr std::size_t kFirstLook = 16;
+/// What is nearer than this to a fall may be touched, metres.
+constexpr double kFreeMargin = 0.05;
 /// Beyond the slope's own rise in a tick, the body climbed or descended a step, metres.
 constexpr double kStepRise = 0.01;
 
@@ -160,9 +165,69 @@ void Strider::tick(const Vec3& desired) {
 void Strider::fall(const Vec3& ahead, const Vec3& steered, std::size_t steers_after, StrideEnd& end) {
     end.clean = false;
     const auto most = static_cast<std::size_t>(kMaxFall / settings_.seconds);
+    std::size_t next_look = steers_after + kFirstLook;
     for (std::size_t i = 0; i < most && !state_.grounded && state_.foot.y() >= bottom_; ++i) {
+        if (i == next_look) {
+            next_look += next_look / 2;
+            if (falls_out_of_the_world(steered)) {
+                state_.foot.y() = bottom_ - 1.0;
+                break;
+            }
+        }
         tick(i < steers_after ? ahead : steered);
     }
+}
+
+/// Whether a body that moves on as `desired` meets nothing any more: there is no solid in a box around the
+/// rest of its fall. That is sooner known than played.
+bool Strider::falls_out_of_the_world(const Vec3& desired) {
+    if (state_.vertical_speed > 0.0) {
+        return false;
+    }
+    const double seconds = seconds_to_bottom(state_.foot, -state_.vertical_speed);
+    const Vec3 drift = (seconds / settings_.seconds + 1.0) * desired +
+                       (seconds + settings_.seconds) * state_.slide_velocity;
+    collision::Aabb fall;
+    fall.extend(state_.foot);
+    fall.extend(state_.foot + drift);
+    fall = fall.grown(settings_.body.radius + settings_.body.skin + kFreeMargin);
+    fall.max.y() = state_.foot.y() + settings_.body.height + kFreeMargin;
+    fall.min.y() = bottom_ - kFreeMargin;
+    return is_free(fall);
+}
+
+bool Strider::has_ground_below(const Vec3& edge, Gait gait) {
+    const double reach = speed_of(gait) * (seconds_to_bottom(edge, 0.0) + kFifth) + settings_.body.radius;
+    collision::Aabb below;
+    below.extend(edge);
+    below = below.grown(reach + kFreeMargin);
+    below.max.y() = edge.y() - settings_.body.step_height;
+    below.min.y() = bottom_ - kFreeMargin;
+    return below.min.y() < below.max.y() && !is_free(below);
+}
+
+/// Of a fall that begins with this speed downwards.
+double Strider::seconds_to_bottom(const Vec3& foot, double speed) const {
+    const double gravity = settings_.body.gravity;
+    const double height = std::max(0.0, foot.y() - bottom_);
+    return (std::sqrt(speed * speed + 2.0 * gravity * height) - speed) / gravity;
+}
+
+/// Whether no solid has a point in the box; of those that aren't meshes, their bounds count.
+bool Strider::is_free(const collision::Aabb& box) {
+    world_->candidates(box, filter_, below_);
+    const collision::Box shape{0.5 * (box.max - box.min)};
+    return std::ranges::all_of(below_, [&](collision::ObjectId id) {
+        const collision::Object& object = world_->object(id);
+        const auto* mesh = std::get_if<std::shared_ptr<const collision::MeshCollider>>(&object.shape);
+        if (mesh == nullptr) {
+            return false;
+        }
+        const collision::Pose& X = object.X_world_shape;
+        const collision::Pose X_mesh_box{X.rotation.transpose(), X.inverse_apply(box.center())};
+        collision::triangles_in_box(**mesh, shape, X_mesh_box, triangles_below_);
+        return triangles_below_.empty();
+    });
 }
 
 void Strider::finish(StrideEnd& end) const {

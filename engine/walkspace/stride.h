@@ -37,7 +37,7 @@ struct GroundState {
 struct StrideEnd {
     enum class Kind : std::uint8_t {
         grounded,  ///< on the ground
-        gone,      ///< below everything: it fell out of the world
+        gone,      ///< it fell out of the world, or nothing is left that it could land on
         falling,   ///< still in the air after kMaxFall seconds
     };
     Kind kind = Kind::grounded;
@@ -82,6 +82,10 @@ public:
     /// stands on.
     bool hangs(const GroundState& at) const;
 
+    /// Whether there is ground to land on for a body that leaves an edge there and steers as it likes: solids
+    /// more than a step below, no farther away than it gets.
+    bool has_ground_below(const collision::Vec3& edge, Gait gait);
+
     /// The feet at the end of each tick of the last stride.
     const std::vector<collision::Vec3>& path() const { return path_; }
     /// By object: whether any stride touched it.
@@ -96,6 +100,9 @@ private:
     void tick(const collision::Vec3& desired);
     void fall(const collision::Vec3& ahead, const collision::Vec3& steered, std::size_t steers_after,
               StrideEnd& end);
+    bool falls_out_of_the_world(const collision::Vec3& desired);
+    bool is_free(const collision::Aabb& box);
+    double seconds_to_bottom(const collision::Vec3& foot, double speed) const;
     void finish(StrideEnd& end) const;
     double speed_of(Gait gait) const;
 
@@ -110,6 +117,8 @@ private:
     collision::MoveTrace trace_;
     std::vector<collision::Vec3> path_;
     std::vector<bool> touched_;
+    std::vector<collision::ObjectId> below_;
+    std::vector<std::uint32_t> triangles_below_;
     std::uint64_t ticks_ = 0;
 };
 
