@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "engine/walkspace/landing_places.h"
 #include "engine/walkspace/worker_threads.h"
 
 namespace campuswalk::engine {
@@ -32,17 +33,18 @@ constexpr double kHighFall = 2.0;
 /// Fifths of a second; a fall of 5 m takes one second.
 constexpr std::uint8_t kLatestSteering = 3;
 
-/// Nodes take the strides across their cell's corners this much later, metres of walking: somewhat more than
+/// Nodes take their diagonal strides this much later than the others, metres of walking: somewhat more than
 /// the 0.1 m that they are longer, so that nearly all cells are reached by the shorter strides.
-constexpr double kMetresLaterAcross = 0.19;
+constexpr double kDiagonalsLater = 0.19;
 
-/// A node whose strides are yet to be taken.
+/// A node whose strides are yet to be taken, or an arrival that is yet to become one.
 struct Pending {
     std::uint32_t order = 0;  ///< ticks, and those to the goal, if there is one
     std::uint32_t ticks = 0;  ///< of its chain
-    std::uint16_t node = 0;
+    std::uint16_t node = 0;   ///< or the index of Frontier::detours
+    bool is_detour = false;
     std::uint8_t since_keyframe = 0;
-    bool across_corners = false;  ///< only the strides across the cell's corners are left
+    bool diagonals_left = false;  ///< and nothing else
     bool on_rim = false;          ///< one of the others didn't get to its cell
     GroundState at;
 };
@@ -63,16 +65,30 @@ struct Arrival {
     WalkNodeId parent;
     Stride stride;
     bool returns = false;
+    bool hangs = false;
     std::uint8_t since_keyframe = 0;
+    GridCell cell;
     GroundState at;
+};
+
+/// A fall of which it is yet to be tried how it may be steered.
+struct Fall {
+    Pending from;
+    Stride stride;
+    Vec3 edge = Vec3::Zero();
+    bool high = false;
+    bool gone = false;  ///< straight on, it goes out of the world
 };
 
 /// What a tile needs while it is explored.
 struct Frontier {
     std::vector<Pending> pending;  ///< a heap
     std::vector<Arrival> outbox;
-    std::optional<std::uint16_t> goal;                   ///< the first node that is one
-    std::vector<std::pair<GridCell, float>> steered_at;  ///< edges from which falls were steered
+    /// Falls on the way to a point: only where nothing better was found in the time that they count for.
+    std::vector<Arrival> detours;
+    std::optional<std::uint16_t> goal;              ///< the first node that is one
+    std::vector<std::pair<GridCell, float>> edges;  ///< from which there are falls, each with its height
+    std::vector<Fall> falls;
 };
 
 /// A thread's body and what it found.
@@ -86,8 +102,8 @@ class Exploration {
 public:
     Exploration(const WorkerWorlds& worlds, const ExploreSettings& settings)
         : settings_(settings), space_(WalkGrid{cell_for(settings)}) {
-        if (!settings_.towards) {  // the way to a point is worth the longer stride
-            later_across_corners_ = ticks_in(kMetresLaterAcross / settings_.strides.walk_speed);
+        if (!settings_.towards) {  // on a path to a point they are as good
+            diagonals_later_ = ticks_in(kDiagonalsLater / settings_.strides.walk_speed);
         }
         for (std::size_t i = 0; i < worlds.size(); ++i) {
             workers_.push_back({Strider(worlds[i], settings.strides, settings.solids)});
@@ -97,23 +113,9 @@ public:
     WalkSpace run() {
         add_starts();
         note_goal();
-        const std::uint32_t round = settings_.towards ? kTicksOfGoalRound : kTicksOfRound;
-        std::uint32_t limit = 0;
-        while (const auto earliest = space_.goal ? std::nullopt : earliest_pending()) {
-            limit = std::max(limit + round, *earliest + round);
-            // Tiles side by side are never explored at once: each looks at its neighbours' nodes.
-            for (std::size_t color = 0; color < 4; ++color) {
-                explore_tiles(color, limit);
-            }
-            note_goal();
-            const std::size_t nodes = space_.node_count();
-            if (nodes > settings_.max_nodes) {
-                workers_.front().bounds.insert(Bound::nodes);
-                break;
-            }
-            if (settings_.progress) {
-                settings_.progress(nodes);
-            }
+        explore_ground();
+        while (!space_.goal && !is_cut_ && steer_falls()) {
+            explore_ground();
         }
         return finished();
     }
@@ -156,6 +158,69 @@ private:
         node.parent_tile = WalkNode::kStart;
         node.returns = 1;
         return {tile, *add_node(tile, node, at, 0, kStridesBetweenKeyframes)};
+    }
+
+    /// Without steering in falls.
+    void explore_ground() {
+        const std::uint32_t round = settings_.towards ? kTicksOfGoalRound : kTicksOfRound;
+        std::uint32_t limit = 0;
+        while (const auto earliest = space_.goal ? std::nullopt : earliest_pending()) {
+            limit = std::max(limit + round, *earliest + round);
+            // Tiles side by side are never explored at once: each looks at its neighbours' nodes.
+            for (std::size_t color = 0; color < 4; ++color) {
+                explore_tiles(color, limit);
+            }
+            note_goal();
+            const std::size_t nodes = space_.node_count();
+            if (nodes > settings_.max_nodes) {
+                workers_.front().bounds.insert(Bound::nodes);
+                is_cut_ = true;
+                return;
+            }
+            if (settings_.progress) {
+                settings_.progress(nodes);
+            }
+        }
+    }
+
+    /// Only where there is ground to be reached by that. False if there was no fall left.
+    bool steer_falls() {
+        if (!keep_useful_falls()) {
+            return false;
+        }
+        for (std::size_t color = 0; color < 4; ++color) {
+            std::vector<std::uint32_t> active;
+            for (std::uint32_t i = 0; i < frontiers_.size(); ++i) {
+                if (!frontiers_[i].falls.empty() && color_of(space_.tiles[i]) == color) {
+                    active.push_back(i);
+                }
+            }
+            for_each_item(active.size(), workers_.size(), [&](std::size_t worker, std::size_t item) {
+                for (const Fall& fall : std::exchange(frontiers_[active[item]].falls, {})) {
+                    steer(active[item], fall, workers_[worker]);
+                }
+            });
+            receive_from(active);
+        }
+        note_goal();
+        return true;
+    }
+
+    /// False if there was none.
+    bool keep_useful_falls() {
+        std::vector<FallEdge> edges;
+        for (const Frontier& frontier : frontiers_) {
+            for (const Fall& fall : frontier.falls) {
+                edges.push_back({fall.edge, fall.stride.gait});
+            }
+        }
+        const std::vector<bool> useful =
+            edges_above_new_ground(workers_.front().strider.world(), settings_, space_, edges);
+        std::size_t number = 0;
+        for (Frontier& frontier : frontiers_) {
+            std::erase_if(frontier.falls, [&](const Fall&) { return !useful[number++]; });
+        }
+        return !edges.empty();
     }
 
     std::uint32_t tile_for(const GridCell& cell) {
@@ -201,9 +266,12 @@ private:
         for_each_item(active.size(), workers_.size(), [&](std::size_t worker, std::size_t item) {
             explore_tile(active[item], limit, workers_[worker]);
         });
-        for (const std::uint32_t tile : active) {
-            std::vector<Arrival> arrivals = std::exchange(frontiers_[tile].outbox, {});
-            for (const Arrival& arrival : arrivals) {
+        receive_from(active);
+    }
+
+    void receive_from(const std::vector<std::uint32_t>& tiles) {
+        for (const std::uint32_t tile : tiles) {
+            for (const Arrival& arrival : std::exchange(frontiers_[tile].outbox, {})) {
                 receive(arrival);
             }
         }
@@ -216,13 +284,17 @@ private:
             std::ranges::pop_heap(pending, later);
             const Pending next = pending.back();
             pending.pop_back();
-            stride_from(tile, next, worker);
+            if (next.is_detour) {
+                add_or_send(tile, Arrival(frontiers_[tile].detours[next.node]), worker);
+            } else {
+                stride_from(tile, next, worker);
+            }
         }
     }
 
     void stride_from(std::uint32_t tile, Pending from, Worker& worker) {
         const GridCell cell = space_.grid.cell_at(from.at.foot);
-        const std::uint8_t first = from.across_corners ? 4 : 0;
+        const std::uint8_t first = from.diagonals_left ? 4 : 0;
         for (std::uint8_t i = first; i < first + 4; ++i) {
             const GridDirection& direction = grid_directions()[i];
             const GridCell goal{cell.x + direction.x, cell.z + direction.z};
@@ -240,9 +312,9 @@ private:
                 try_stride(tile, from, {.direction = i, .gait = Gait::jump}, worker);
             }
         }
-        if (!from.across_corners) {
-            from.across_corners = true;
-            from.order += later_across_corners_;
+        if (!from.diagonals_left) {
+            from.diagonals_left = true;
+            from.order += diagonals_later_;
             push(frontiers_[tile].pending, from);
         } else if (from.on_rim && settings_.keep_rim) {
             space_.tiles[tile].rim.push_back({from.node, from.at});
@@ -262,21 +334,47 @@ private:
         };
         const int beside = side(cell.x, own.first_cell.x) + 3 * side(cell.z, own.first_cell.z);
         const std::uint32_t number = own.neighbours[static_cast<std::size_t>(beside)];
-        if (number == WalkTile::kNoTile) {
-            return false;
+        const bool hangs = worker.strider.hangs(from);
+        if (number != WalkTile::kNoTile) {
+            const WalkTile& other = space_.tiles[number];
+            if (other.has(other.index_of(cell), y, hangs)) {
+                return true;
+            }
         }
-        const WalkTile& other = space_.tiles[number];
-        return other.has(other.index_of(cell), y, worker.strider.hangs(from));
+        return beside != 4 && !settings_.towards && is_sent(frontiers_[tile].outbox, cell, y, hangs);
+    }
+
+    /// Whether the same was reached in this round already; the other tile doesn't have it yet. On a path to a
+    /// point a later arrival may be the better one.
+    static bool is_sent(const std::vector<Arrival>& outbox, const GridCell& cell, double y, bool hangs) {
+        return std::ranges::any_of(outbox, [&](const Arrival& arrival) {
+            return arrival.cell == cell &&
+                   WalkNode::is_one_level(arrival.at.foot.y() - y, hangs || arrival.hangs);
+        });
     }
 
     StrideEnd try_stride(std::uint32_t tile, const Pending& from, const Stride& stride, Worker& worker) {
         const StrideEnd end = take(tile, from, stride, worker);
         const bool gone = end.kind == StrideEnd::Kind::gone;
-        if (end.left_ground && stride.steering == Stride::kStraightOn &&
-            (gone || end.edge.y() - end.at.foot.y() >= kSteeredFall)) {
-            steer(tile, from, stride, end, worker);
+        const double height = end.edge.y() - end.at.foot.y();
+        if (end.left_ground && (gone || height >= kSteeredFall)) {
+            keep_fall(tile, {from, stride, end.edge, gone || height >= kHighFall, gone});
         }
         return end;
+    }
+
+    /// To be steered later; one for each cell and height of an edge.
+    void keep_fall(std::uint32_t tile, const Fall& fall) {
+        const GridCell cell = space_.grid.cell_at(fall.edge);
+        const auto height = static_cast<float>(fall.edge.y());
+        auto& known = frontiers_[tile].edges;
+        const bool is_known = std::ranges::any_of(known, [&](const auto& edge) {
+            return edge.first == cell && std::abs(edge.second - height) <= WalkNode::kLevel;
+        });
+        if (!is_known) {
+            known.emplace_back(cell, height);
+            frontiers_[tile].falls.push_back(fall);
+        }
     }
 
     StrideEnd take(std::uint32_t tile, const Pending& from, const Stride& stride, Worker& worker) {
@@ -285,8 +383,7 @@ private:
         if (end.kind == StrideEnd::Kind::grounded) {
             arrive(tile, from, stride, end, worker);
         } else if (end.kind == StrideEnd::Kind::gone) {
-            // Once for an edge, not for each time of steering.
-            if (stride.steers_after == 0) {
+            if (stride.steering == Stride::kStraightOn) {  // steered, it leaves the same edge
                 space_.tiles[tile].drops.push_back({from.node, stride, end.edge});
             }
         } else {
@@ -295,43 +392,27 @@ private:
         return end;
     }
 
-    /// The same fall, steered elsewhere; once for each cell and height of an edge.
-    void steer(std::uint32_t tile, const Pending& from, const Stride& stride, const StrideEnd& straight,
-               Worker& worker) {
-        const GridCell cell = space_.grid.cell_at(straight.edge);
-        const auto height = static_cast<float>(straight.edge.y());
-        auto& known = frontiers_[tile].steered_at;
-        const bool steered = std::ranges::any_of(known, [&](const auto& edge) {
-            return edge.first == cell && std::abs(edge.second - height) <= WalkNode::kLevel;
-        });
-        if (steered) {
-            return;
-        }
-        known.emplace_back(cell, height);
-        if (straight.kind == StrideEnd::Kind::gone &&
-            !worker.strider.has_ground_below(straight.edge, stride.gait)) {
-            return;
-        }
+    /// The same fall, steered elsewhere.
+    void steer(std::uint32_t tile, const Fall& fall, Worker& worker) {
         worker.bounds.insert(Bound::steering);
-        Stride other = stride;
+        Stride other = fall.stride;
         other.steering = Stride::kLetGo;
-        const StrideEnd down = take(tile, from, other, worker);
-        const bool gone = straight.kind == StrideEnd::Kind::gone;
-        const bool over_the_rim = gone && down.kind == StrideEnd::Kind::gone;
-        const bool high = gone || straight.edge.y() - straight.at.foot.y() >= kHighFall;
-        const Vec3& ahead = grid_directions()[stride.direction].unit;
-        for (std::uint8_t after = over_the_rim ? 1 : 0; after <= (high ? kLatestSteering : 0); ++after) {
+        const StrideEnd down = take(tile, fall.from, other, worker);
+        const bool over_the_rim = fall.gone && down.kind == StrideEnd::Kind::gone;
+        const Vec3& ahead = grid_directions()[fall.stride.direction].unit;
+        for (std::uint8_t after = over_the_rim ? 1 : 0; after <= (fall.high ? kLatestSteering : 0); ++after) {
             other.steers_after = after;
             for (std::uint8_t i = 0; i < 8; ++i) {
                 // Over the rim of the world, ground can only be behind.
-                if (i != stride.direction && (!over_the_rim || grid_directions()[i].unit.dot(ahead) < -0.1)) {
+                if (i != fall.stride.direction &&
+                    (!over_the_rim || grid_directions()[i].unit.dot(ahead) < -0.1)) {
                     other.steering = i;
-                    take(tile, from, other, worker);
+                    take(tile, fall.from, other, worker);
                 }
             }
             if (after > 0 && !over_the_rim) {
                 other.steering = Stride::kLetGo;
-                take(tile, from, other, worker);
+                take(tile, fall.from, other, worker);
             }
         }
     }
@@ -341,12 +422,11 @@ private:
                (settings_.keep_out && settings_.keep_out(foot));
     }
 
-    /// Of an arrival, for its place in the order.
-    std::uint32_t ticks_of(const StrideEnd& end) const {
+    /// What a fall on the way to a point counts for in the order.
+    std::uint32_t ticks_for_fall(const StrideEnd& end) const {
         const double fall =
             settings_.towards && end.left_ground ? end.edge.y() - end.at.foot.y() - kHarmlessFall : 0.0;
-        return static_cast<std::uint32_t>(end.ticks) +
-               (fall > 0.0 ? ticks_in(fall * kSecondsRoundAFall) : 0U);
+        return fall > 0.0 ? ticks_in(fall * kSecondsRoundAFall) : 0U;
     }
 
     /// As the strides go: along the axes and diagonals.
@@ -377,27 +457,55 @@ private:
             (settings_.known != nullptr && settings_.known->find(cell, end.at.foot.y()))) {
             return;
         }
-        WalkTile& own = space_.tiles[tile];
-        const bool inside = cell.x >= own.first_cell.x && cell.x < own.first_cell.x + WalkTile::kCells &&
-                            cell.z >= own.first_cell.z && cell.z < own.first_cell.z + WalkTile::kCells;
-        if (inside && own.has(own.index_of(cell), end.at.foot.y(), worker.strider.hangs(end.at))) {
+        const bool hangs = worker.strider.hangs(end.at);
+        if (is_inside(tile, cell)
+                ? space_.tiles[tile].has(space_.tiles[tile].index_of(cell), end.at.foot.y(), hangs)
+                : !settings_.towards && is_sent(frontiers_[tile].outbox, cell, end.at.foot.y(), hangs)) {
             return;
         }
-        const Arrival arrival{from.ticks + ticks_of(end),
+        const std::uint32_t detour = ticks_for_fall(end);
+        const Arrival arrival{from.ticks + static_cast<std::uint32_t>(end.ticks) + detour,
                               {tile, from.node},
                               stride,
-                              end.clean || (!settings_.towards && returns(end.at, from, worker)),
+                              end.clean || (!settings_.towards && returns(end, from, worker)),
+                              hangs,
                               static_cast<std::uint8_t>(from.since_keyframe + 1),
+                              cell,
                               end.at};
-        if (inside) {
-            add_arrival(tile, WalkNode{}, cell, arrival, worker);
+        std::vector<Arrival>& detours = frontiers_[tile].detours;
+        if (detour > 0 && detours.size() < WalkTile::kMaxNodes) {
+            push(frontiers_[tile].pending, {.order = arrival.ticks + ticks_to_goal(end.at.foot),
+                                            .ticks = arrival.ticks,
+                                            .node = static_cast<std::uint16_t>(detours.size()),
+                                            .is_detour = true,
+                                            .at = end.at});
+            detours.push_back(arrival);
         } else {
-            frontiers_[tile].outbox.push_back(arrival);
+            add_or_send(tile, arrival, worker);
         }
     }
 
-    /// Whether one can walk back from there.
-    bool returns(const GroundState& at, const Pending& to, Worker& worker) {
+    bool is_inside(std::uint32_t tile, const GridCell& cell) const {
+        const GridCell& first = space_.tiles[tile].first_cell;
+        return cell.x >= first.x && cell.x < first.x + WalkTile::kCells && cell.z >= first.z &&
+               cell.z < first.z + WalkTile::kCells;
+    }
+
+    void add_or_send(std::uint32_t tile, const Arrival& arrival, Worker& worker) {
+        if (!is_inside(tile, arrival.cell)) {
+            frontiers_[tile].outbox.push_back(arrival);
+        } else if (const WalkTile& own = space_.tiles[tile];
+                   !own.has(own.index_of(arrival.cell), arrival.at.foot.y(), arrival.hangs)) {
+            add_arrival(tile, WalkNode{}, arrival, worker);
+        }
+    }
+
+    /// Whether one can walk back from there. Nobody walks straight back up what he fell down.
+    bool returns(const StrideEnd& end, const Pending& to, Worker& worker) {
+        const GroundState& at = end.at;
+        if (end.left_ground && end.edge.y() - at.foot.y() >= kSteeredFall) {
+            return false;
+        }
         const Vec3 path = to.at.foot - at.foot;
         const double seconds = 2.0 * collision::horizontal_norm(path) / settings_.strides.walk_speed + 0.2;
         const StrideEnd back = worker.strider.walk_to(at, to.at.foot, 0.02, seconds);
@@ -408,10 +516,9 @@ private:
 
     /// Of a stride out of its tile; one at a time.
     void receive(const Arrival& arrival) {
-        const GridCell cell = space_.grid.cell_at(arrival.at.foot);
-        const std::uint32_t tile = tile_for(cell);
+        const std::uint32_t tile = tile_for(arrival.cell);
         WalkTile& own = space_.tiles[tile];
-        if (own.has(own.index_of(cell), arrival.at.foot.y(), workers_.front().strider.hangs(arrival.at))) {
+        if (own.has(own.index_of(arrival.cell), arrival.at.foot.y(), arrival.hangs)) {
             return;
         }
         WalkNode node;
@@ -422,23 +529,22 @@ private:
         if (node.parent_tile == WalkNode::kFarParent) {
             own.far_parents.push_back({static_cast<std::uint16_t>(own.nodes.size()), arrival.parent.tile});
         }
-        add_arrival(tile, node, cell, arrival, workers_.front());
+        add_arrival(tile, node, arrival, workers_.front());
     }
 
-    void add_arrival(std::uint32_t tile, WalkNode node, const GridCell& cell, const Arrival& arrival,
-                     Worker& worker) {
+    void add_arrival(std::uint32_t tile, WalkNode node, const Arrival& arrival, Worker& worker) {
         if (arrival.parent.tile == tile) {
             node.parent_tile = 4;
         }
         node.y = static_cast<float>(arrival.at.foot.y());
-        node.cell = space_.tiles[tile].index_of(cell) & 1023U;
+        node.cell = space_.tiles[tile].index_of(arrival.cell) & 1023U;
         node.parent = arrival.parent.node;
         node.direction = arrival.stride.direction & 7U;
         node.gait = static_cast<std::uint32_t>(arrival.stride.gait) & 3U;
         node.steering = arrival.stride.steering & 15U;
         node.steers_after = arrival.stride.steers_after & 7U;
         node.returns = arrival.returns ? 1 : 0;
-        node.hangs = worker.strider.hangs(arrival.at) ? 1 : 0;
+        node.hangs = arrival.hangs ? 1 : 0;
         if (!add_node(tile, node, arrival.at, arrival.ticks, arrival.since_keyframe)) {
             worker.bounds.insert(Bound::levels);
         }
@@ -483,10 +589,11 @@ private:
     }
 
     const ExploreSettings& settings_;
-    std::uint32_t later_across_corners_ = 0;  ///< ticks
+    std::uint32_t diagonals_later_ = 0;  ///< ticks
     WalkSpace space_;
     std::vector<Worker> workers_;
     std::vector<Frontier> frontiers_;  ///< by tile
+    bool is_cut_ = false;              ///< by the most nodes
 };
 
 }  // namespace

@@ -203,7 +203,8 @@ std::vector<Trap> find_traps(const WorkerWorlds& worlds, const ExploreSettings& 
                 break;
             }
         }
-        trap.edge = space.state_at(space.parent(trap.entrance).value_or(trap.entrance), strider).foot;
+        trap.edge = edge_below(
+            state_of(space.state_at(space.parent(trap.entrance).value_or(trap.entrance), strider)));
         trap.drop = trap.edge.y() - static_cast<double>(space.node(trap.entrance).y);
         traps.push_back(std::move(trap));
     }

@@ -24,6 +24,8 @@ constexpr Tick kFewTicks = 5;
 /// A straight piece may end this far above or below the node that it is headed for, metres: less than the
 /// way between two floors, more than a step.
 constexpr double kSameGround = 0.35;
+/// Falls that differ by less are the same, metres.
+constexpr double kSameFall = 0.1;
 /// Ticks more than the chain takes that a straight piece may take: one that slides along a wall is no gain.
 constexpr Tick kSlack = 20;
 /// A visitor walks round what stands in the way rather than into it, seconds.
@@ -113,13 +115,14 @@ private:
     bool is_nearly_straight(const Pull& pull) const {
         const double distance = flat(target_.point - state_.foot).norm();
         const double ticks = distance / (settings_.strides.walk_speed * settings_.strides.seconds);
-        return pull.end.fall <= kHarmlessFall && static_cast<double>(pull.piece.ticks) <=
-                                                     kNearlyStraight * ticks + static_cast<double>(kFewTicks);
+        return pull.end.falls <= kHarmlessFall &&
+               static_cast<double>(pull.piece.ticks) <=
+                   kNearlyStraight * ticks + static_cast<double>(kFewTicks);
     }
 
     /// In ticks: falls count as longer than they are, as in the exploration, and so does bumping into things.
     Tick cost_of(const Pull& pull) const {
-        const double round = std::max(0.0, pull.end.fall - kHarmlessFall) * kSecondsRoundAFall +
+        const double round = std::max(0.0, pull.end.falls - kHarmlessFall) * kSecondsRoundAFall +
                              (pull.end.touched ? kSecondsRoundATouch : 0.0);
         return pull.piece.ticks + static_cast<Tick>(round / settings_.strides.seconds);
     }
@@ -177,7 +180,7 @@ private:
                 return false;
             }
             const auto end = trial_.walk(state_of(at), piece, last_ticks());
-            return end && end->fall <= kHarmlessFall;
+            return end && end->falls <= kHarmlessFall;
         };
         return settings;
     }
@@ -270,7 +273,7 @@ private:
         const auto end = trial_.walk(state_, pull.piece, most);
         if (!end || (end->touched && node > at + 1) ||
             (!last && std::abs(end->state.foot.y() - goal.at.foot.y()) > kSameGround) ||
-            end->fall > std::max(kHarmlessFall, deepest_fall(at, node)) + kSameGround) {
+            end->falls > std::max(kHarmlessFall, falls_of_chain(at, node)) + kSameFall) {
             return std::nullopt;
         }
         pull.end = *end;
@@ -280,12 +283,13 @@ private:
 
     /// Of the chain's own strides, roughly: a straight piece must not leap down where the chain takes the
     /// stairs.
-    double deepest_fall(std::size_t from, std::size_t to) const {
-        double deepest = 0.0;
+    double falls_of_chain(std::size_t from, std::size_t to) const {
+        double falls = 0.0;
         for (std::size_t i = from + 1; i <= to && i < chain_.size(); ++i) {
-            deepest = std::max(deepest, chain_[i - 1].at.foot.y() - chain_[i].at.foot.y());
+            const double drop = edge_below(state_of(chain_[i - 1].at)).y() - chain_[i].at.foot.y();
+            falls += drop > settings_.strides.body.step_height ? drop : 0.0;
         }
-        return deepest;
+        return falls;
     }
 
     void take_stride(const Stride& stride, const WalkGrid& grid) {

@@ -36,6 +36,10 @@ collision::MoverState state_of(const GroundState& at) {
     return state;
 }
 
+Vec3 edge_below(const collision::MoverState& state) {
+    return {state.foot.x(), std::max(state.foot.y(), state.support_y), state.foot.z()};
+}
+
 Strider::Strider(const collision::World& world, const StrideSettings& settings,
                  const collision::QueryFilter& filter)
     : world_(&world),
@@ -66,16 +70,17 @@ StrideEnd Strider::take(const GroundState& from, const Stride& stride, const Wal
     const double level_rise = steepest_rise_ * length + kStepRise;
     while (state_.grounded && static_cast<int>(path_.size()) < count) {
         const Vec3 before = state_.foot;
+        const Vec3 edge = edge_below(state_);
         tick(desired);
         const Vec3 moved = state_.foot - before;
         if (state_.grounded && moved.cwiseAbs().maxCoeff() <= kStill) {
             end.clean = false;
             break;  // every further tick would do the same
         }
-        end.clean = end.clean && trace_.touching.empty() && std::abs(moved.y()) <= level_rise;
+        end.clean = end.clean && !obstructed_ && std::abs(moved.y()) <= level_rise;
         if (!state_.grounded) {
             end.left_ground = true;
-            end.edge = before;
+            end.edge = edge;
         }
     }
     std::size_t ahead_until = path_.size();
@@ -110,11 +115,12 @@ StrideEnd Strider::walk_to(const GroundState& from, const Vec3& point, double wi
             break;
         }
         const Vec3 before = state_.foot;
+        const Vec3 edge = edge_below(state_);
         const bool grounded = state_.grounded;
         tick(distance > 0.0 ? Vec3(direction * (std::min(distance, length) / distance)) : Vec3::Zero());
         if (grounded && !state_.grounded) {
             end.left_ground = true;
-            end.edge = before;
+            end.edge = edge;
         }
         const bool still = (state_.foot - before).cwiseAbs().maxCoeff() <= kStill;
         if ((state_.grounded && still) || state_.foot.y() < bottom_) {
@@ -151,12 +157,17 @@ bool Strider::hangs(const GroundState& at) const {
 }
 
 void Strider::tick(const Vec3& desired) {
-    mover_.move(state_, desired, settings_.seconds, cache_, trace_);
+    const Vec3 before = state_.foot;
+    mover_.advance(state_, desired, settings_.seconds, cache_, trace_);
     path_.push_back(state_.foot);
     ++ticks_;
-    for (const collision::Touch& touch : trace_.touching) {
-        if (touch.gap <= settings_.body.skin + kTouchSlack) {
-            touched_[index_of(touch.object)] = true;
+    obstructed_ = collision::horizontal_norm(state_.foot - before - desired) > kStill;
+    if (obstructed_) {
+        mover_.touch(state_, cache_, trace_);
+        for (const collision::Touch& touch : trace_.touching) {
+            if (touch.gap <= settings_.body.skin + kTouchSlack) {
+                touched_[index_of(touch.object)] = true;
+            }
         }
     }
 }
@@ -178,15 +189,15 @@ void Strider::fall(const Vec3& ahead, const Vec3& steered, std::size_t steers_af
     }
 }
 
-/// Whether a body that moves on as `desired` meets nothing any more: there is no solid in a box around the
-/// rest of its fall. That is sooner known than played.
+/// Whether a body that moves on as `desired` will touch nothing any more: there is no solid in a box around
+/// the rest of its fall. That is sooner known than played.
 bool Strider::falls_out_of_the_world(const Vec3& desired) {
     if (state_.vertical_speed > 0.0) {
         return false;
     }
     const double seconds = seconds_to_bottom(state_.foot, -state_.vertical_speed);
-    const Vec3 drift = (seconds / settings_.seconds + 1.0) * desired +
-                       (seconds + settings_.seconds) * state_.slide_velocity;
+    const Vec3 drift =
+        (seconds / settings_.seconds + 1.0) * desired + (seconds + settings_.seconds) * state_.slide_velocity;
     collision::Aabb fall;
     fall.extend(state_.foot);
     fall.extend(state_.foot + drift);
@@ -194,16 +205,6 @@ bool Strider::falls_out_of_the_world(const Vec3& desired) {
     fall.max.y() = state_.foot.y() + settings_.body.height + kFreeMargin;
     fall.min.y() = bottom_ - kFreeMargin;
     return is_free(fall);
-}
-
-bool Strider::has_ground_below(const Vec3& edge, Gait gait) {
-    const double reach = speed_of(gait) * (seconds_to_bottom(edge, 0.0) + kFifth) + settings_.body.radius;
-    collision::Aabb below;
-    below.extend(edge);
-    below = below.grown(reach + kFreeMargin);
-    below.max.y() = edge.y() - settings_.body.step_height;
-    below.min.y() = bottom_ - kFreeMargin;
-    return below.min.y() < below.max.y() && !is_free(below);
 }
 
 /// Of a fall that begins with this speed downwards.

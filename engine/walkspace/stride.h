@@ -42,14 +42,16 @@ struct StrideEnd {
     };
     Kind kind = Kind::grounded;
     GroundState at;        ///< if it stands
-    collision::Vec3 edge;  ///< if it left the ground: where it last stood
+    collision::Vec3 edge;  ///< if it left the ground: where it last stood, at the height of what carried it
     bool left_ground = false;
-    /// Nothing was touched, no step climbed, no edge passed: the way back is free as well.
+    /// Nothing was in the way, no step climbed, no edge passed: the way back is free as well.
     bool clean = true;
     int ticks = 0;
     int ticks_ahead = 0;  ///< of them, of a stride: before it was steered elsewhere
 };
 
+/// Where a body that stands would fall from: one that hangs over an edge is lower than that already.
+collision::Vec3 edge_below(const collision::MoverState& state);
 /// Of a body that stands.
 collision::MoverState state_of(const GroundState& at);
 
@@ -82,13 +84,9 @@ public:
     /// stands on.
     bool hangs(const GroundState& at) const;
 
-    /// Whether there is ground to land on for a body that leaves an edge there and steers as it likes: solids
-    /// more than a step below, no farther away than it gets.
-    bool has_ground_below(const collision::Vec3& edge, Gait gait);
-
     /// The feet at the end of each tick of the last stride.
     const std::vector<collision::Vec3>& path() const { return path_; }
-    /// By object: whether any stride touched it.
+    /// By object: whether any stride was obstructed where it touched it.
     const std::vector<bool>& touched() const { return touched_; }
     std::uint64_t ticks() const { return ticks_; }  ///< of all strides
 
@@ -115,6 +113,7 @@ private:
     collision::MoverCache cache_;
     collision::MoverState state_;
     collision::MoveTrace trace_;
+    bool obstructed_ = false;  ///< in the last tick it didn't get as far ahead as desired
     std::vector<collision::Vec3> path_;
     std::vector<bool> touched_;
     std::vector<collision::ObjectId> below_;

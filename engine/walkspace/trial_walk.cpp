@@ -72,17 +72,21 @@ std::optional<TrialWalk::End> TrialWalk::stride(const MoverState& from, RoutePie
 
 void TrialWalk::begin(const MoverState& from) {
     state_ = from;
+    stood_at_ = std::max(from.foot.y(), from.fall_from);
     path_.clear();
-    fall_ = 0.0;
+    falls_ = 0.0;
     touched_ = false;
 }
 
 /// False once the body has fallen below the world. On the ground at an edge it may be a little lower.
 bool TrialWalk::tick(const Vec3& desired) {
+    if (state_.grounded) {
+        stood_at_ = edge_below(state_).y();
+    }
     mover_.move(state_, desired, settings_.seconds, cache_, trace_);
     path_.push_back(state_.foot);
     if (trace_.landed) {
-        fall_ = std::max(fall_, trace_.fall_height);
+        falls_ += fall_to(state_.foot.y());
     }
     touched_ = touched_ || std::ranges::any_of(trace_.touching, [this](const collision::Touch& touch) {
                    return touch.gap <= settings_.body.skin + kTouchSlack;
@@ -91,8 +95,13 @@ bool TrialWalk::tick(const Vec3& desired) {
 }
 
 TrialWalk::End TrialWalk::end() const {
-    const double falling = state_.grounded ? 0.0 : state_.fall_from - state_.foot.y();
-    return {state_, std::max(fall_, falling), touched_};
+    return {state_, falls_ + (state_.grounded ? 0.0 : fall_to(state_.foot.y())), touched_};
+}
+
+/// Steps down are no falls.
+double TrialWalk::fall_to(double y) const {
+    const double height = stood_at_ - y;
+    return height > settings_.body.step_height ? height : 0.0;
 }
 
 }  // namespace campuswalk::engine

@@ -16,7 +16,7 @@ class TrialWalk {
 public:
     struct End {
         collision::MoverState state;
-        double fall = 0.0;     ///< the deepest on the way, metres
+        double falls = 0.0;    ///< the heights of all that are higher than a step, metres
         bool touched = false;  ///< a solid beside it
     };
 
@@ -40,6 +40,7 @@ private:
     void begin(const collision::MoverState& from);
     bool tick(const collision::Vec3& desired);
     End end() const;
+    double fall_to(double y) const;
 
     const collision::World* world_;
     StrideSettings settings_;
@@ -51,7 +52,8 @@ private:
     collision::MoverState state_;
     collision::MoveTrace trace_;
     std::vector<collision::Vec3> path_;
-    double fall_ = 0.0;
+    double stood_at_ = 0.0;  ///< the height of what last carried it
+    double falls_ = 0.0;
     bool touched_ = false;
 };
 

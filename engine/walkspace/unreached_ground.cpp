@@ -1,164 +1,20 @@
 #include "engine/walkspace/unreached_ground.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
-#include <memory>
 #include <optional>
 #include <utility>
-#include <variant>
 
-#include "collision/mesh/mesh_collider.h"
-#include "collision/world/obstacle.h"
-#include "collision/world/placement.h"
 #include "engine/walkspace/disjoint_sets.h"
+#include "engine/walkspace/unreached_surfaces.h"
 #include "engine/walkspace/worker_threads.h"
 
 namespace campuswalk::engine {
 
-using collision::ObjectId;
 using collision::Vec3;
 
 namespace {
-
-/// Ground this near a reached node, in its cell, is the node's.
-constexpr double kSameGround = 0.3;
-/// Surfaces this near each other in one cell are one: a carpet on a floor.
-constexpr double kOneSurface = 0.02;
-/// A round body rests this much higher on a slope of 50 degrees, as a share of its radius, and less on
-/// others.
-constexpr double kRiseOnSlope = 0.56;
-
-/// A surface at the middle of a cell.
-struct Surface {
-    GridCell cell;
-    double y = 0.0;
-    ObjectId object{};
-    std::uint32_t triangle = 0;
-};
-
-/// Finds the surfaces of one triangle after another.
-class SurfaceCollector {
-public:
-    SurfaceCollector(const ExploreSettings& settings, const WalkSpace& reached, std::vector<Surface>& out)
-        : settings_(settings), reached_(reached), out_(out) {}
-
-    void add(ObjectId object, std::uint32_t index, const std::array<Vec3, 3>& t) {
-        const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
-        const double length = normal.norm();
-        if (!(std::abs(normal.y()) >= settings_.strides.body.min_up * length) || length <= 0.0) {
-            return;
-        }
-        const WalkGrid& grid = reached_.grid;
-        const auto [x0, x1] = std::minmax({t[0].x(), t[1].x(), t[2].x()});
-        const auto [z0, z1] = std::minmax({t[0].z(), t[1].z(), t[2].z()});
-        const GridCell first = grid.cell_at(x0 - 0.5 * grid.cell, z0 - 0.5 * grid.cell);
-        const GridCell last = grid.cell_at(x1, z1);
-        for (int z = first.z; z <= last.z; ++z) {
-            for (int x = first.x; x <= last.x; ++x) {
-                const Vec3 p = grid.center({x, z});
-                if (is_below(t, p)) {
-                    const double y =
-                        t[0].y() -
-                        (normal.x() * (p.x() - t[0].x()) + normal.z() * (p.z() - t[0].z())) / normal.y();
-                    offer({{x, z}, y, object, index});
-                }
-            }
-        }
-    }
-
-private:
-    /// Whether the vertical line through p crosses the triangle.
-    static bool is_below(const std::array<Vec3, 3>& t, const Vec3& p) {
-        int sides = 0;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Vec3& a = t[i];
-            const Vec3& b = t[(i + 1) % 3];
-            const double side = (b.x() - a.x()) * (p.z() - a.z()) - (b.z() - a.z()) * (p.x() - a.x());
-            sides += side > 0.0 ? 1 : side < 0.0 ? -1 : 0;
-        }
-        return std::abs(sides) >= 2;
-    }
-
-    void offer(const Surface& surface) {
-        if (!reached_.find(surface.cell, surface.y, kSameGround)) {
-            out_.push_back(surface);
-        }
-    }
-
-    const ExploreSettings& settings_;
-    const WalkSpace& reached_;
-    std::vector<Surface>& out_;
-};
-
-void collect(SurfaceCollector& collector, const collision::World& world, ObjectId id) {
-    const collision::Object& object = world.object(id);
-    const collision::Pose& X = object.X_world_shape;
-    if (const auto* mesh = std::get_if<std::shared_ptr<const collision::MeshCollider>>(&object.shape)) {
-        const collision::TriangleMesh& shape = (*mesh)->mesh();
-        for (std::uint32_t i = 0; i < shape.triangles.size(); ++i) {
-            std::array<Vec3, 3> vertices;
-            for (std::size_t k = 0; k < 3; ++k) {
-                vertices[k] = X * shape.positions[shape.triangles[i][k]].cast<double>();
-            }
-            collector.add(id, i, vertices);
-        }
-    } else if (const auto* box = std::get_if<collision::Box>(&object.shape)) {
-        for (int axis = 0; axis < 3; ++axis) {
-            for (const double side : {-1.0, 1.0}) {
-                const auto vertex = [&](double u, double v) {
-                    Vec3 p = Vec3::Zero();
-                    p[axis] = side;
-                    p[(axis + 1) % 3] = u;
-                    p[(axis + 2) % 3] = v;
-                    return Vec3(X * p.cwiseProduct(box->half_extents));
-                };
-                collector.add(id, 0, {vertex(-1, -1), vertex(1, -1), vertex(1, 1)});
-                collector.add(id, 0, {vertex(-1, -1), vertex(1, 1), vertex(-1, 1)});
-            }
-        }
-    }
-}
-
-/// All surfaces without a reached node, by cell from low to high, without those on one another.
-std::vector<Surface> unreached_surfaces(const collision::World& world, const ExploreSettings& settings,
-                                        const WalkSpace& reached) {
-    std::vector<Surface> surfaces;
-    SurfaceCollector collector(settings, reached, surfaces);
-    std::vector<ObjectId> solids;
-    world.candidates(world.bounds(), settings.solids, solids);
-    for (const ObjectId id : solids) {
-        collect(collector, world, id);
-    }
-    std::ranges::sort(surfaces, {},
-                      [](const Surface& s) { return std::tuple(s.cell, s.y, s.object, s.triangle); });
-    const auto same = [](const Surface& a, const Surface& b) {
-        return a.cell == b.cell && std::abs(a.y - b.y) <= kOneSurface;
-    };
-    surfaces.erase(std::unique(surfaces.begin(), surfaces.end(), same), surfaces.end());
-    return surfaces;
-}
-
-/// Where a body comes to stand on the surface, if it has room there.
-std::optional<GroundState> stand_on(const Surface& surface, const collision::CapsuleMover& mover,
-                                    const collision::World& world, const ExploreSettings& settings,
-                                    const WalkGrid& grid, collision::MoverCache& cache) {
-    const collision::MoverSettings& body = settings.strides.body;
-    Vec3 foot = grid.center(surface.cell);
-    foot.y() = surface.y + collision::kRestGap;
-    const double rise = kRiseOnSlope * body.radius;
-    const auto free = collision::free_place(world, settings.solids, foot, body.radius, body.height, rise);
-    if (!free) {
-        return std::nullopt;
-    }
-    collision::MoverState state;
-    mover.place(state, *free + Vec3(0, 0.01, 0), rise + 0.05, cache);
-    if (!state.grounded) {
-        return std::nullopt;
-    }
-    return GroundState{state.foot, state.support_y};
-}
 
 std::vector<UnreachedSpot> spots_with_room(const WorkerWorlds& worlds, const ExploreSettings& settings,
                                            const WalkSpace& reached, const std::vector<Surface>& surfaces) {
@@ -266,7 +122,8 @@ private:
 
 std::vector<Island> find_unreached_ground(const WorkerWorlds& worlds, const ExploreSettings& settings,
                                           const WalkSpace& reached, double least_area) {
-    const std::vector<Surface> surfaces = unreached_surfaces(worlds[0], settings, reached);
+    const std::vector<Surface> surfaces =
+        unreached_surfaces(worlds[0], settings, reached, worlds[0].bounds());
     const std::vector<UnreachedSpot> spots = spots_with_room(worlds, settings, reached, surfaces);
     SpotJoiner joiner(worlds, settings, reached.grid, spots);
     std::map<std::size_t, Island> by_root;

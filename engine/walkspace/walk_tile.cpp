@@ -25,9 +25,7 @@ std::optional<std::uint16_t> WalkTile::find(std::uint32_t cell, double y, double
 
 bool WalkTile::has(std::uint32_t cell, double y, bool hangs) const {
     for (std::uint16_t i = newest[cell]; i != WalkNode::kNone; i = nodes[i].next) {
-        const bool either = hangs || nodes[i].hangs != 0;
-        const double tolerance = either ? WalkNode::kHangingLevel : WalkNode::kLevel;
-        if (std::abs(static_cast<double>(nodes[i].y) - y) <= tolerance) {
+        if (WalkNode::is_one_level(static_cast<double>(nodes[i].y) - y, hangs || nodes[i].hangs != 0)) {
             return true;
         }
     }
@@ -39,6 +37,9 @@ std::uint16_t WalkTile::add(WalkNode node) {
     const auto index = static_cast<std::uint16_t>(nodes.size());
     node.next = newest[node.cell];
     newest[node.cell] = index;
+    if (nodes.size() == nodes.capacity()) {  // doubling would waste much of the memory that a tile takes
+        nodes.reserve(nodes.size() + std::max<std::size_t>(64, nodes.size() / 8));
+    }
     nodes.push_back(node);
     return index;
 }

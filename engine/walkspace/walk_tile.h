@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -21,6 +22,10 @@ struct WalkNode {
     /// cell don't.
     static constexpr double kHangingLevel = 0.02;
     static constexpr std::uint16_t kNone = 0xFFFF;
+    /// Whether bodies so far apart in height, of which one hangs or not, are at one node.
+    static bool is_one_level(double apart, bool hangs) {
+        return std::abs(apart) <= (hangs ? kHangingLevel : kLevel);
+    }
 
     float y = 0.0F;                ///< of the foot
     std::uint16_t next = kNone;    ///< another node of the same cell

@@ -30,7 +30,7 @@ constexpr std::size_t kMostNodesTaken = 6;
 constexpr double kNearNode = 0.4;
 /// The diagonal of their bounds: a door or a bench, but no wall of a building, metres.
 constexpr double kLargestNode = 5.0;
-/// As much of the world is kept for that around where ways are looked for, metres.
+/// As much of the world is copied for that around where ways are looked for, metres.
 constexpr double kAroundSearch = 2.0;
 /// How far around the way that was found the exact number is looked for, metres.
 constexpr double kAround = 1.5;
@@ -323,13 +323,13 @@ private:
     /// smallest first.
     void try_nodes(std::vector<Barrier>& found) {
         const collision::MoverSettings& body = settings_.strides.body;
-        const collision::Aabb kept = query_.within.grown(kAroundSearch);
+        const collision::Aabb around = query_.within.grown(kAroundSearch);
         std::vector<NearNode> near = nodes_near_starts();
         std::erase_if(near, [&](const NearNode& node) { return size_of(node) > kLargestNode; });
         near.resize(std::min(near.size(), kMostNodesTaken));
         std::ranges::stable_sort(near, {}, [&](const NearNode& node) { return size_of(node); });
         for (const NearNode& node : near) {
-            const auto without = world_without(worlds_[0], node.piece.object, node.triangles, kept);
+            const auto without = world_without(worlds_[0], node.piece.object, node.triangles, around);
             if (without == nullptr) {
                 continue;
             }

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "collision/mover/mover.h"
+#include "engine/walkspace/explore.h"
+#include "engine/walkspace/walk_space.h"
+
+namespace campuswalk::engine {
+
+/// Ground at the middle of a cell.
+struct Surface {
+    GridCell cell;
+    double y = 0.0;
+    collision::ObjectId object{};
+    std::uint32_t triangle = 0;  ///< of the object's mesh; 0 for a box
+};
+
+/// All surfaces on triangles with a point in `region` that aren't too steep and have no reached node, by cell
+/// from low to high, without those on one another. Those of round solids aren't found.
+std::vector<Surface> unreached_surfaces(const collision::World& world, const ExploreSettings& settings,
+                                        const WalkSpace& reached, const collision::Aabb& region);
+
+/// Where a body comes to stand on the surface, if it has room there.
+std::optional<GroundState> stand_on(const Surface& surface, const collision::CapsuleMover& mover,
+                                    const collision::World& world, const ExploreSettings& settings,
+                                    const WalkGrid& grid, collision::MoverCache& cache);
+
+}  // namespace campuswalk::engine
