@@ -107,6 +107,9 @@ public:
         }
         for (std::size_t i = 0; i < worlds.size(); ++i) {
             workers_.push_back({Strider(worlds[i], settings.strides, settings.solids)});
+            if (!settings.within.empty()) {
+                workers_.back().strider.limit_falls(settings.within);
+            }
         }
     }
 

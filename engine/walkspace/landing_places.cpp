@@ -19,6 +19,8 @@ constexpr double kBlock = 2.0;  // metres
 /// A body that touches slopes and walls on its way gets farther than one that falls freely.
 constexpr double kSlides = 1.5;
 constexpr double kBeside = 0.5;  // metres
+/// A surface and a node this near in height are one, metres.
+constexpr double kSameLevel = 0.3;
 
 class LandingPlaces {
 public:
@@ -35,7 +37,10 @@ public:
         }
         if (!region.empty()) {
             for (const Surface& surface : unreached_surfaces(world, settings, reached, region)) {
-                blocks_[key_of(WalkGrid{kBlock}.cell_at(grid_.center(surface.cell)))].push_back({surface});
+                if (!is_explored_elsewhere(surface)) {
+                    blocks_[key_of(WalkGrid{kBlock}.cell_at(grid_.center(surface.cell)))].push_back(
+                        {surface});
+                }
             }
         }
     }
@@ -66,6 +71,14 @@ private:
         bool has_room = true;  ///< as far as is known
         bool is_tried = false;
     };
+
+    /// The exploration doesn't go there.
+    bool is_explored_elsewhere(const Surface& surface) const {
+        Vec3 foot = grid_.center(surface.cell);
+        foot.y() = surface.y;
+        return (!settings_.within.empty() && !settings_.within.overlaps({foot, foot})) ||
+               (settings_.known != nullptr && settings_.known->find(surface.cell, surface.y, kSameLevel));
+    }
 
     static std::uint64_t key_of(const GridCell& block) {
         return static_cast<std::uint64_t>(static_cast<std::uint32_t>(block.x)) << 32U |

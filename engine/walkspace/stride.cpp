@@ -186,6 +186,9 @@ void Strider::fall(const Vec3& ahead, const Vec3& steered, std::size_t steers_af
             }
         }
         tick(i < steers_after ? ahead : steered);
+        if (fall_limits_ && !state_.grounded && !fall_limits_->overlaps({state_.foot, state_.foot})) {
+            state_.foot.y() = bottom_ - 1.0;
+        }
     }
 }
 

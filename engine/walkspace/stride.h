@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "collision/mover/mover.h"
@@ -71,6 +72,9 @@ public:
     Strider(const collision::World& world, const StrideSettings& settings,
             const collision::QueryFilter& filter);
 
+    /// Falls end where they leave this box, as if out of the world: for searches that end there as well.
+    void limit_falls(const collision::Aabb& box) { fall_limits_ = box; }
+
     /// Towards the middle of the next cell in the stride's direction.
     StrideEnd take(const GroundState& from, const Stride& stride, const WalkGrid& grid);
     /// Towards a point, as the step walk_to goes, for at most `seconds`: ends on the ground within `within`
@@ -107,7 +111,8 @@ private:
     const collision::World* world_;
     StrideSettings settings_;
     collision::QueryFilter filter_;
-    double bottom_;         ///< below this nothing is left to land on
+    double bottom_;  ///< below this nothing is left to land on
+    std::optional<collision::Aabb> fall_limits_;
     double steepest_rise_;  ///< per metre ahead, on walkable ground
     collision::CapsuleMover mover_;
     collision::MoverCache cache_;

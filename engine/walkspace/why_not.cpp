@@ -22,6 +22,9 @@ namespace {
 constexpr double kDegree = 0.017453292519943295;
 /// A local search that has reached this many cells has found no barrier, but another place.
 constexpr std::size_t kMostNodes = 4'000;
+/// Once the searches for one barrier have reached so many, no other change is tried: what is closed off for
+/// good would take minutes.
+constexpr std::size_t kMostNodesInAll = 50'000;
 /// Objects that are taken away for a try, the nearest to where the body stopped first.
 constexpr std::size_t kMostObjects = 12;
 /// Nodes of larger meshes that are taken away for a try, the nearest to a start first, if they are this near
@@ -152,7 +155,7 @@ public:
         if (std::ranges::none_of(found, is_about_height)) {
             try_nodes(found);
         }
-        if (found.empty() && query_.single_change) {
+        if (found.empty() && (query_.single_change || is_exhausted())) {
             return closed_off();
         }
         if (found.empty()) {
@@ -177,6 +180,7 @@ private:
         settings.strides.body = body;
         settings.more_starts.assign(from.begin(), from.end());
         const WalkSpace space = explore(worlds, settings);
+        nodes_in_all_ += space.node_count();
         touched_.clear();
         for (std::size_t i = 0; i < space.touched.size(); ++i) {
             if (space.touched[i]) {
@@ -195,6 +199,8 @@ private:
         return path;
     }
 
+    bool is_exhausted() const { return nodes_in_all_ > kMostNodesInAll; }
+
     /// The starts near the one that led to a way.
     std::vector<GroundState> starts_near(const Vec3& place) const {
         std::vector<GroundState> near;
@@ -212,7 +218,7 @@ private:
             ability.apply(value, changed);
             return changed;
         };
-        if (!find_path(with(ability.easier.back()), query_.from)) {
+        if (is_exhausted() || !find_path(with(ability.easier.back()), query_.from)) {
             return std::nullopt;
         }
         double fails = ability.have;
@@ -294,7 +300,7 @@ private:
         std::ranges::stable_sort(touched, {}, distance);
         std::size_t tried = 0;
         for (const ObjectId id : touched) {
-            if (carries_a_start(id) || tried == kMostObjects) {
+            if (is_exhausted() || carries_a_start(id) || tried == kMostObjects) {
                 continue;
             }
             ++tried;
@@ -330,7 +336,7 @@ private:
         std::ranges::stable_sort(near, {}, [&](const NearNode& node) { return size_of(node); });
         for (const NearNode& node : near) {
             const auto without = world_without(worlds_[0], node.piece.object, node.triangles, around);
-            if (without == nullptr) {
+            if (without == nullptr || is_exhausted()) {
                 continue;
             }
             const auto path = find_path_in(WorkerWorlds(*without, 1, {}), body, query_.from);
@@ -504,6 +510,7 @@ private:
     const PassageQuery& query_;
     std::vector<bool> disabled_;
     std::vector<ObjectId> touched_;  ///< by the last search
+    std::size_t nodes_in_all_ = 0;
 };
 
 }  // namespace
