@@ -12,6 +12,7 @@
 #include "engine/expect/failure.h"
 #include "engine/expect/path_evaluators.h"
 #include "engine/expect/popup_evaluators.h"
+#include "engine/expect/route_evaluators.h"
 
 namespace campuswalk::engine {
 

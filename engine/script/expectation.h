@@ -137,6 +137,31 @@ struct ExpectDistance {
     std::vector<Mention> mentions() const { return {}; }
 };
 
+// ---- the campus ---------------------------------------------------------------------------------------
+
+/// A visitor who is put down at one target can walk to the other, whatever this walk does.
+struct ExpectReachable {
+    static constexpr std::string_view kName = "reachable";
+    SourceMark mark;
+    Target from;
+    Target to;
+
+    std::vector<Mention> mentions() const { return {}; }
+};
+
+/// There is a route, and it is like this; see Route and RouteFacts.
+struct ExpectRoute {
+    static constexpr std::string_view kName = "route";
+    SourceMark mark;
+    Target from;
+    Target to;
+    std::optional<double> max_length;  ///< metres
+    std::optional<double> min_width;   ///< metres, less than RouteFacts::kWidest
+    std::optional<double> max_slope;   ///< radians
+
+    std::vector<Mention> mentions() const { return {}; }
+};
+
 // ---- the body -----------------------------------------------------------------------------------------
 
 /// At the end of each tick the body is outside all solids, but for those of layers that it ignores.
@@ -185,7 +210,7 @@ struct ExpectFell {
 using PlainExpectation =
     std::variant<ExpectSequence, ExpectNever, ExpectCount, ExpectWithin, ExpectPopup, ExpectVisits,
                  ExpectReaches, ExpectNear, ExpectDuration, ExpectDistance, ExpectNoPenetration,
-                 ExpectGrounded, ExpectBlockedBy, ExpectStuck, ExpectFell>;
+                 ExpectGrounded, ExpectBlockedBy, ExpectStuck, ExpectFell, ExpectReachable, ExpectRoute>;
 
 /// That an expectation doesn't hold. The failure's code is `not-` and the expectation's name.
 struct ExpectNot {

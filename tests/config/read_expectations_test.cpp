@@ -1,5 +1,7 @@
 #include "config/loader/walk/read_expectations.h"
 
+#include <numbers>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -167,6 +169,24 @@ TEST_F(ReadExpectations, ReadsDurationsAndDistances) {
                     says("a.walk.yaml:5:15: error wrong-type", {"'distance'", "'far'"}),
                     says("a.walk.yaml:6:15: error missing-key", {"'duration'"}),
                     says("a.walk.yaml:6:16: error unknown-key", {"'at_lest'", "'duration'", "'at_least'"})));
+}
+
+TEST_F(ReadExpectations, ReadsWhereOneCanWalk) {
+    const auto all = read(
+        "  - reachable: {from: [1, 2, 3], to: [4, 5]}\n"
+        "  - route: {from: [0, 0], to: [1, 1], max_length: 5, min_width: 0.9, max_slope_deg: 45}\n"
+        "  - route: {from: [0, 0], to: [1, 1]}\n");
+    EXPECT_EQ(plain<ExpectReachable>(all, 0).from.point, Eigen::Vector3d(1, 2, 3));
+    EXPECT_FALSE(plain<ExpectReachable>(all, 0).to.has_height);
+    EXPECT_EQ(plain<ExpectRoute>(all, 1).max_length, 5.0);
+    EXPECT_EQ(plain<ExpectRoute>(all, 1).min_width, 0.9);
+    EXPECT_NEAR(plain<ExpectRoute>(all, 1).max_slope.value(), std::numbers::pi / 4, 1e-12);
+    EXPECT_FALSE(plain<ExpectRoute>(all, 2).max_slope);
+    EXPECT_THAT(
+        folder_.about_expectations("  - reachable: {from: [0, 0]}\n  - route: {from: [0, 0], to: [1, 1], "
+                                   "min_width: 4}\n"),
+        ElementsAre(says("a.walk.yaml:4:16: error missing-key", {"'to'"}),
+                    says("a.walk.yaml:5:50: error bad-value", {"'min_width'"})));
 }
 
 TEST_F(ReadExpectations, ReadsExpectationsWithAndWithoutAValue) {

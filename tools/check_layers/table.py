@@ -34,7 +34,7 @@ PROJECT = {
     "engine/events": ["scene", "collision"],
     "engine/script": ["engine/events", "scene", "collision"],
     "engine/record": ["engine/script", "engine/events", "scene", "collision"],
-    "engine/expect": ["engine/record", "engine/script", "engine/events", "scene", "collision"],
+    "engine/expect": ["engine/walkspace", "engine/record", "engine/script", "engine/events", "scene", "collision"],
     "engine/simulation": ["engine/walkspace", "engine/expect", "engine/record", "engine/script", "engine/events", "scene",
                           "collision"],
     "engine/observers": ["engine/expect", "engine/record", "engine/script", "engine/events", "scene", "collision"],

@@ -14,7 +14,6 @@ namespace {
 constexpr Range kHeight{0.05, 100.0, false, "m"};
 constexpr Range kRadius{0.01, 50.0, false, "m"};
 constexpr Range kStepHeight{0.0, 50.0, false, "m"};
-constexpr Range kSlope{0.0, 89.0, false, "degrees"};
 constexpr Range kSkin{0.001, 0.5, false, "m"};
 constexpr Range kTurnSpeed{0.0, 36'000.0, true, "degrees per second"};
 constexpr Range kLookDistance{0.0, 10'000.0, false, "m"};

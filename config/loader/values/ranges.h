@@ -10,6 +10,7 @@ namespace campuswalk::config {
 constexpr Range kCoordinate{-1e7, 1e7, false, "m"};
 constexpr Range kPositiveLength{0.0, 1e6, true, "m"};
 constexpr Range kDistance{0.0, 1e6, false, "m"};
+constexpr Range kSlope{0.0, 89.0, false, "degrees"};
 constexpr Range kYaw{-3600.0, 3600.0, false, "degrees"};
 constexpr Range kSeconds{0.0, 86'400.0, false, "s"};
 constexpr Range kTimeout{0.0, 86'400.0, true, "s"};

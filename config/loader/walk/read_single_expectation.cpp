@@ -14,6 +14,7 @@ using namespace engine;
 namespace {
 
 constexpr Range kRatio{0.0, 1.0, false, ""};
+constexpr Range kRouteWidth{0.0, 3.0, true, "m"};
 
 NamePattern read_name(const CheckedNode& node) {
     return {node.mark(), node.line().value_or("*")};
@@ -271,6 +272,40 @@ PlainExpectation read_fell(const CheckedNode& node, const CampusNames& /*names*/
     return ExpectFell{node.mark()};
 }
 
+// ---- the campus -----------------------------------------------------------------------------------------
+
+/// The keys `from` and `to`.
+template <typename Expected>
+void read_ends(CheckedMap& map, const CampusNames& names, Expected& expected) {
+    if (const auto from = map.require("from")) {
+        expected.from = names.target(*from);
+    }
+    if (const auto to = map.require("to")) {
+        expected.to = names.target(*to);
+    }
+}
+
+PlainExpectation read_reachable(const CheckedNode& node, const CampusNames& names) {
+    ExpectReachable expected;
+    expected.mark = node.mark();
+    CheckedMap map(node, "'reachable'");
+    read_ends(map, names, expected);
+    map.refuse_other_keys();
+    return expected;
+}
+
+PlainExpectation read_route(const CheckedNode& node, const CampusNames& names) {
+    ExpectRoute expected;
+    expected.mark = node.mark();
+    CheckedMap map(node, "'route'");
+    read_ends(map, names, expected);
+    map.number("max_length", kPositiveLength, expected.max_length);
+    map.number("min_width", kRouteWidth, expected.min_width);
+    map.angle("max_slope_deg", kSlope, expected.max_slope);
+    map.refuse_other_keys();
+    return expected;
+}
+
 constexpr std::array kReaders = {ExpectationReader{"sequence", read_sequence},
                                  ExpectationReader{"never", read_never},
                                  ExpectationReader{"count", read_count},
@@ -285,7 +320,9 @@ constexpr std::array kReaders = {ExpectationReader{"sequence", read_sequence},
                                  ExpectationReader{"no_penetration", read_no_penetration, true},
                                  ExpectationReader{"stuck", read_stuck, true},
                                  ExpectationReader{"blocked_by", read_blocked_by},
-                                 ExpectationReader{"fell", read_fell, true}};
+                                 ExpectationReader{"fell", read_fell, true},
+                                 ExpectationReader{"reachable", read_reachable},
+                                 ExpectationReader{"route", read_route}};
 static_assert(kReaders.size() == std::variant_size_v<PlainExpectation>);
 
 }  // namespace

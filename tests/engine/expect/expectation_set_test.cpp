@@ -131,7 +131,8 @@ TEST(NotExpectation, DescribesWhatHappenedForEveryKind) {
         {ExpectBlockedBy{kMark, {kMark, "wall"}}, {"wall", "0.100 s"}},
         {ExpectStuck{kMark, {kMark, "wall"}}, {"wall", "0.100 s"}},
         {ExpectFell{kMark}, {"fell", "0.100 s"}}};
-    ASSERT_EQ(cases.size(), std::variant_size_v<PlainExpectation>);
+    // The last two, reachable and route, don't depend on what happens: route_check_test.cpp.
+    ASSERT_EQ(cases.size(), std::variant_size_v<PlainExpectation> - 2);
     for (std::size_t i = 0; i < cases.size(); ++i) {
         EXPECT_EQ(cases[i].expectation.index(), i) << "each kind once";
         SingleEvaluator evaluator(ExpectNot{kMark, cases[i].expectation});

@@ -1,0 +1,104 @@
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "engine/events/decimals.h"
+#include "engine/expect/route_evaluators.h"
+#include "engine/walkspace/route.h"
+#include "engine/walkspace/route_facts.h"
+#include "engine/walkspace/trial_walk.h"
+#include "engine/walkspace/unreachable.h"
+#include "engine/walkspace/walk_report.h"
+
+namespace campuswalk::engine {
+
+using collision::Vec3;
+
+namespace {
+
+/// A route, or why there is none.
+struct FoundRoute {
+    std::optional<Route> route;
+    std::string why_not;
+    RouteSettings settings;
+};
+
+FoundRoute find_route(const Target& from, const Target& to, const EvaluatorContext& context) {
+    const ExploreSettings exploration =
+        explore_settings(context.campus, context.avatar, SimSettings().ticks_per_second);
+    FoundRoute found;
+    found.settings.strides = exploration.strides;
+    found.settings.solids = exploration.solids;
+    Vec3 start = from.point;
+    if (!from.has_height && !exploration.starts.empty()) {
+        start.y() = exploration.starts.front().y();
+    }
+    TrialWalk body(context.campus.world, found.settings.strides, found.settings.solids, {});
+    const auto state = body.put_down(start);
+    if (!state) {
+        found.why_not = "the avatar doesn't fit at " + from.label;
+        return found;
+    }
+    const RouteRequest request{*state, {to}};
+    auto answer = plan_route(context.campus.world, found.settings, request);
+    if (auto* route = std::get_if<Route>(&answer)) {
+        found.route = std::move(*route);
+    } else {
+        found.why_not = why_unreachable(context.campus, found.settings, request, std::get<NoRoute>(answer));
+    }
+    return found;
+}
+
+std::string at_text(const Vec3& p) {
+    return " at " + fixed(p.x(), 2) + ", " + fixed(p.y(), 2) + ", " + fixed(p.z(), 2);
+}
+
+/// The first thing about the route that isn't as expected; empty if all is.
+std::string violation(const ExpectRoute& expected, const Route& route, const RouteFacts& facts) {
+    if (expected.max_length && route.length() > *expected.max_length) {
+        return "is " + in_metres(route.length()) + " long, expected at most " +
+               in_metres(*expected.max_length);
+    }
+    if (expected.min_width && facts.narrowest && facts.narrowest->value < *expected.min_width) {
+        return "is " + in_metres(facts.narrowest->value) + " wide" + at_text(facts.narrowest->at) +
+               ", expected at least " + in_metres(*expected.min_width);
+    }
+    if (expected.max_slope && facts.steepest.value > *expected.max_slope) {
+        return "has a slope of " + fixed(degrees(facts.steepest.value), 1) + " degrees" +
+               at_text(facts.steepest.at) + ", expected at most " + fixed(degrees(*expected.max_slope), 1);
+    }
+    return "";
+}
+
+}  // namespace
+
+Finding check_reachable(const ExpectReachable& expected, const EvaluatorContext& context) {
+    const FoundRoute found = find_route(expected.from, expected.to, context);
+    const std::string there = expected.to.label + " from " + expected.from.label;
+    return {found.route.has_value(),
+            expected.mark,
+            found.route ? "a route of " + in_metres(found.route->length()) + " leads to " + there
+                        : "no route leads to " + there + ": " + found.why_not,
+            {}};
+}
+
+Finding check_route(const ExpectRoute& expected, const EvaluatorContext& context) {
+    const FoundRoute found = find_route(expected.from, expected.to, context);
+    if (!found.route) {
+        return {
+            false,
+            expected.mark,
+            "no route leads to " + expected.to.label + " from " + expected.from.label + ": " + found.why_not,
+            {}};
+    }
+    const RouteFacts facts =
+        facts_of(*found.route, context.campus.world, found.settings.strides.body, found.settings.solids);
+    const std::string wrong = violation(expected, *found.route, facts);
+    return {wrong.empty(),
+            expected.mark,
+            "the route from " + expected.from.label + " to " + expected.to.label + " " +
+                (wrong.empty() ? "is " + in_metres(found.route->length()) + " long" : wrong),
+            {}};
+}
+
+}  // namespace campuswalk::engine
