@@ -26,7 +26,7 @@ std::size_t explained(const std::vector<Island>& islands, const std::vector<Subj
 }  // namespace
 
 WalkReport report_walks(const scene::Campus& campus, const AvatarProfile& avatar, const WorkerWorlds& worlds,
-                        ExploreSettings settings) {
+                        ExploreSettings settings, double min_width) {
     settings.keep_rim = true;
     WalkReport report{explore(worlds, settings)};
     report.storeys = find_storeys(report.space);
@@ -49,6 +49,9 @@ WalkReport report_walks(const scene::Campus& campus, const AvatarProfile& avatar
     }
     report.traps = find_traps(worlds, settings, report.space);
     report.holes = find_holes(report.space);
+    if (min_width > 2.0 * settings.strides.body.radius) {
+        report.narrow = find_narrow_passages(worlds, settings, report.space, min_width, &nodes);
+    }
     return report;
 }
 

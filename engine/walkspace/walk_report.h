@@ -6,6 +6,7 @@
 
 #include "engine/script/avatar.h"
 #include "engine/walkspace/explore.h"
+#include "engine/walkspace/narrow_passages.h"
 #include "engine/walkspace/one_way.h"
 #include "engine/walkspace/storeys.h"
 #include "engine/walkspace/subjects.h"
@@ -35,12 +36,14 @@ struct WalkReport {
     std::vector<IslandReport> islands = {};  ///< also small ones: subjects may be on them
     std::vector<Trap> traps = {};
     std::vector<Hole> holes = {};
+    std::vector<NarrowPassage> narrow = {};
 };
 
 /// Explores the campus and finds all that a report tells. `settings` as for `explore`; the campus and what
-/// they refer to must outlive the call.
+/// they refer to must outlive the call. Passages narrower than `min_width` (metres) are looked for if that is
+/// more than the body's own width.
 WalkReport report_walks(const scene::Campus& campus, const AvatarProfile& avatar, const WorkerWorlds& worlds,
-                        ExploreSettings settings);
+                        ExploreSettings settings, double min_width = 0.0);
 
 /// Islands that are worth a line: of more than 1 m².
 inline constexpr double kNotableIsland = 1.0;

@@ -100,6 +100,68 @@ class Explore(ProgramCase):
         self.assertTrue(self.subject(report, "place", "shed")["reached"])
         self.assertTrue(self.subject(report, "trigger", "shed/inside")["reached"])
 
+    def test_a_narrow_passage_is_measured(self):
+        report = self.report("--disable", "shed/gate-leaf", "--min-width", "1.3")
+        narrow, = report["narrow"]
+        self.assertEqual("opening", narrow["barrier"]["kind"])
+        self.assertAlmostEqual(1.2, narrow["barrier"]["measured"], delta=0.01)
+        self.assertAlmostEqual(7.6 * 4.6, narrow["area"], delta=9)  # the shed's floor, less what the wide one sees through
+        finding = self.finding(report, "narrow passage to")
+        self.assertIn("place shed", finding["subject"])
+        self.assertIn("is 1.20 m wide, the body needs 1.30 m", finding["text"])
+        self.report("--disable", "shed/gate-leaf", "--min-width", "1.3", "--fail-on", "narrow", code=1)
+        self.assertEqual([], self.report("--disable", "shed/gate-leaf", "--min-width", "1.1", "--fail-on", "narrow")["narrow"])
+
+    def test_coverage_by_walks(self):
+        walk = "campus: yard.campus.yaml\navatar: adult\nsteps:\n  - spawn: start\n  - walk_to: [-8, 8]\n"
+        os.mkdir(self.path("walks"))
+        self.write("walks/corner.walk.yaml", walk + "expect:\n  - reaches: corner\n")
+        self.write("walks/fails.walk.yaml", walk + "expect:\n  - fell\n")
+        self.write("walks/other.walk.yaml", walk.replace("yard", "other"))
+        self.write("walks/other.campus.yaml", YARD)
+        self.write("walks/floor.obj", FLOOR)
+        for name in ("corner", "fails"):
+            self.write("walks/%s.walk.yaml" % name, self.read("walks/%s.walk.yaml" % name).decode()
+                       .replace("campus: ", "campus: ../"))
+        coverage = self.report("--walks", "walks", "--fail-under", "1")["coverage"]
+        self.assertEqual((2, 1), (coverage["walks"], coverage["failed"]))
+        # A strip as wide as the body, and what its ends cover.
+        self.assertAlmostEqual(128 ** 0.5 * 0.6 + 0.28, coverage["area"], delta=1.5)
+        self.assertEqual([], coverage["visited"])
+        self.report("--walks", "walks", "--fail-under", "50", code=1)
+        self.write("walks/inside.walk.yaml", "campus: ../yard.campus.yaml\navatar: adult\nsteps:\n"
+                   "  - spawn: {at: [6, 0, -8]}\n")
+        visited = self.report("--walks", "walks/inside.walk.yaml", "--disable", "shed/gate-leaf")["coverage"]["visited"]
+        self.assertEqual([{"kind": "trigger", "name": "shed/inside"}], visited)
+        done = self.run_program("explore", "yard.campus.yaml", "--walks", "walks/other.walk.yaml")
+        self.assertEqual(2, done.code)
+        self.assertIn("no-walks", done.err)
+
+    def test_geojson_holds_the_ground(self):
+        def area(ring):
+            return 0.5 * sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(ring, ring[1:]))
+        report = self.report("--geojson", "ground.geojson")
+        ground = json.loads(self.read("ground.geojson"))
+        storeys = [f for f in ground["features"] if f["properties"]["kind"] == "reached"]
+        for storey, feature in zip(report["storeys"], storeys, strict=True):
+            rings = [ring for polygon in feature["geometry"]["coordinates"] for ring in polygon]
+            self.assertTrue(all(ring[0] == ring[-1] for ring in rings))
+            self.assertTrue(all(area(polygon[0]) > 0 for polygon in feature["geometry"]["coordinates"]))
+            self.assertTrue(all(area(hole) < 0 for p in feature["geometry"]["coordinates"] for hole in p[1:]))
+            # A cell with two levels of one storey, such as the edge of a step, is one on the map.
+            self.assertAlmostEqual(storey["area"], sum(map(area, rings)), delta=0.5)
+        points = {f["properties"]["name"]: f for f in ground["features"] if f["properties"]["kind"] == "place"}
+        self.assertEqual([-8.0, -8.0], points["corner"]["geometry"]["coordinates"][:2])  # north is -z
+        self.assertEqual(len(report["findings"]), sum("number" in f["properties"] for f in ground["features"]))
+        self.write("yard.campus.yaml", YARD + "origin: {latitude_deg: 48, longitude_deg: 11}\n")
+        done = self.run_program("explore", "yard.campus.yaml", "--geojson", "earth.geojson")
+        self.assertEqual(0, done.code, done.err)
+        corner = next(f for f in json.loads(self.read("earth.geojson"))["features"]
+                      if f["properties"].get("name") == "corner")["geometry"]["coordinates"]
+        # 8 m to the west and to the south; a degree of latitude is 111.2 km there, one of longitude 74.6 km.
+        self.assertAlmostEqual(11 - 8 / 74628, corner[0], places=6)
+        self.assertAlmostEqual(48 - 8 / 111200, corner[1], places=6)
+
     def test_the_avatar_decides(self):
         report = self.report("--avatar", "{profile: adult, step_height: 0.46}")
         self.assertTrue(self.subject(report, "place", "stage")["reached"])

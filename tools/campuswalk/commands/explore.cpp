@@ -1,4 +1,7 @@
+#include <unistd.h>
+
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -14,7 +17,9 @@
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/commands/commands.h"
+#include "tools/campuswalk/explore/coverage.h"
 #include "tools/campuswalk/explore/findings.h"
+#include "tools/campuswalk/explore/geojson.h"
 #include "tools/campuswalk/explore/minimal_walks.h"
 #include "tools/campuswalk/explore/report_json.h"
 #include "tools/campuswalk/explore/report_text.h"
@@ -22,6 +27,7 @@
 #include "tools/campuswalk/images/images.h"
 #include "tools/campuswalk/loading/model_importer.h"
 #include "tools/campuswalk/loading/walk_loader.h"
+#include "tools/campuswalk/run/plan/find_walks.h"
 
 namespace campuswalk::tools {
 
@@ -38,10 +44,33 @@ struct ExploreOptions {
     std::optional<std::filesystem::path> json;   ///< a file to write
     std::optional<std::filesystem::path> map;    ///< a folder for the storeys' plans
     std::optional<std::filesystem::path> walks;  ///< a folder for minimal walks
+    std::optional<std::filesystem::path> geojson;
+    std::vector<std::filesystem::path> covered_by;  ///< walks whose coverage is measured
+    std::optional<double> fail_under;               ///< percent of the ground
+    double min_width = 0.0;                         ///< metres
     std::optional<int> workers;
 };
 
 const char* const kFromOption = "--from";
+
+/// A line on a terminal's standard error that says how far the exploration is, and is erased again.
+class ExplorationProgress {
+public:
+    void show(std::size_t nodes) {
+        if (is_terminal_) {
+            std::fprintf(stderr, "\r\x1b[Kexplored %.0f m²", 0.0625 * static_cast<double>(nodes));
+            std::fflush(stderr);
+        }
+    }
+    void hide() {
+        if (is_terminal_) {
+            std::fputs("\r\x1b[K", stderr);
+        }
+    }
+
+private:
+    bool is_terminal_ = isatty(STDERR_FILENO) == 1;
+};
 
 collision::Vec3 spawn_position(const scene::CampusDescription& campus, const std::string& name) {
     std::vector<std::string> names;
@@ -102,6 +131,26 @@ bool is_accepted(const ExploreOptions& options, const engine::WalkReport& report
     });
 }
 
+/// Those in the files and folders of `--walks`; the others are on other campuses.
+std::vector<engine::Walk> walks_on_campus(WalkLoader& loader, const std::filesystem::path& campus_file,
+                                          const std::vector<std::filesystem::path>& paths) {
+    std::error_code ignored;
+    const std::filesystem::path wanted = std::filesystem::weakly_canonical(campus_file, ignored);
+    std::vector<engine::Walk> walks;
+    for (const std::filesystem::path& file : find_walks(paths)) {
+        config::SharedRun run = loader.read(file);
+        if (run.walk.status.kind != engine::WalkStatus::Kind::skip &&
+            std::filesystem::weakly_canonical(run.walk.campus, ignored) == wanted) {
+            walks.push_back(loader.ready(std::move(run)).walk);
+        }
+    }
+    if (walks.empty()) {
+        throw scene::InputError({"--walks", 1, 1}, "no-walks",
+                                "there are no walks on " + campus_file.generic_string());
+    }
+    return walks;
+}
+
 void check_places(const ExploreOptions& options, const scene::CampusDescription& campus) {
     for (const std::string& name : options.required) {
         const bool known =
@@ -124,6 +173,9 @@ void check_outputs(const ExploreOptions& options) {
             throw scene::InputError({"--map", 1, 1}, "no-rendering", "this build can't draw plans");
         }
         require_writable_folder(*options.map, "the plans can't be written here");
+    }
+    if (options.geojson) {
+        require_writable_file(*options.geojson, "the map can't be written here");
     }
     if (options.walks) {
         require_writable_folder(*options.walks, "the walks can't be written here");
@@ -157,14 +209,30 @@ int explore_campus(const ExploreOptions& options) {
     check_places(options, campus->description);
     const engine::AvatarProfile avatar = config::read_avatar_text(
         options.avatar, "--avatar", options.campus.parent_path(), campus->description, search_paths());
+    const std::vector<engine::Walk> walks = options.covered_by.empty()
+                                                ? std::vector<engine::Walk>()
+                                                : walks_on_campus(loader, options.campus, options.covered_by);
     const std::vector<bool> disabled = disabled_objects(*campus, options.disable);
     const engine::WorkerWorlds worlds(campus->world, workers_of(options), collision::make_bullet_broad_phase);
+    ExplorationProgress progress;
+    engine::ExploreSettings settings = settings_for(options, *campus, avatar, disabled);
+    settings.progress = [&](std::size_t nodes) { progress.show(nodes); };
     const engine::WalkReport report =
-        engine::report_walks(*campus, avatar, worlds, settings_for(options, *campus, avatar, disabled));
+        engine::report_walks(*campus, avatar, worlds, settings, options.min_width);
+    progress.hide();
     const std::vector<explore::Finding> findings = explore::find_findings(*campus, report);
     explore::print_report(*campus, report, avatar, findings);
+    std::optional<explore::Coverage> coverage;
+    if (!walks.empty()) {
+        coverage = explore::measure_coverage(*campus, report, walks);
+        explore::print_coverage(report, *coverage);
+    }
     if (options.json) {
-        scene::write_file_atomically(*options.json, explore::report_json(*campus, report, findings));
+        scene::write_file_atomically(
+            *options.json, explore::report_json(*campus, report, findings, coverage ? &*coverage : nullptr));
+    }
+    if (options.geojson) {
+        scene::write_file_atomically(*options.geojson, explore::report_geojson(*campus, report, findings));
     }
     if (options.map) {
         write_plans(*campus, report, findings, *options.map);
@@ -172,7 +240,8 @@ int explore_campus(const ExploreOptions& options) {
     if (options.walks) {
         write_walks(options, report, findings);
     }
-    return is_accepted(options, report, findings) ? kPass : kExpectationFailed;
+    const bool covered = !options.fail_under || (coverage && 100.0 * coverage->share >= *options.fail_under);
+    return is_accepted(options, report, findings) && covered ? kPass : kExpectationFailed;
 }
 
 }  // namespace
@@ -199,7 +268,19 @@ void add_explore(Command program, CommandAction& chosen) {
                     .value = "PLACE"},
                    options->required);
     command.choices({.names = "--fail-on", .help = "Exit with 1 if there are such findings; may be repeated"},
-                    {"unreached", "traps", "holes", "islands"}, options->fail_on);
+                    {"unreached", "traps", "holes", "narrow", "islands"}, options->fail_on);
+    command.option({.names = "--min-width",
+                    .help = "Find passages that are too narrow for a visitor of this width",
+                    .value = "METRES"},
+                   options->min_width, Limits<double>{0.0, 20.0});
+    command.option({.names = "--walks",
+                    .help = "Measure how much the walks of this file or folder visit; may be repeated",
+                    .value = "PATH"},
+                   options->covered_by);
+    command.option({.names = "--fail-under",
+                    .help = "With --walks: exit with 1 if they visit less of the reached ground",
+                    .value = "PERCENT"},
+                   options->fail_under, Limits<double>{0.0, 100.0});
     command.option({.names = "--json", .help = "Write the report for programs", .value = "FILE"},
                    options->json);
     command.option({.names = "--map", .help = "Draw a plan of each storey: DIR/storey-0.png", .value = "DIR"},
@@ -209,6 +290,11 @@ void add_explore(Command program, CommandAction& chosen) {
          .help = "Write a walk of two steps for each finding that walking shows; xfail until it is mended",
          .value = "DIR"},
         options->walks);
+    command.option(
+        {.names = "--geojson",
+         .help = "Write the ground and the findings for maps; on Earth if the campus says where it is",
+         .value = "FILE"},
+        options->geojson);
     command.option({.names = "-j,--workers", .help = "Threads; all cores by default"}, options->workers,
                    Limits<int>{1, 256});
     add_import_options(command);

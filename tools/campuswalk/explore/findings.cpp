@@ -83,6 +83,38 @@ void add_holes(const WalkReport& report, std::vector<Finding>& findings) {
     }
 }
 
+/// Places on ground that a wide body doesn't get to.
+std::string places_on(const WalkReport& report, const engine::Island& ground) {
+    std::set<engine::GridCell> cells;
+    for (const engine::UnreachedSpot& spot : ground.spots) {
+        cells.insert(report.space.grid.cell_at(spot.at.foot));
+    }
+    std::string names;
+    for (const engine::SubjectReport& entry : report.subjects) {
+        const engine::Subject& subject = entry.subject;
+        if (subject.kind == SubjectKind::place && subject.reached &&
+            ground.bounds.grown(1.0).overlaps({subject.at, subject.at}) &&
+            cells.contains(report.space.grid.cell_at(subject.at))) {
+            names += (names.empty() ? "" : ", ") + subject.name;
+        }
+    }
+    return names;
+}
+
+void add_narrow_passages(const scene::Campus& campus, const WalkReport& report,
+                         std::vector<Finding>& findings) {
+    for (const engine::NarrowPassage& entry : report.narrow) {
+        const std::string places = places_on(report, entry.beyond);
+        const collision::Vec3& foot = entry.beyond.spots.front().at.foot;
+        findings.push_back({FindingKind::narrow,
+                            "narrow passage to " + area_text(entry.beyond.area(report.space.grid)) +
+                                (places.empty() ? "" : ", place " + places),
+                            entry.passage ? engine::barrier_text(campus, *entry.passage)
+                                          : "nothing that a wide visitor reaches lies near it",
+                            entry.passage ? entry.passage->at : foot, entry.passage});
+    }
+}
+
 /// Those that no subject's finding tells of already.
 void add_islands(const scene::Campus& campus, const WalkReport& report, std::vector<Finding>& findings) {
     std::set<std::size_t> told;
@@ -115,6 +147,7 @@ std::vector<Finding> find_findings(const scene::Campus& campus, const WalkReport
     add_unreached(campus, report, findings);
     add_traps(report, findings);
     add_holes(report, findings);
+    add_narrow_passages(campus, report, findings);
     add_islands(campus, report, findings);
     return findings;
 }
@@ -127,6 +160,8 @@ const char* name_of(FindingKind kind) {
             return "traps";
         case FindingKind::hole:
             return "holes";
+        case FindingKind::narrow:
+            return "narrow";
         case FindingKind::island:
             return "islands";
     }

@@ -73,6 +73,8 @@ std::optional<std::string> yaml_of(const WalkReport& report, const Finding& find
             return steps_yaml(finding.barrier->from, nearest_ground(island, finding.barrier->from), "blocked",
                               finding);
         }
+        case FindingKind::narrow:
+            return std::nullopt;  // this visitor passes; a wider one doesn't
         case FindingKind::trap: {
             const auto trap = std::ranges::find(report.traps, finding.at, &engine::Trap::edge);
             return steps_yaml(report.space.position(trap->entrance), trap->edge, "blocked", finding);

@@ -123,6 +123,33 @@ Json holes_json(const WalkReport& report) {
     return json;
 }
 
+Json narrow_json(const scene::Campus& campus, const WalkReport& report) {
+    Json json = Json::array();
+    for (const engine::NarrowPassage& entry : report.narrow) {
+        Json one = {{"area", rounded(entry.beyond.area(report.space.grid))},
+                    {"at", json_of(entry.beyond.spots.front().at.foot)}};
+        one["barrier"] = entry.passage ? json_of(campus, *entry.passage) : Json();
+        json.push_back(std::move(one));
+    }
+    return json;
+}
+
+Json coverage_json(const WalkReport& report, const Coverage& coverage) {
+    Json json = {{"walks", coverage.walks},        {"failed", coverage.failed},
+                 {"area", rounded(coverage.area)}, {"share", rounded(coverage.share)},
+                 {"visited", Json::array()},       {"missed", Json::array()}};
+    for (std::size_t i = 0; i < report.subjects.size(); ++i) {
+        const engine::Subject& subject = report.subjects[i].subject;
+        const bool counts =
+            subject.kind == engine::SubjectKind::building || subject.kind == engine::SubjectKind::trigger;
+        if (counts && (subject.reached || coverage.visited[i])) {
+            json[coverage.visited[i] ? "visited" : "missed"].push_back(
+                {{"kind", engine::name_of(subject.kind)}, {"name", subject.name}});
+        }
+    }
+    return json;
+}
+
 Json bounds_json(const WalkReport& report) {
     Json json = Json::array();
     for (const engine::Bound bound : report.space.bounds) {
@@ -134,12 +161,18 @@ Json bounds_json(const WalkReport& report) {
 }  // namespace
 
 std::string report_json(const scene::Campus& campus, const WalkReport& report,
-                        const std::vector<Finding>& findings) {
-    Json json = {{"campuswalk_explore", 1},           {"campus", campus.description.name},
-                 {"cell", report.space.grid.cell},    {"area", rounded(report.space.area())},
-                 {"incomplete", bounds_json(report)}, {"storeys", storeys_json(report)},
-                 {"subjects", subjects_json(report)}, {"islands", islands_json(campus, report)},
-                 {"traps", traps_json(report)},       {"holes", holes_json(report)},
+                        const std::vector<Finding>& findings, const Coverage* coverage) {
+    Json json = {{"campuswalk_explore", 1},
+                 {"campus", campus.description.name},
+                 {"cell", report.space.grid.cell},
+                 {"area", rounded(report.space.area())},
+                 {"incomplete", bounds_json(report)},
+                 {"storeys", storeys_json(report)},
+                 {"subjects", subjects_json(report)},
+                 {"islands", islands_json(campus, report)},
+                 {"traps", traps_json(report)},
+                 {"holes", holes_json(report)},
+                 {"narrow", narrow_json(campus, report)},
                  {"findings", Json::array()}};
     for (std::size_t i = 0; i < findings.size(); ++i) {
         json["findings"].push_back({{"number", i + 1},
@@ -147,6 +180,9 @@ std::string report_json(const scene::Campus& campus, const WalkReport& report,
                                     {"subject", findings[i].subject},
                                     {"text", findings[i].text},
                                     {"at", json_of(findings[i].at)}});
+    }
+    if (coverage != nullptr) {
+        json["coverage"] = coverage_json(report, *coverage);
     }
     return json_text(json, 2) + "\n";
 }

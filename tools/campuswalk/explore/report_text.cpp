@@ -102,4 +102,32 @@ void print_report(const scene::Campus& campus, const WalkReport& report, const e
     print_tops(report);
 }
 
+void print_coverage(const WalkReport& report, const Coverage& coverage) {
+    print_line(
+        "coverage   %s %% of the ground (%s m²) by %zu walk%s%s", fixed(100.0 * coverage.share, 1).c_str(),
+        fixed(coverage.area, 1).c_str(), coverage.walks, coverage.walks == 1 ? "" : "s",
+        coverage.failed == 0 ? "" : (", of which " + std::to_string(coverage.failed) + " fail").c_str());
+    for (const SubjectKind kind : {SubjectKind::building, SubjectKind::trigger}) {
+        std::size_t reached = 0;
+        std::size_t visited = 0;
+        std::string missed;
+        for (std::size_t i = 0; i < report.subjects.size(); ++i) {
+            const engine::Subject& subject = report.subjects[i].subject;
+            if (subject.kind != kind || !subject.reached) {
+                continue;
+            }
+            ++reached;
+            if (coverage.visited[i]) {
+                ++visited;
+            } else {
+                missed += (missed.empty() ? "" : ", ") + subject.name;
+            }
+        }
+        if (reached > 0) {
+            print_line("  %ss %zu of %zu%s", engine::name_of(kind), visited, reached,
+                       missed.empty() ? "" : ("; not " + missed).c_str());
+        }
+    }
+}
+
 }  // namespace campuswalk::tools::explore
