@@ -219,6 +219,9 @@ private:
         }
         const std::vector<bool> useful =
             edges_above_new_ground(workers_.front().strider.world(), settings_, space_, edges);
+        if (!edges.empty()) {  // not all ways to steer are tried, and narrow ledges are no surfaces
+            workers_.front().bounds.insert(Bound::steering);
+        }
         std::size_t number = 0;
         for (Frontier& frontier : frontiers_) {
             std::erase_if(frontier.falls, [&](const Fall&) { return !useful[number++]; });
@@ -397,7 +400,6 @@ private:
 
     /// The same fall, steered elsewhere.
     void steer(std::uint32_t tile, const Fall& fall, Worker& worker) {
-        worker.bounds.insert(Bound::steering);
         Stride other = fall.stride;
         other.steering = Stride::kLetGo;
         const StrideEnd down = take(tile, fall.from, other, worker);
