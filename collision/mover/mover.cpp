@@ -219,12 +219,16 @@ void move_part(MoveContext& context, MoverState& state, const Vec3& desired, dou
     fall(context, state, desired, seconds, trace);
 }
 
+void restart(MoveTrace& trace, std::size_t points, const Vec3& foot) {
+    trace.path.assign(points, foot);
+    trace.landed = false;
+    trace.fall_height = 0.0;
+}
+
 /// A tick, in equal parts.
 void move_parts(MoveContext& context, MoverState& state, const Vec3& desired, double seconds,
                 MoveTrace& trace, QueryStatistics* statistics) {
-    trace.path.assign(1, state.foot);
-    trace.landed = false;
-    trace.fall_height = 0.0;
+    restart(trace, 1, state.foot);
     const MoverSettings& body = context.body;
     // In parts this short, a body at skin distance from a flat wall never touches an edge of it.
     const double longest = std::max(0.99 * std::sqrt(2.0 * body.radius * body.skin), 0.1 * body.radius);
@@ -266,9 +270,7 @@ bool repeats(const RestingMove& resting, const MoverState& state, const Vec3& de
         !(resting.state == state)) {
         return false;
     }
-    trace.path.assign(resting.path_points, state.foot);
-    trace.landed = false;
-    trace.fall_height = 0.0;
+    restart(trace, resting.path_points, state.foot);
     trace.touching = resting.touching;
     return true;
 }

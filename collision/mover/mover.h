@@ -90,7 +90,7 @@ public:
     void move(MoverState& state, const Vec3& desired, double seconds, MoverCache& cache, MoveTrace& trace,
               QueryStatistics* statistics = nullptr) const;
 
-    /// As `move`, but leaves `trace.touching` empty: a quarter of the time goes into listing that.
+    /// As `move`, but leaves `trace.touching` empty: for bodies of which nobody asks that at each tick.
     void advance(MoverState& state, const Vec3& desired, double seconds, MoverCache& cache, MoveTrace& trace,
                  QueryStatistics* statistics = nullptr) const;
 

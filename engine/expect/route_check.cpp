@@ -1,14 +1,12 @@
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "engine/events/decimals.h"
 #include "engine/expect/route_evaluators.h"
-#include "engine/walkspace/route.h"
+#include "engine/walkspace/campus_route.h"
 #include "engine/walkspace/route_facts.h"
-#include "engine/walkspace/trial_walk.h"
-#include "engine/walkspace/unreachable.h"
-#include "engine/walkspace/walk_report.h"
 
 namespace campuswalk::engine {
 
@@ -24,27 +22,18 @@ struct FoundRoute {
 };
 
 FoundRoute find_route(const Target& from, const Target& to, const EvaluatorContext& context) {
-    const ExploreSettings exploration =
-        explore_settings(context.campus, context.avatar, SimSettings().ticks_per_second);
     FoundRoute found;
-    found.settings.strides = exploration.strides;
-    found.settings.solids = exploration.solids;
-    Vec3 start = from.point;
-    if (!from.has_height && !exploration.starts.empty()) {
-        start.y() = exploration.starts.front().y();
-    }
-    TrialWalk body(context.campus.world, found.settings.strides, found.settings.solids, {});
-    const auto state = body.put_down(start);
-    if (!state) {
+    found.settings = route_settings(context.campus, context.avatar, nullptr);
+    const auto body = body_at(route_start(from, context.campus.description), context.campus, found.settings);
+    if (!body) {
         found.why_not = "the avatar doesn't fit at " + from.label;
         return found;
     }
-    const RouteRequest request{*state, {to}};
-    auto answer = plan_route(context.campus.world, found.settings, request);
+    auto answer = route_or_reason(context.campus, found.settings, {*body, {to}});
     if (auto* route = std::get_if<Route>(&answer)) {
         found.route = std::move(*route);
     } else {
-        found.why_not = why_unreachable(context.campus, found.settings, request, std::get<NoRoute>(answer));
+        found.why_not = std::get<std::string>(answer);
     }
     return found;
 }
@@ -72,7 +61,7 @@ std::string violation(const ExpectRoute& expected, const Route& route, const Rou
 
 }  // namespace
 
-Finding check_reachable(const ExpectReachable& expected, const EvaluatorContext& context) {
+Finding check_route(const ExpectReachable& expected, const EvaluatorContext& context) {
     const FoundRoute found = find_route(expected.from, expected.to, context);
     const std::string there = expected.to.label + " from " + expected.from.label;
     return {found.route.has_value(),

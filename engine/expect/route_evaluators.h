@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "engine/expect/finding.h"
 
 namespace campuswalk::engine {
@@ -10,15 +8,16 @@ namespace campuswalk::engine {
 // first tick, with every object enabled, by a body of the walk's avatar that is put down at the first target.
 
 /// Whether there is a route, and why not if there is none.
-Finding check_reachable(const ExpectReachable& expected, const EvaluatorContext& context);
+Finding check_route(const ExpectReachable& expected, const EvaluatorContext& context);
 /// Whether the route is as expected: length, width and slope.
 Finding check_route(const ExpectRoute& expected, const EvaluatorContext& context);
 
-template <>
-class EvaluatorOf<ExpectReachable> {
+/// What holds from the start on.
+template <typename Expected>
+class RouteEvaluator {
 public:
-    EvaluatorOf(const ExpectReachable& expected, const EvaluatorContext& context)
-        : finding_(check_reachable(expected, context)) {}
+    RouteEvaluator(const Expected& expected, const EvaluatorContext& context)
+        : finding_(check_route(expected, context)) {}
 
     void on_tick(const TickRecord& /*record*/, const StateSnapshot& /*now*/) {}
     Finding finding(bool /*ended*/) const { return finding_; }
@@ -28,16 +27,13 @@ private:
 };
 
 template <>
-class EvaluatorOf<ExpectRoute> {
-public:
-    EvaluatorOf(const ExpectRoute& expected, const EvaluatorContext& context)
-        : finding_(check_route(expected, context)) {}
+class EvaluatorOf<ExpectReachable> : public RouteEvaluator<ExpectReachable> {
+    using RouteEvaluator::RouteEvaluator;
+};
 
-    void on_tick(const TickRecord& /*record*/, const StateSnapshot& /*now*/) {}
-    Finding finding(bool /*ended*/) const { return finding_; }
-
-private:
-    Finding finding_;
+template <>
+class EvaluatorOf<ExpectRoute> : public RouteEvaluator<ExpectRoute> {
+    using RouteEvaluator::RouteEvaluator;
 };
 
 }  // namespace campuswalk::engine

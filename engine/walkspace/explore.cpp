@@ -1,13 +1,12 @@
 #include "engine/walkspace/explore.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <set>
-#include <tuple>
 #include <utility>
 
+#include "engine/walkspace/frontier.h"
 #include "engine/walkspace/landing_places.h"
 #include "engine/walkspace/worker_threads.h"
 
@@ -27,69 +26,11 @@ constexpr std::uint32_t kTicksOfGoalRound = 30;
 /// From this height on a fall is also steered elsewhere, metres.
 constexpr double kSteeredFall = 0.5;
 
-/// From this height on it is also steered later, metres: what is below an edge is often set back, and a body
-/// that steers back at once lands on the edge again.
+/// From this height on it is also steered later, metres: see steered_strides.
 constexpr double kHighFall = 2.0;
-/// Fifths of a second; a fall of 5 m takes one second.
-constexpr std::uint8_t kLatestSteering = 3;
-
 /// Nodes take their diagonal strides this much later than the others, metres of walking: somewhat more than
 /// the 0.1 m that they are longer, so that nearly all cells are reached by the shorter strides.
 constexpr double kDiagonalsLater = 0.19;
-
-/// A node whose strides are yet to be taken, or an arrival that is yet to become one.
-struct Pending {
-    std::uint32_t order = 0;  ///< ticks, and those to the goal, if there is one
-    std::uint32_t ticks = 0;  ///< of its chain
-    std::uint16_t node = 0;   ///< or the index of Frontier::detours
-    bool is_detour = false;
-    std::uint8_t since_keyframe = 0;
-    bool diagonals_left = false;  ///< and nothing else
-    bool on_rim = false;          ///< one of the others didn't get to its cell
-    GroundState at;
-};
-
-/// The earlier first, at the top of a heap.
-bool later(const Pending& a, const Pending& b) {
-    return std::tie(a.order, a.ticks, a.node) > std::tie(b.order, b.ticks, b.node);
-}
-
-void push(std::vector<Pending>& pending, const Pending& node) {
-    pending.push_back(node);
-    std::ranges::push_heap(pending, later);
-}
-
-/// What a stride leads to outside of its tile.
-struct Arrival {
-    std::uint32_t ticks = 0;
-    WalkNodeId parent;
-    Stride stride;
-    bool returns = false;
-    bool hangs = false;
-    std::uint8_t since_keyframe = 0;
-    GridCell cell;
-    GroundState at;
-};
-
-/// A fall of which it is yet to be tried how it may be steered.
-struct Fall {
-    Pending from;
-    Stride stride;
-    Vec3 edge = Vec3::Zero();
-    bool high = false;
-    bool gone = false;  ///< straight on, it goes out of the world
-};
-
-/// What a tile needs while it is explored.
-struct Frontier {
-    std::vector<Pending> pending;  ///< a heap
-    std::vector<Arrival> outbox;
-    /// Falls on the way to a point: only where nothing better was found in the time that they count for.
-    std::vector<Arrival> detours;
-    std::optional<std::uint16_t> goal;              ///< the first node that is one
-    std::vector<std::pair<GridCell, float>> edges;  ///< from which there are falls, each with its height
-    std::vector<Fall> falls;
-};
 
 /// A thread's body and what it found.
 struct Worker {
@@ -169,10 +110,8 @@ private:
         std::uint32_t limit = 0;
         while (const auto earliest = space_.goal ? std::nullopt : earliest_pending()) {
             limit = std::max(limit + round, *earliest + round);
-            // Tiles side by side are never explored at once: each looks at its neighbours' nodes.
-            for (std::size_t color = 0; color < 4; ++color) {
-                explore_tiles(color, limit);
-            }
+            for_each_tile([&](const Frontier& f) { return !f.is_empty() && f.next_order() < limit; },
+                          [&](std::uint32_t tile, Worker& worker) { explore_tile(tile, limit, worker); });
             note_goal();
             const std::size_t nodes = space_.node_count();
             if (nodes > settings_.max_nodes) {
@@ -191,20 +130,12 @@ private:
         if (!keep_useful_falls()) {
             return false;
         }
-        for (std::size_t color = 0; color < 4; ++color) {
-            std::vector<std::uint32_t> active;
-            for (std::uint32_t i = 0; i < frontiers_.size(); ++i) {
-                if (!frontiers_[i].falls.empty() && color_of(space_.tiles[i]) == color) {
-                    active.push_back(i);
-                }
-            }
-            for_each_item(active.size(), workers_.size(), [&](std::size_t worker, std::size_t item) {
-                for (const Fall& fall : std::exchange(frontiers_[active[item]].falls, {})) {
-                    steer(active[item], fall, workers_[worker]);
-                }
-            });
-            receive_from(active);
-        }
+        for_each_tile([](const Frontier& f) { return !f.falls.empty(); },
+                      [&](std::uint32_t tile, Worker& worker) {
+                          for (const Fall& fall : std::exchange(frontiers_[tile].falls, {})) {
+                              steer(tile, fall, worker);
+                          }
+                      });
         note_goal();
         return true;
     }
@@ -246,9 +177,8 @@ private:
     std::optional<std::uint32_t> earliest_pending() const {
         std::optional<std::uint32_t> earliest;
         for (const Frontier& frontier : frontiers_) {
-            if (!frontier.pending.empty()) {
-                const std::uint32_t order = frontier.pending.front().order;
-                earliest = std::min(earliest.value_or(order), order);
+            if (!frontier.is_empty()) {
+                earliest = std::min(earliest.value_or(frontier.next_order()), frontier.next_order());
             }
         }
         return earliest;
@@ -261,18 +191,22 @@ private:
         return parity(tile.first_cell.x) + 2 * parity(tile.first_cell.z);
     }
 
-    void explore_tiles(std::size_t color, std::uint32_t limit) {
-        std::vector<std::uint32_t> active;
-        for (std::uint32_t i = 0; i < frontiers_.size(); ++i) {
-            const std::vector<Pending>& pending = frontiers_[i].pending;
-            if (!pending.empty() && pending.front().order < limit && color_of(space_.tiles[i]) == color) {
-                active.push_back(i);
+    /// Calls `work(tile, worker)` for those tiles in which there is something to do. Tiles side by side are
+    /// never worked on at once: each looks at its neighbours' nodes.
+    template <typename IsActive, typename Work>
+    void for_each_tile(const IsActive& is_active, const Work& work) {
+        for (std::size_t color = 0; color < 4; ++color) {
+            std::vector<std::uint32_t> active;
+            for (std::uint32_t i = 0; i < frontiers_.size(); ++i) {
+                if (is_active(frontiers_[i]) && color_of(space_.tiles[i]) == color) {
+                    active.push_back(i);
+                }
             }
+            for_each_item(active.size(), workers_.size(), [&](std::size_t worker, std::size_t item) {
+                work(active[item], workers_[worker]);
+            });
+            receive_from(active);
         }
-        for_each_item(active.size(), workers_.size(), [&](std::size_t worker, std::size_t item) {
-            explore_tile(active[item], limit, workers_[worker]);
-        });
-        receive_from(active);
     }
 
     void receive_from(const std::vector<std::uint32_t>& tiles) {
@@ -285,13 +219,12 @@ private:
 
     /// By one worker; others work on tiles farther away.
     void explore_tile(std::uint32_t tile, std::uint32_t limit, Worker& worker) {
-        std::vector<Pending>& pending = frontiers_[tile].pending;
-        while (!pending.empty() && pending.front().order < limit && !frontiers_[tile].goal) {
-            std::ranges::pop_heap(pending, later);
-            const Pending next = pending.back();
-            pending.pop_back();
+        // Its strides may add tiles only once they are received, so that the frontier stays where it is.
+        Frontier& frontier = frontiers_[tile];
+        while (!frontier.is_empty() && frontier.next_order() < limit && !frontier.goal) {
+            const Pending next = frontier.pop();
             if (next.is_detour) {
-                add_or_send(tile, Arrival(frontiers_[tile].detours[next.node]), worker);
+                add_or_send(tile, frontier.detour(next.node), worker);
             } else {
                 stride_from(tile, next, worker);
             }
@@ -321,25 +254,22 @@ private:
         if (!from.diagonals_left) {
             from.diagonals_left = true;
             from.order += diagonals_later_;
-            push(frontiers_[tile].pending, from);
+            frontiers_[tile].push(from);
         } else if (from.on_rim && settings_.keep_rim) {
             space_.tiles[tile].rim.push_back({from.node, from.at});
         }
     }
 
-    /// Whether the cell has a node at this height; it is in the tile or beside it.
+    /// Whether the cell has a node at this height; it is in the tile or beside it. What was reached there in
+    /// this round counts too, but for a path to a point: a later arrival may be the better one.
     bool is_known(const GridCell& cell, const GroundState& from, std::uint32_t tile,
                   const Worker& worker) const {
         const double y = from.foot.y();
         if (settings_.known != nullptr && settings_.known->find(cell, y)) {
             return true;
         }
-        const WalkTile& own = space_.tiles[tile];
-        const auto side = [](int at, int first_cell) {
-            return at < first_cell ? 0 : at >= first_cell + WalkTile::kCells ? 2 : 1;
-        };
-        const int beside = side(cell.x, own.first_cell.x) + 3 * side(cell.z, own.first_cell.z);
-        const std::uint32_t number = own.neighbours[static_cast<std::size_t>(beside)];
+        const std::size_t side = space_.tiles[tile].side_of(cell);
+        const std::uint32_t number = space_.tiles[tile].neighbours[side];
         const bool hangs = worker.strider.hangs(from);
         if (number != WalkTile::kNoTile) {
             const WalkTile& other = space_.tiles[number];
@@ -347,16 +277,7 @@ private:
                 return true;
             }
         }
-        return beside != 4 && !settings_.towards && is_sent(frontiers_[tile].outbox, cell, y, hangs);
-    }
-
-    /// Whether the same was reached in this round already; the other tile doesn't have it yet. On a path to a
-    /// point a later arrival may be the better one.
-    static bool is_sent(const std::vector<Arrival>& outbox, const GridCell& cell, double y, bool hangs) {
-        return std::ranges::any_of(outbox, [&](const Arrival& arrival) {
-            return arrival.cell == cell &&
-                   WalkNode::is_one_level(arrival.at.foot.y() - y, hangs || arrival.hangs);
-        });
+        return side != 4 && !settings_.towards && frontiers_[tile].has_sent(cell, y, hangs);
     }
 
     StrideEnd try_stride(std::uint32_t tile, const Pending& from, const Stride& stride, Worker& worker) {
@@ -364,23 +285,10 @@ private:
         const bool gone = end.kind == StrideEnd::Kind::gone;
         const double height = end.edge.y() - end.at.foot.y();
         if (end.left_ground && (gone || height >= kSteeredFall)) {
-            keep_fall(tile, {from, stride, end.edge, gone || height >= kHighFall, gone});
+            frontiers_[tile].keep({from, stride, end.edge, gone || height >= kHighFall, gone},
+                                  space_.grid.cell_at(end.edge));
         }
         return end;
-    }
-
-    /// To be steered later; one for each cell and height of an edge.
-    void keep_fall(std::uint32_t tile, const Fall& fall) {
-        const GridCell cell = space_.grid.cell_at(fall.edge);
-        const auto height = static_cast<float>(fall.edge.y());
-        auto& known = frontiers_[tile].edges;
-        const bool is_known = std::ranges::any_of(known, [&](const auto& edge) {
-            return edge.first == cell && std::abs(edge.second - height) <= WalkNode::kLevel;
-        });
-        if (!is_known) {
-            known.emplace_back(cell, height);
-            frontiers_[tile].falls.push_back(fall);
-        }
     }
 
     StrideEnd take(std::uint32_t tile, const Pending& from, const Stride& stride, Worker& worker) {
@@ -400,25 +308,11 @@ private:
 
     /// The same fall, steered elsewhere.
     void steer(std::uint32_t tile, const Fall& fall, Worker& worker) {
-        Stride other = fall.stride;
-        other.steering = Stride::kLetGo;
-        const StrideEnd down = take(tile, fall.from, other, worker);
-        const bool over_the_rim = fall.gone && down.kind == StrideEnd::Kind::gone;
-        const Vec3& ahead = grid_directions()[fall.stride.direction].unit;
-        for (std::uint8_t after = over_the_rim ? 1 : 0; after <= (fall.high ? kLatestSteering : 0); ++after) {
-            other.steers_after = after;
-            for (std::uint8_t i = 0; i < 8; ++i) {
-                // Over the rim of the world, ground can only be behind.
-                if (i != fall.stride.direction &&
-                    (!over_the_rim || grid_directions()[i].unit.dot(ahead) < -0.1)) {
-                    other.steering = i;
-                    take(tile, fall.from, other, worker);
-                }
-            }
-            if (after > 0 && !over_the_rim) {
-                other.steering = Stride::kLetGo;
-                take(tile, fall.from, other, worker);
-            }
+        Stride straight_down = fall.stride;
+        straight_down.steering = Stride::kLetGo;
+        const StrideEnd down = take(tile, fall.from, straight_down, worker);
+        for (const Stride& stride : steered_strides(fall, fall.gone && down.kind == StrideEnd::Kind::gone)) {
+            take(tile, fall.from, stride, worker);
         }
     }
 
@@ -463,9 +357,10 @@ private:
             return;
         }
         const bool hangs = worker.strider.hangs(end.at);
-        if (is_inside(tile, cell)
-                ? space_.tiles[tile].has(space_.tiles[tile].index_of(cell), end.at.foot.y(), hangs)
-                : !settings_.towards && is_sent(frontiers_[tile].outbox, cell, end.at.foot.y(), hangs)) {
+        const WalkTile& own = space_.tiles[tile];
+        if (own.contains(cell)
+                ? own.has(own.index_of(cell), end.at.foot.y(), hangs)
+                : !settings_.towards && frontiers_[tile].has_sent(cell, end.at.foot.y(), hangs)) {
             return;
         }
         const std::uint32_t detour = ticks_for_fall(end);
@@ -477,27 +372,14 @@ private:
                               static_cast<std::uint8_t>(from.since_keyframe + 1),
                               cell,
                               end.at};
-        std::vector<Arrival>& detours = frontiers_[tile].detours;
-        if (detour > 0 && detours.size() < WalkTile::kMaxNodes) {
-            push(frontiers_[tile].pending, {.order = arrival.ticks + ticks_to_goal(end.at.foot),
-                                            .ticks = arrival.ticks,
-                                            .node = static_cast<std::uint16_t>(detours.size()),
-                                            .is_detour = true,
-                                            .at = end.at});
-            detours.push_back(arrival);
-        } else {
+        if (detour == 0 ||
+            !frontiers_[tile].push_detour(arrival, arrival.ticks + ticks_to_goal(end.at.foot))) {
             add_or_send(tile, arrival, worker);
         }
     }
 
-    bool is_inside(std::uint32_t tile, const GridCell& cell) const {
-        const GridCell& first = space_.tiles[tile].first_cell;
-        return cell.x >= first.x && cell.x < first.x + WalkTile::kCells && cell.z >= first.z &&
-               cell.z < first.z + WalkTile::kCells;
-    }
-
     void add_or_send(std::uint32_t tile, const Arrival& arrival, Worker& worker) {
-        if (!is_inside(tile, arrival.cell)) {
+        if (!space_.tiles[tile].contains(arrival.cell)) {
             frontiers_[tile].outbox.push_back(arrival);
         } else if (const WalkTile& own = space_.tiles[tile];
                    !own.has(own.index_of(arrival.cell), arrival.at.foot.y(), arrival.hangs)) {
@@ -570,11 +452,11 @@ private:
         if (keep) {
             own.keyframes.push_back({number, at});
         }
-        push(frontiers_[tile].pending, {.order = ticks + ticks_to_goal(at.foot),
-                                        .ticks = ticks,
-                                        .node = number,
-                                        .since_keyframe = keep ? std::uint8_t{0} : since_keyframe,
-                                        .at = at});
+        frontiers_[tile].push({.order = ticks + ticks_to_goal(at.foot),
+                               .ticks = ticks,
+                               .node = number,
+                               .since_keyframe = keep ? std::uint8_t{0} : since_keyframe,
+                               .at = at});
         return number;
     }
 

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <map>
 #include <utility>
 
 #include "engine/walkspace/disjoint_sets.h"
@@ -18,7 +16,7 @@ namespace {
 
 /// Nodes of both bodies that differ by less in height are at one place, metres.
 constexpr double kSamePlace = 0.35;
-constexpr double kLeastArea = 1.0;
+constexpr double kLeastPassedArea = 1.0;
 
 ExploreSettings widened(ExploreSettings settings, double width) {
     collision::MoverSettings& body = settings.strides.body;
@@ -67,37 +65,14 @@ std::vector<UnreachedSpot> spots_beyond(const WalkSpace& reached, const WalkSpac
 }
 
 /// Side by side, no farther apart in height than a step.
-std::vector<Island> islands_of(const std::vector<UnreachedSpot>& spots, const WalkGrid& grid, double step) {
-    std::map<GridCell, std::vector<std::size_t>> cells;
+std::vector<Island> joined(const std::vector<UnreachedSpot>& spots, const WalkGrid& grid, double step) {
     DisjointSets sets(spots.size());
+    NeighbourJoiner joiner(sets, step);
     for (std::size_t i = 0; i < spots.size(); ++i) {
         const Vec3& foot = spots[i].at.foot;
-        const GridCell cell = grid.cell_at(foot);
-        cells[cell].push_back(i);
-        for (int k = 0; k < 9; ++k) {
-            const auto near = cells.find({cell.x + k % 3 - 1, cell.z + k / 3 - 1});
-            for (std::size_t n = 0; near != cells.end() && n < near->second.size(); ++n) {
-                const std::size_t other = near->second[n];
-                if (std::abs(spots[other].at.foot.y() - foot.y()) <= step) {
-                    sets.join(i, other);
-                }
-            }
-        }
+        joiner.add(grid.cell_at(foot), foot.y(), i);
     }
-    std::map<std::size_t, Island> by_root;
-    for (std::size_t i = 0; i < spots.size(); ++i) {
-        Island& island = by_root[sets.root(i)];
-        island.spots.push_back(spots[i]);
-        island.bounds.extend(spots[i].at.foot);
-    }
-    std::vector<Island> islands;
-    for (auto& [root, island] : by_root) {
-        if (island.area(grid) > kLeastArea) {
-            islands.push_back(std::move(island));
-        }
-    }
-    std::ranges::stable_sort(islands, std::greater(), [](const Island& i) { return i.spots.size(); });
-    return islands;
+    return islands_of(spots, sets, grid, kLeastPassedArea);
 }
 
 }  // namespace
@@ -109,7 +84,7 @@ std::vector<NarrowPassage> find_narrow_passages(const WorkerWorlds& worlds, cons
     const WalkSpace space = explore(worlds, wide);
     const std::vector<UnreachedSpot> spots =
         spots_beyond(reached, space, cells_beside(settings, wide, reached.grid));
-    const std::vector<Island> islands = islands_of(
+    const std::vector<Island> islands = joined(
         spots, reached.grid, settings.strides.body.step_height + collision::kHeightSlack + WalkNode::kLevel);
     std::vector<std::optional<Barrier>> barriers =
         find_island_barriers(worlds, wide, space, islands, islands.size(), nodes);

@@ -157,21 +157,11 @@ private:
 
 /// Parts of one pit, between which one can't walk back, are one trap.
 void join_neighbours(std::vector<Trap>& traps, const WalkSpace& space) {
-    std::map<GridCell, std::vector<std::pair<double, std::size_t>>> cells;
     DisjointSets sets(traps.size());
+    NeighbourJoiner joiner(sets, kSameHeight);
     for (std::size_t i = 0; i < traps.size(); ++i) {
         for (const WalkNodeId& id : traps[i].nodes) {
-            const GridCell cell = space.cell_of(id);
-            const double y = static_cast<double>(space.node(id).y);
-            cells[cell].emplace_back(y, i);
-            for (int k = 0; k < 9; ++k) {
-                const auto near = cells.find({cell.x + k % 3 - 1, cell.z + k / 3 - 1});
-                for (std::size_t n = 0; near != cells.end() && n < near->second.size(); ++n) {
-                    if (std::abs(near->second[n].first - y) <= kSameHeight) {
-                        sets.join(i, near->second[n].second);
-                    }
-                }
-            }
+            joiner.add(space.cell_of(id), static_cast<double>(space.node(id).y), i);
         }
     }
     for (std::size_t i = 0; i < traps.size(); ++i) {

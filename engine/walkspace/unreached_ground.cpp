@@ -58,7 +58,7 @@ public:
         join_by_steps();
     }
 
-    std::size_t root(std::size_t spot) { return sets_.root(spot); }
+    DisjointSets& sets() { return sets_; }
 
 private:
     GridCell cell_of(const UnreachedSpot& spot) const { return grid_.cell_at(spot.at.foot); }
@@ -126,15 +126,20 @@ std::vector<Island> find_unreached_ground(const WorkerWorlds& worlds, const Expl
         unreached_surfaces(worlds[0], settings, reached, worlds[0].bounds());
     const std::vector<UnreachedSpot> spots = spots_with_room(worlds, settings, reached, surfaces);
     SpotJoiner joiner(worlds, settings, reached.grid, spots);
+    return islands_of(spots, joiner.sets(), reached.grid, least_area);
+}
+
+std::vector<Island> islands_of(const std::vector<UnreachedSpot>& spots, DisjointSets& sets,
+                               const WalkGrid& grid, double least_area) {
     std::map<std::size_t, Island> by_root;
     for (std::size_t i = 0; i < spots.size(); ++i) {
-        Island& island = by_root[joiner.root(i)];
+        Island& island = by_root[sets.root(i)];
         island.spots.push_back(spots[i]);
         island.bounds.extend(spots[i].at.foot);
     }
     std::vector<Island> islands;
     for (auto& [root, island] : by_root) {
-        if (island.area(reached.grid) >= least_area) {
+        if (island.area(grid) >= least_area) {
             islands.push_back(std::move(island));
         }
     }

@@ -6,6 +6,7 @@
 
 #include "collision/geometry/shapes.h"
 #include "collision/world/broad_phase.h"
+#include "engine/walkspace/disjoint_sets.h"
 #include "engine/walkspace/explore.h"
 #include "engine/walkspace/walk_space.h"
 #include "engine/walkspace/worker_worlds.h"
@@ -35,5 +36,9 @@ struct Island {
 /// `least_area` (m²) are left out. Tops of round solids don't count.
 std::vector<Island> find_unreached_ground(const WorkerWorlds& worlds, const ExploreSettings& settings,
                                           const WalkSpace& reached, double least_area);
+
+/// The spots of each set of their numbers as an island, likewise.
+std::vector<Island> islands_of(const std::vector<UnreachedSpot>& spots, DisjointSets& sets,
+                               const WalkGrid& grid, double least_area);
 
 }  // namespace campuswalk::engine

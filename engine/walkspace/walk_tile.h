@@ -97,6 +97,12 @@ struct WalkTile {
         return {first_cell.x + static_cast<int>(node.cell) % kCells,
                 first_cell.z + static_cast<int>(node.cell) / kCells};
     }
+    /// The index in `neighbours` of the tile that has the cell, if that is no farther away; 4 for this one.
+    std::size_t side_of(const GridCell& cell) const {
+        const auto side = [](int at, int first) { return at < first ? 0U : at >= first + kCells ? 2U : 1U; };
+        return side(cell.x, first_cell.x) + 3 * side(cell.z, first_cell.z);
+    }
+    bool contains(const GridCell& cell) const { return side_of(cell) == 4; }
     /// The index of a cell of this tile.
     std::uint32_t index_of(const GridCell& cell) const {
         return static_cast<std::uint32_t>(cell.x - first_cell.x + kCells * (cell.z - first_cell.z));

@@ -1,15 +1,14 @@
 #include "engine/walkspace/why_not.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <span>
 #include <utility>
 
-#include "collision/geometry/trigonometry.h"
-#include "collision/mesh/mesh_collider.h"
 #include "collision/world/obstacle.h"
+#include "engine/walkspace/abilities.h"
 #include "engine/walkspace/partial_world.h"
+#include "engine/walkspace/removable_nodes.h"
 
 namespace campuswalk::engine {
 
@@ -19,7 +18,6 @@ using collision::Vec3;
 
 namespace {
 
-constexpr double kDegree = 0.017453292519943295;
 /// A local search that has reached this many cells has found no barrier, but another place.
 constexpr std::size_t kMostNodes = 4'000;
 /// Once the searches for one barrier have reached so many, no other change is tried: what is closed off for
@@ -27,78 +25,13 @@ constexpr std::size_t kMostNodes = 4'000;
 constexpr std::size_t kMostNodesInAll = 50'000;
 /// Objects that are taken away for a try, the nearest to where the body stopped first.
 constexpr std::size_t kMostObjects = 12;
-/// Nodes of larger meshes that are taken away for a try, the nearest to a start first, if they are this near
-/// to a body that stands there, metres.
-constexpr std::size_t kMostNodesTaken = 6;
-constexpr double kNearNode = 0.4;
-/// The diagonal of their bounds: a door or a bench, but no wall of a building, metres.
-constexpr double kLargestNode = 5.0;
 /// As much of the world is copied for that around where ways are looked for, metres.
 constexpr double kAroundSearch = 2.0;
 /// How far around the way that was found the exact number is looked for, metres.
 constexpr double kAround = 1.5;
-/// The skin of a body that an opening's width is measured with, metres.
-constexpr double kThinSkin = 0.002;
 /// Taking an object away counts as much as changing the body by this share, or climbing so much higher,
 /// metres.
 constexpr double kChangeOfObject = 0.6;
-
-/// One ability of the body: what it has, and values that make it easier step by step.
-struct Ability {
-    BarrierKind kind;
-    double have;
-    std::vector<double> easier;
-    double precision;
-    void (*apply)(double value, collision::MoverSettings& body);
-};
-
-std::vector<Ability> abilities_of(const collision::MoverSettings& body) {
-    const double slope = collision::angle_of(std::sqrt(1.0 - body.min_up * body.min_up), body.min_up);
-    std::vector<Ability> all{
-        {BarrierKind::riser,
-         body.step_height,
-         {0.35, 0.4, 0.5, 0.6, 0.8, 1.1, 1.5, 2.2, kHighestLedge},
-         0.0005,
-         [](double value, collision::MoverSettings& b) { b.step_height = value; }},
-        {BarrierKind::slope,
-         slope,
-         {},
-         0.05 * kDegree,
-         [](double value, collision::MoverSettings& b) { b.min_up = collision::sin_cos(value).cos; }},
-        {BarrierKind::opening,
-         2.0 * body.radius,
-         {},
-         0.0005,
-         [](double value, collision::MoverSettings& b) {
-             b.radius = 0.5 * value;
-             b.skin = std::min(b.skin, kThinSkin);  // or the opening would seem narrower by the skin
-         }},
-        {BarrierKind::headroom,
-         body.height,
-         {},
-         0.0005,
-         [](double value, collision::MoverSettings& b) {
-             b.height = value;
-             b.radius = std::min(b.radius, 0.5 * value);
-         }},
-    };
-    for (const double degrees : {50.0, 55.0, 60.0, 65.0, 70.0, 75.0, 80.0}) {
-        all[1].easier.push_back(degrees * kDegree);
-    }
-    for (const double share : {0.93, 0.8, 0.65, 0.5, 0.33, 0.2}) {
-        all[2].easier.push_back(share * all[2].have);
-    }
-    for (const double share : {0.95, 0.85, 0.7, 0.55, 0.4, 0.3}) {
-        all[3].easier.push_back(share * body.height);
-    }
-    for (Ability& ability : all) {
-        const bool grows = ability.easier.back() > ability.easier.front();
-        std::erase_if(ability.easier,
-                      [&](double v) { return grows ? v <= ability.have : v >= ability.have; });
-    }
-    std::erase_if(all, [](const Ability& ability) { return ability.easier.empty(); });
-    return all;
-}
 
 bool is_about_height(const Barrier& barrier) {
     return barrier.kind == BarrierKind::riser || barrier.kind == BarrierKind::ledge ||
@@ -115,9 +48,8 @@ double change_of(const Barrier& barrier) {
 
 /// A way that a changed body found.
 struct FoundPath {
-    GroundState start;                   ///< where it left what the body reaches
-    std::vector<Vec3> feet;              ///< from there on
-    std::vector<ObjectId> touched = {};  ///< on all ways that were tried
+    GroundState start;       ///< where it left what the body reaches
+    std::vector<Vec3> feet;  ///< from there on
 };
 
 class Search {
@@ -317,107 +249,32 @@ private:
         }
     }
 
-    /// A node that is part of an object's mesh, and where it is nearest to a start.
-    struct NearNode {
-        Obstacle piece;
-        scene::TriangleRange triangles;
-        double distance = 0.0;
-        Vec3 at = Vec3::Zero();
-    };
-
-    /// Nodes near the starts: without which of them would there be a way? A door rather than a wall, so the
-    /// smallest first.
+    /// Nodes near the starts: without which of them would there be a way?
     void try_nodes(std::vector<Barrier>& found) {
+        if (query_.nodes == nullptr) {
+            return;
+        }
         const collision::MoverSettings& body = settings_.strides.body;
         const collision::Aabb around = query_.within.grown(kAroundSearch);
-        std::vector<NearNode> near = nodes_near_starts();
-        std::erase_if(near, [&](const NearNode& node) { return size_of(node) > kLargestNode; });
-        near.resize(std::min(near.size(), kMostNodesTaken));
-        std::ranges::stable_sort(near, {}, [&](const NearNode& node) { return size_of(node); });
-        for (const NearNode& node : near) {
-            const auto without = world_without(worlds_[0], node.piece.object, node.triangles, around);
+        for (const RemovableNode& node :
+             removable_nodes(worlds_[0], settings_.solids, body, *query_.nodes, query_.from)) {
+            const auto without = world_without(worlds_[0], node.object, node.triangles, around);
             if (without == nullptr || is_exhausted()) {
                 continue;
             }
-            const auto path = find_path_in(WorkerWorlds(*without, 1, {}), body, query_.from);
-            if (path) {
+            if (const auto path = find_path_in(WorkerWorlds(*without, 1, {}), body, query_.from)) {
                 Barrier barrier;
                 barrier.kind = BarrierKind::object;
                 locate(*path, body, barrier);
-                if (barrier.object != node.piece.object || !node.triangles.contains(barrier.triangle)) {
+                if (barrier.object != node.object || !node.triangles.contains(barrier.triangle)) {
                     barrier.at = node.at;
                 }
-                barrier.object = node.piece.object;
-                barrier.triangle = node.piece.triangle;
+                barrier.object = node.object;
+                barrier.triangle = node.triangle;
                 found.push_back(barrier);
                 return;
             }
         }
-    }
-
-    /// The diagonal of its bounds.
-    double size_of(const NearNode& node) const {
-        const auto& shape = worlds_[0].object(node.piece.object).shape;
-        const auto& mesh = std::get<std::shared_ptr<const collision::MeshCollider>>(shape)->mesh();
-        collision::Aabb bounds;
-        for (std::uint32_t t = node.triangles.first; t < node.triangles.end; ++t) {
-            const collision::Triangle triangle = collision::vertices(mesh, t);
-            bounds.extend(triangle.a);
-            bounds.extend(triangle.b);
-            bounds.extend(triangle.c);
-        }
-        return (bounds.max - bounds.min).norm();
-    }
-
-    /// The nearest first, without those that carry a start.
-    std::vector<NearNode> nodes_near_starts() const {
-        std::vector<NearNode> nodes;
-        if (query_.nodes == nullptr) {
-            return nodes;
-        }
-        const collision::MoverSettings& body = settings_.strides.body;
-        std::vector<NearNode> grounds;
-        std::vector<Obstacle> near;
-        for (const GroundState& at : query_.from) {
-            const collision::Segment core = body.core(at.foot);
-            collision::gather_obstacles(worlds_[0], settings_.solids, core, body.radius + kNearNode, near);
-            for (const Obstacle& piece : near) {
-                const auto triangles = query_.nodes->of_same_node(piece.object, piece.triangle);
-                if (!triangles) {
-                    continue;
-                }
-                const collision::Closest c = collision::closest(core, piece);
-                const NearNode node{piece, *triangles, c.distance, c.on_shape};
-                keep_nearest(carries(at, c) ? grounds : nodes, node);
-            }
-        }
-        std::erase_if(nodes, [&](const NearNode& node) {
-            return std::ranges::any_of(grounds,
-                                       [&](const NearNode& ground) { return is_same(node, ground); });
-        });
-        std::ranges::stable_sort(nodes, {}, &NearNode::distance);
-        return nodes;
-    }
-
-    static bool is_same(const NearNode& a, const NearNode& b) {
-        return a.piece.object == b.piece.object && a.triangles == b.triangles;
-    }
-
-    static void keep_nearest(std::vector<NearNode>& nodes, const NearNode& node) {
-        const auto known =
-            std::ranges::find_if(nodes, [&](const NearNode& other) { return is_same(other, node); });
-        if (known == nodes.end()) {
-            nodes.push_back(node);
-        } else if (node.distance < known->distance) {
-            *known = node;
-        }
-    }
-
-    /// Whether a body that stands there is carried by what it is nearest to in `c`.
-    bool carries(const GroundState& at, const collision::Closest& c) const {
-        constexpr double kTouching = 0.01;
-        const double radius = settings_.strides.body.radius;
-        return c.distance <= radius + kTouching && c.on_shape.y() <= at.foot.y() + 0.3 * radius;
     }
 
     /// Taking away the ground is no change that helps.
@@ -437,7 +294,7 @@ private:
         std::vector<Obstacle> near;
         collision::gather_pieces(worlds_[0], id, {center, center}, radius + 0.01, near);
         return std::ranges::any_of(near, [&](const Obstacle& piece) {
-            return carries(at, collision::closest({center, center}, piece));
+            return carries(at, collision::closest({center, center}, piece), radius);
         });
     }
 

@@ -35,7 +35,8 @@ ExpectRoute route_between(double x) {
 TEST(RouteCheck, TellsHowLongTheRouteIs) {
     const scene::Campus campus = divided_by_a_wall();
     const AvatarProfile avatar;
-    const Finding found = check_reachable({{}, at("south", 0, 10), at("north", 0, -10)}, {campus, avatar});
+    const Finding found =
+        check_route(ExpectReachable{{}, at("south", 0, 10), at("north", 0, -10)}, {campus, avatar});
     EXPECT_TRUE(found.holds);
     EXPECT_THAT(found.message, HasSubstr("a route of 19.9"));
     EXPECT_FALSE(found.can_change);
@@ -45,7 +46,8 @@ TEST(RouteCheck, SaysWhyNot) {
     scene::Campus campus = divided_by_a_wall();
     add_box(campus, "door", {-0.6, 0, -0.05}, {0.1, 2, 0.05});
     const AvatarProfile avatar;
-    const Finding found = check_reachable({{}, at("south", 0, 10), at("north", 0, -10)}, {campus, avatar});
+    const Finding found =
+        check_route(ExpectReachable{{}, at("south", 0, 10), at("north", 0, -10)}, {campus, avatar});
     EXPECT_FALSE(found.holds);
     EXPECT_THAT(found.message, HasSubstr("door stands in the way"));
     EXPECT_THAT(found.message, HasSubstr("0.50 m wide, the body needs 0.60 m"));
@@ -90,7 +92,8 @@ TEST(RouteCheck, AVisitorMustFitAtTheStart) {
     scene::Campus campus = level_campus(15.0);
     add_box(campus, "block", {-4, 0, 8}, {4, 5, 14});
     const AvatarProfile avatar;
-    const Finding found = check_reachable({{}, at("south", 0, 11), at("north", 0, -10)}, {campus, avatar});
+    const Finding found =
+        check_route(ExpectReachable{{}, at("south", 0, 11), at("north", 0, -10)}, {campus, avatar});
     EXPECT_FALSE(found.holds);
     EXPECT_THAT(found.message, HasSubstr("the avatar doesn't fit at south"));
 }

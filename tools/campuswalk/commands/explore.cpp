@@ -1,7 +1,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -15,6 +14,7 @@
 #include "scene/base/atomic_file.h"
 #include "scene/base/glob.h"
 #include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/status_line.h"
 #include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/explore/coverage.h"
@@ -52,25 +52,6 @@ struct ExploreOptions {
 };
 
 const char* const kFromOption = "--from";
-
-/// A line on a terminal's standard error that says how far the exploration is, and is erased again.
-class ExplorationProgress {
-public:
-    void show(std::size_t nodes) {
-        if (is_terminal_) {
-            std::fprintf(stderr, "\r\x1b[Kexplored %.0f m²", 0.0625 * static_cast<double>(nodes));
-            std::fflush(stderr);
-        }
-    }
-    void hide() {
-        if (is_terminal_) {
-            std::fputs("\r\x1b[K", stderr);
-        }
-    }
-
-private:
-    bool is_terminal_ = isatty(STDERR_FILENO) == 1;
-};
 
 collision::Vec3 spawn_position(const scene::CampusDescription& campus, const std::string& name) {
     std::vector<std::string> names;
@@ -214,9 +195,11 @@ int explore_campus(const ExploreOptions& options) {
                                                 : walks_on_campus(loader, options.campus, options.covered_by);
     const std::vector<bool> disabled = disabled_objects(*campus, options.disable);
     const engine::WorkerWorlds worlds(campus->world, workers_of(options), collision::make_bullet_broad_phase);
-    ExplorationProgress progress;
+    StatusLine progress(isatty(STDERR_FILENO) == 1);
     engine::ExploreSettings settings = settings_for(options, *campus, avatar, disabled);
-    settings.progress = [&](std::size_t nodes) { progress.show(nodes); };
+    settings.progress = [&](std::size_t nodes) {
+        progress.show("explored " + std::to_string(nodes) + " places");
+    };
     const engine::WalkReport report =
         engine::report_walks(*campus, avatar, worlds, settings, options.min_width);
     progress.hide();

@@ -6,11 +6,8 @@
 #include <vector>
 
 #include "config/loader/load_run.h"
+#include "engine/walkspace/campus_route.h"
 #include "engine/walkspace/keep_out.h"
-#include "engine/walkspace/route.h"
-#include "engine/walkspace/trial_walk.h"
-#include "engine/walkspace/unreachable.h"
-#include "engine/walkspace/walk_report.h"
 #include "scene/base/atomic_file.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/print.h"
@@ -57,26 +54,6 @@ void check_outputs(const RouteOptions& options) {
     }
 }
 
-/// A point without a height is meant at the height of the first spawn.
-collision::Vec3 start_at(const engine::Target& from, const scene::CampusDescription& campus) {
-    collision::Vec3 at = from.point;
-    if (!from.has_height && !campus.spawns.empty()) {
-        at.y() = campus.spawns.front().position.y();
-    }
-    return at;
-}
-
-engine::RouteSettings settings_of(const scene::Campus& campus, const engine::AvatarProfile& avatar,
-                                  const std::vector<bool>& disabled) {
-    const engine::ExploreSettings exploration =
-        engine::explore_settings(campus, avatar, engine::SimSettings().ticks_per_second);
-    engine::RouteSettings settings;
-    settings.strides = exploration.strides;
-    settings.solids = exploration.solids;
-    settings.solids.disabled = &disabled;
-    return settings;
-}
-
 engine::RouteRequest request_of(const RouteOptions& options, const scene::Campus& campus,
                                 const engine::RouteSettings& settings, const collision::Vec3& start) {
     engine::RouteRequest request;
@@ -84,13 +61,12 @@ engine::RouteRequest request_of(const RouteOptions& options, const scene::Campus
         request.to.push_back(route::parse_target(campus.description, place, "--through"));
     }
     request.to.push_back(route::parse_target(campus.description, options.to, "TO"));
-    engine::TrialWalk body(campus.world, settings.strides, settings.solids, {});
-    const auto state = body.put_down(start);
-    if (!state) {
+    const auto body = engine::body_at(start, campus, settings);
+    if (!body) {
         throw scene::InputError({"FROM", 1, 1}, "spawn-blocked",
                                 "the avatar doesn't fit at " + options.from + "; start elsewhere");
     }
-    request.from = *state;
+    request.from = *body;
     return request;
 }
 
@@ -111,19 +87,18 @@ int find_route(const RouteOptions& options) {
     const engine::AvatarProfile avatar = config::read_avatar_text(
         options.avatar, "--avatar", options.campus.parent_path(), campus->description, search_paths());
     const std::vector<bool> disabled = disabled_objects(*campus, options.disable);
-    const engine::RouteSettings settings = settings_of(*campus, avatar, disabled);
-    const collision::Vec3 start =
-        start_at(route::parse_target(campus->description, options.from, "FROM"), campus->description);
+    const engine::RouteSettings settings = engine::route_settings(*campus, avatar, &disabled);
+    const collision::Vec3 start = engine::route_start(
+        route::parse_target(campus->description, options.from, "FROM"), campus->description);
     const engine::RouteRequest request = request_of(options, *campus, settings, start);
 
     route::RouteAnswer answer{options.from, options.to, {}, {}, {}};
-    auto found = engine::plan_route(campus->world, settings, request);
+    auto found = engine::route_or_reason(*campus, settings, request);
     if (auto* route = std::get_if<engine::Route>(&found)) {
         answer.facts = engine::facts_of(*route, campus->world, settings.strides.body, settings.solids);
         answer.route = std::move(*route);
     } else {
-        answer.why_not =
-            engine::why_unreachable(*campus, settings, request, std::get<engine::NoRoute>(found));
+        answer.why_not = std::get<std::string>(found);
     }
     if (options.json) {
         print_lines(route::answer_json(answer));

@@ -1,7 +1,6 @@
 #include "tools/campuswalk/run/results/progress.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <string>
 
 #include "engine/events/decimals.h"
@@ -20,7 +19,7 @@ std::string bar(double share) {
 
 }  // namespace
 
-Progress::Progress(bool enabled, std::size_t total) : enabled_(enabled), total_(total) {}
+Progress::Progress(bool enabled, std::size_t total) : status_(enabled), total_(total) {}
 
 void Progress::count(bool good) {
     hide();
@@ -49,19 +48,8 @@ std::string Progress::line() const {
 }
 
 void Progress::show() {
-    if (!enabled_ || shown_ || done_ >= total_ || (total_ == 1 && walk_.empty())) {
-        return;
-    }
-    std::fputs(line().c_str(), stderr);
-    std::fflush(stderr);
-    shown_ = true;
-}
-
-void Progress::hide() {
-    if (shown_) {
-        std::fputs("\r\x1b[K", stderr);
-        std::fflush(stderr);
-        shown_ = false;
+    if (!status_.is_shown() && done_ < total_ && (total_ > 1 || !walk_.empty())) {
+        status_.show(line());
     }
 }
 

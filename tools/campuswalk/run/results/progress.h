@@ -5,15 +5,14 @@
 #include <string>
 #include <string_view>
 
+#include "tools/campuswalk/base/status_line.h"
+
 namespace campuswalk::tools {
 
-/// A line on a terminal's standard error that shows the progress of a run and is erased again.
+/// Shows the progress of a run in a status line.
 class Progress {
 public:
     Progress(bool enabled, std::size_t total);
-    ~Progress() { hide(); }
-    Progress(const Progress&) = delete;
-    Progress& operator=(const Progress&) = delete;
 
     void count(bool good);
     /// Shows that a walk has reached `seconds` of simulated time, of the `planned` ones if these are known.
@@ -21,18 +20,17 @@ public:
     /// Draws the line unless it is shown already.
     void show();
     /// Erases the line; to be called before anything else is printed.
-    void hide();
+    void hide() { status_.hide(); }
 
 private:
     std::string line() const;
 
-    bool enabled_;
+    StatusLine status_;
     std::size_t total_;
     std::size_t done_ = 0;
     std::size_t failed_ = 0;
     std::string walk_;             ///< the latest one, and how far it is
     std::optional<double> share_;  ///< of the latest walk: the part that is done
-    bool shown_ = false;
 };
 
 }  // namespace campuswalk::tools

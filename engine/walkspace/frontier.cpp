@@ -1,0 +1,87 @@
+#include "engine/walkspace/frontier.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace campuswalk::engine {
+
+namespace {
+
+/// High falls are steered up to so many fifths of a second later: what is below an edge is often set back,
+/// and a body that steers back at once lands on the edge again. A fall of 5 m takes one second.
+constexpr std::uint8_t kLatestSteering = 3;
+
+/// The earlier first, at the top of a heap.
+bool later(const Pending& a, const Pending& b) {
+    return std::tie(a.order, a.ticks, a.node) > std::tie(b.order, b.ticks, b.node);
+}
+
+}  // namespace
+
+void Frontier::push(const Pending& node) {
+    pending_.push_back(node);
+    std::ranges::push_heap(pending_, later);
+}
+
+Pending Frontier::pop() {
+    std::ranges::pop_heap(pending_, later);
+    const Pending next = pending_.back();
+    pending_.pop_back();
+    return next;
+}
+
+bool Frontier::push_detour(const Arrival& arrival, std::uint32_t order) {
+    if (detours_.size() >= WalkTile::kMaxNodes) {
+        return false;
+    }
+    push({.order = order,
+          .ticks = arrival.ticks,
+          .node = static_cast<std::uint16_t>(detours_.size()),
+          .is_detour = true,
+          .at = arrival.at});
+    detours_.push_back(arrival);
+    return true;
+}
+
+bool Frontier::has_sent(const GridCell& cell, double y, bool hangs) const {
+    return std::ranges::any_of(outbox, [&](const Arrival& arrival) {
+        return arrival.cell == cell &&
+               WalkNode::is_one_level(arrival.at.foot.y() - y, hangs || arrival.hangs);
+    });
+}
+
+void Frontier::keep(const Fall& fall, const GridCell& edge) {
+    const auto height = static_cast<float>(fall.edge.y());
+    const bool is_known = std::ranges::any_of(edges_, [&](const auto& known) {
+        return known.first == edge && std::abs(known.second - height) <= WalkNode::kLevel;
+    });
+    if (!is_known) {
+        edges_.emplace_back(edge, height);
+        falls.push_back(fall);
+    }
+}
+
+std::vector<Stride> steered_strides(const Fall& fall, bool over_the_rim) {
+    std::vector<Stride> strides;
+    Stride stride = fall.stride;
+    const collision::Vec3& ahead = grid_directions()[fall.stride.direction].unit;
+    for (std::uint8_t after = over_the_rim ? 1 : 0; after <= (fall.high ? kLatestSteering : 0); ++after) {
+        stride.steers_after = after;
+        for (std::uint8_t i = 0; i < 8; ++i) {
+            // Over the rim of the world, ground can only be behind.
+            if (i != fall.stride.direction &&
+                (!over_the_rim || grid_directions()[i].unit.dot(ahead) < -0.1)) {
+                stride.steering = i;
+                strides.push_back(stride);
+            }
+        }
+        if (after > 0 && !over_the_rim) {
+            stride.steering = Stride::kLetGo;
+            strides.push_back(stride);
+        }
+    }
+    return strides;
+}
+
+}  // namespace campuswalk::engine

@@ -1,0 +1,84 @@
+#include "engine/walkspace/removable_nodes.h"
+
+#include <algorithm>
+#include <memory>
+#include <variant>
+
+#include "collision/mesh/mesh_collider.h"
+
+namespace campuswalk::engine {
+
+namespace {
+
+constexpr std::size_t kMostRemovable = 6;
+/// So near to a body, metres.
+constexpr double kBesideBody = 0.4;
+/// The diagonal of their bounds, metres.
+constexpr double kLargestRemovable = 5.0;
+
+bool is_same(const RemovableNode& a, const RemovableNode& b) {
+    return a.object == b.object && a.triangles == b.triangles;
+}
+
+void keep_nearest(std::vector<RemovableNode>& nodes, const RemovableNode& node) {
+    const auto known =
+        std::ranges::find_if(nodes, [&](const RemovableNode& other) { return is_same(other, node); });
+    if (known == nodes.end()) {
+        nodes.push_back(node);
+    } else if (node.distance < known->distance) {
+        *known = node;
+    }
+}
+
+/// The diagonal of its bounds.
+double size_of(const collision::World& world, const RemovableNode& node) {
+    const auto& shape = world.object(node.object).shape;
+    const auto& mesh = std::get<std::shared_ptr<const collision::MeshCollider>>(shape)->mesh();
+    collision::Aabb bounds;
+    for (std::uint32_t t = node.triangles.first; t < node.triangles.end; ++t) {
+        const collision::Triangle triangle = collision::vertices(mesh, t);
+        bounds.extend(triangle.a);
+        bounds.extend(triangle.b);
+        bounds.extend(triangle.c);
+    }
+    return (bounds.max - bounds.min).norm();
+}
+
+}  // namespace
+
+std::vector<RemovableNode> removable_nodes(const collision::World& world,
+                                           const collision::QueryFilter& solids,
+                                           const collision::MoverSettings& body,
+                                           const scene::NodeTriangles& nodes,
+                                           std::span<const GroundState> bodies) {
+    std::vector<RemovableNode> found;
+    std::vector<RemovableNode> grounds;
+    std::vector<collision::Obstacle> near;
+    for (const GroundState& at : bodies) {
+        const collision::Segment core = body.core(at.foot);
+        collision::gather_obstacles(world, solids, core, body.radius + kBesideBody, near);
+        for (const collision::Obstacle& piece : near) {
+            if (const auto triangles = nodes.of_same_node(piece.object, piece.triangle)) {
+                const collision::Closest c = collision::closest(core, piece);
+                keep_nearest(carries(at, c, body.radius) ? grounds : found,
+                             {piece.object, *triangles, piece.triangle, c.distance, c.on_shape});
+            }
+        }
+    }
+    std::erase_if(found, [&](const RemovableNode& node) {
+        return size_of(world, node) > kLargestRemovable ||
+               std::ranges::any_of(grounds,
+                                   [&](const RemovableNode& ground) { return is_same(node, ground); });
+    });
+    std::ranges::stable_sort(found, {}, &RemovableNode::distance);
+    found.resize(std::min(found.size(), kMostRemovable));
+    std::ranges::stable_sort(found, {}, [&](const RemovableNode& node) { return size_of(world, node); });
+    return found;
+}
+
+bool carries(const GroundState& at, const collision::Closest& c, double radius) {
+    constexpr double kTouching = 0.01;
+    return c.distance <= radius + kTouching && c.on_shape.y() <= at.foot.y() + 0.3 * radius;
+}
+
+}  // namespace campuswalk::engine
