@@ -150,7 +150,7 @@ private:
         }
         const std::vector<bool> useful =
             edges_above_new_ground(workers_.front().strider.world(), settings_, space_, edges);
-        if (!edges.empty()) {  // not all ways to steer are tried, and narrow ledges are no surfaces
+        if (!edges.empty()) {  // not all ways to steer are tried
             workers_.front().bounds.insert(Bound::steering);
         }
         std::size_t number = 0;

@@ -26,11 +26,7 @@ class LandingPlaces {
 public:
     LandingPlaces(const collision::World& world, const ExploreSettings& settings, const WalkSpace& reached,
                   const std::vector<FallEdge>& edges)
-        : world_(world),
-          settings_(settings),
-          grid_(reached.grid),
-          bottom_(world.bounds().min.y()),
-          mover_(world, settings.strides.body, settings.solids) {
+        : world_(world), settings_(settings), grid_(reached.grid), bottom_(world.bounds().min.y()) {
         collision::Aabb region;
         for (const FallEdge& edge : edges) {
             region.extend(bounds_below(edge));
@@ -38,8 +34,7 @@ public:
         if (!region.empty()) {
             for (const Surface& surface : unreached_surfaces(world, settings, reached, region)) {
                 if (!is_explored_elsewhere(surface)) {
-                    blocks_[key_of(WalkGrid{kBlock}.cell_at(grid_.center(surface.cell)))].push_back(
-                        {surface});
+                    blocks_[key_of(WalkGrid{kBlock}.cell_at(grid_.center(surface.cell)))].push_back(surface);
                 }
             }
         }
@@ -57,7 +52,7 @@ public:
             for (int x = first.x; x <= last.x; ++x) {
                 const auto block = blocks_.find(key_of({x, z}));
                 if (block != blocks_.end() &&
-                    std::ranges::any_of(block->second, [&](Place& place) { return is_below(place, edge); })) {
+                    std::ranges::any_of(block->second, [&](const Surface& s) { return is_below(s, edge); })) {
                     return true;
                 }
             }
@@ -66,12 +61,6 @@ public:
     }
 
 private:
-    struct Place {
-        Surface surface;
-        bool has_room = true;  ///< as far as is known
-        bool is_tried = false;
-    };
-
     /// The exploration doesn't go there.
     bool is_explored_elsewhere(const Surface& surface) const {
         Vec3 foot = grid_.center(surface.cell);
@@ -85,16 +74,9 @@ private:
                static_cast<std::uint32_t>(block.z);
     }
 
-    bool is_below(Place& place, const FallEdge& edge) {
-        const Vec3 apart = grid_.center(place.surface.cell) - edge.at;
-        if (!place.has_room || collision::horizontal_norm(apart) > reach_at(edge, place.surface.y)) {
-            return false;
-        }
-        if (!place.is_tried) {
-            place.is_tried = true;
-            place.has_room = stand_on(place.surface, mover_, world_, settings_, grid_, cache_).has_value();
-        }
-        return place.has_room;
+    /// Even if the body has no room there: on a narrow ledge it may hang over the edge.
+    bool is_below(const Surface& surface, const FallEdge& edge) const {
+        return collision::horizontal_norm(grid_.center(surface.cell) - edge.at) <= reach_at(edge, surface.y);
     }
 
     /// How far ahead a body gets before it falls below `y`; less than nothing if it never gets so high.
@@ -133,9 +115,7 @@ private:
     const ExploreSettings& settings_;
     const WalkGrid grid_;
     double bottom_;
-    collision::CapsuleMover mover_;
-    collision::MoverCache cache_;
-    std::unordered_map<std::uint64_t, std::vector<Place>> blocks_;
+    std::unordered_map<std::uint64_t, std::vector<Surface>> blocks_;
     std::vector<collision::ObjectId> solids_;
 };
 

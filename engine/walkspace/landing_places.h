@@ -12,8 +12,8 @@ struct FallEdge {
     Gait gait = Gait::walk;
 };
 
-/// For each edge, whether a body that leaves the ground there and steers as it likes may land where it would
-/// stand on ground that isn't reached yet. Where there is none, it is of no use to try how the fall may be
+/// For each edge, whether a body that leaves the ground there and steers as it likes may land on a surface
+/// that isn't reached yet. Where there is none, it is of no use to try how the fall may be
 /// steered.
 std::vector<bool> edges_above_new_ground(const collision::World& world, const ExploreSettings& settings,
                                          const WalkSpace& reached, const std::vector<FallEdge>& edges);

@@ -6,7 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "engine/walkspace/disjoint_sets.h"
+#include "collision/mover/mover.h"
+#include "collision/world/placement.h"
 #include "engine/walkspace/unreached_surfaces.h"
 #include "engine/walkspace/worker_threads.h"
 
@@ -15,6 +16,30 @@ namespace campuswalk::engine {
 using collision::Vec3;
 
 namespace {
+
+/// A round body rests this much higher on a slope of 50 degrees, as a share of its radius, and less on
+/// others.
+constexpr double kRiseOnSlope = 0.56;
+
+/// Where a body comes to stand on the surface, if it has room there.
+std::optional<GroundState> stand_on(const Surface& surface, const collision::CapsuleMover& mover,
+                                    const collision::World& world, const ExploreSettings& settings,
+                                    const WalkGrid& grid, collision::MoverCache& cache) {
+    const collision::MoverSettings& body = settings.strides.body;
+    Vec3 foot = grid.center(surface.cell);
+    foot.y() = surface.y + collision::kRestGap;
+    const double rise = kRiseOnSlope * body.radius;
+    const auto free = collision::free_place(world, settings.solids, foot, body.radius, body.height, rise);
+    if (!free) {
+        return std::nullopt;
+    }
+    collision::MoverState state;
+    mover.place(state, *free + Vec3(0, 0.01, 0), rise + 0.05, cache);
+    if (!state.grounded) {
+        return std::nullopt;
+    }
+    return GroundState{state.foot, state.support_y};
+}
 
 std::vector<UnreachedSpot> spots_with_room(const WorkerWorlds& worlds, const ExploreSettings& settings,
                                            const WalkSpace& reached, const std::vector<Surface>& surfaces) {

@@ -8,8 +8,6 @@
 #include <variant>
 
 #include "collision/mesh/mesh_query.h"
-#include "collision/world/obstacle.h"
-#include "collision/world/placement.h"
 
 namespace campuswalk::engine {
 
@@ -22,10 +20,6 @@ namespace {
 constexpr double kSameGround = 0.3;
 /// Surfaces this near each other in one cell are one: a carpet on a floor.
 constexpr double kOneSurface = 0.02;
-/// A round body rests this much higher on a slope of 50 degrees, as a share of its radius, and less on
-/// others.
-constexpr double kRiseOnSlope = 0.56;
-
 /// Finds the surfaces of one triangle after another.
 class SurfaceCollector {
 public:
@@ -124,25 +118,6 @@ std::vector<Surface> unreached_surfaces(const collision::World& world, const Exp
     };
     surfaces.erase(std::unique(surfaces.begin(), surfaces.end(), same), surfaces.end());
     return surfaces;
-}
-
-std::optional<GroundState> stand_on(const Surface& surface, const collision::CapsuleMover& mover,
-                                    const collision::World& world, const ExploreSettings& settings,
-                                    const WalkGrid& grid, collision::MoverCache& cache) {
-    const collision::MoverSettings& body = settings.strides.body;
-    Vec3 foot = grid.center(surface.cell);
-    foot.y() = surface.y + collision::kRestGap;
-    const double rise = kRiseOnSlope * body.radius;
-    const auto free = collision::free_place(world, settings.solids, foot, body.radius, body.height, rise);
-    if (!free) {
-        return std::nullopt;
-    }
-    collision::MoverState state;
-    mover.place(state, *free + Vec3(0, 0.01, 0), rise + 0.05, cache);
-    if (!state.grounded) {
-        return std::nullopt;
-    }
-    return GroundState{state.foot, state.support_y};
 }
 
 }  // namespace campuswalk::engine

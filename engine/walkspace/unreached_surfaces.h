@@ -1,10 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
-#include "collision/mover/mover.h"
 #include "engine/walkspace/explore.h"
 #include "engine/walkspace/walk_space.h"
 
@@ -22,10 +20,5 @@ struct Surface {
 /// from low to high, without those on one another. Those of round solids aren't found.
 std::vector<Surface> unreached_surfaces(const collision::World& world, const ExploreSettings& settings,
                                         const WalkSpace& reached, const collision::Aabb& region);
-
-/// Where a body comes to stand on the surface, if it has room there.
-std::optional<GroundState> stand_on(const Surface& surface, const collision::CapsuleMover& mover,
-                                    const collision::World& world, const ExploreSettings& settings,
-                                    const WalkGrid& grid, collision::MoverCache& cache);
 
 }  // namespace campuswalk::engine
