@@ -43,7 +43,7 @@ public:
         if (const auto round = path_round(query)) {
             return contact.empty() ? "" : contact + "; " + fixed(*round, 1) + " m lead round it";
         }
-        const scene::NodeTriangles nodes(campus_);
+        const scene::NodeTriangles nodes(campus_, query.within);
         query.nodes = &nodes;
         query.single_change = true;
         const auto barrier = why_not(worlds_, settings_, query);

@@ -33,7 +33,7 @@ WalkReport report_walks(const scene::Campus& campus, const AvatarProfile& avatar
     std::vector<Island> islands = find_unreached_ground(worlds, settings, report.space, 0.0);
     const std::vector<Subject> subjects =
         find_subjects({campus, avatar, worlds, settings, report.space, islands});
-    const scene::NodeTriangles nodes(campus);
+    const scene::NodeTriangles nodes(campus, campus.world.bounds());
     std::vector<std::optional<Barrier>> barriers = find_island_barriers(
         worlds, settings, report.space, islands, explained(islands, subjects, report.space.grid), &nodes);
     barriers.resize(islands.size());

@@ -28,12 +28,17 @@ std::vector<std::uint32_t> ends_of(const Campus& campus, const std::vector<NodeR
 
 }  // namespace
 
-NodeTriangles::NodeTriangles(const Campus& campus) : ends_(campus.objects.size()) {
+NodeTriangles::NodeTriangles(const Campus& campus, const collision::Aabb& region)
+    : ends_(campus.objects.size()) {
     for (std::size_t i = 0; i < campus.objects.size() && !campus.models.empty(); ++i) {
-        const collision::Object& object = campus.world.object(static_cast<collision::ObjectId>(i));
+        const auto id = static_cast<collision::ObjectId>(i);
+        const collision::Object& object = campus.world.object(id);
         const auto* mesh = std::get_if<std::shared_ptr<const collision::MeshCollider>>(&object.shape);
+        if (mesh == nullptr || !campus.world.bounds(id).overlaps(region)) {
+            continue;
+        }
         const std::vector<NodeRef> nodes = nodes_of(campus.models, campus.objects[i].nodes);
-        if (mesh == nullptr || nodes.size() < 2) {
+        if (nodes.size() < 2) {
             continue;
         }
         std::vector<std::uint32_t> ends = ends_of(campus, nodes, object.X_world_shape.translation);

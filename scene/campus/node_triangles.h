@@ -22,11 +22,11 @@ struct TriangleRange {
 /// furniture are one object can be asked about them one by one.
 class NodeTriangles {
 public:
-    /// Nothing is known of a campus without its models.
-    explicit NodeTriangles(const Campus& campus);
+    /// Of the objects in the region only; nothing is known of a campus without its models.
+    NodeTriangles(const Campus& campus, const collision::Aabb& region);
 
     /// Those that come from the same node as this one. None for a node that is all of its object, and for
-    /// objects that aren't meshes.
+    /// objects that aren't meshes or lie elsewhere.
     std::optional<TriangleRange> of_same_node(collision::ObjectId object, std::uint32_t triangle) const;
 
 private:

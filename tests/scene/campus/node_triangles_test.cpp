@@ -47,7 +47,7 @@ constexpr collision::ObjectId kHouse{0};
 constexpr collision::ObjectId kHedge{1};
 
 TEST_F(NodeTrianglesTest, EachTriangleBelongsToTheNodeThatItsVerticesAreFrom) {
-    const NodeTriangles nodes(campus_);
+    const NodeTriangles nodes(campus_, campus_.world.bounds());
     const collision::Object& house = campus_.world.object(kHouse);
     const auto& mesh = std::get<std::shared_ptr<const collision::MeshCollider>>(house.shape)->mesh();
     ASSERT_EQ(mesh.triangles.size(), 24U) << "the pane has no area";
@@ -62,12 +62,17 @@ TEST_F(NodeTrianglesTest, EachTriangleBelongsToTheNodeThatItsVerticesAreFrom) {
 }
 
 TEST_F(NodeTrianglesTest, AnObjectOfOneNodeHasNoParts) {
-    EXPECT_EQ(NodeTriangles(campus_).of_same_node(kHedge, 0), std::nullopt);
+    EXPECT_EQ(NodeTriangles(campus_, campus_.world.bounds()).of_same_node(kHedge, 0), std::nullopt);
+}
+
+TEST_F(NodeTrianglesTest, OnlyObjectsInTheRegionAreLookedAt) {
+    const NodeTriangles elsewhere(campus_, {{-5, 0, 25}, {5, 2, 35}});
+    EXPECT_EQ(elsewhere.of_same_node(kHouse, 3), std::nullopt);
 }
 
 TEST_F(NodeTrianglesTest, WithoutModelsNothingIsKnown) {
     campus_.models.clear();
-    EXPECT_EQ(NodeTriangles(campus_).of_same_node(kHouse, 3), std::nullopt);
+    EXPECT_EQ(NodeTriangles(campus_, campus_.world.bounds()).of_same_node(kHouse, 3), std::nullopt);
 }
 
 }  // namespace
