@@ -108,7 +108,7 @@ class Explore(ProgramCase):
         self.assertAlmostEqual(7.6 * 4.6, narrow["area"], delta=9)  # the shed's floor, less what the wide one sees through
         finding = self.finding(report, "narrow passage to")
         self.assertIn("place shed", finding["subject"])
-        self.assertIn("is 1.20 m wide, the body needs 1.30 m", finding["text"])
+        self.assertRegex(finding["text"], r"^the opening at shed/\w+, .* is 1\.20 m wide, the body needs 1\.30 m$")
         self.report("--disable", "shed/gate-leaf", "--min-width", "1.3", "--fail-on", "narrow", code=1)
         self.assertEqual([], self.report("--disable", "shed/gate-leaf", "--min-width", "1.1", "--fail-on", "narrow")["narrow"])
 
@@ -133,9 +133,10 @@ class Explore(ProgramCase):
                    "  - spawn: {at: [6, 0, -8]}\n")
         visited = self.report("--walks", "walks/inside.walk.yaml", "--disable", "shed/gate-leaf")["coverage"]["visited"]
         self.assertEqual([{"kind": "trigger", "name": "shed/inside"}], visited)
-        done = self.run_program("explore", "yard.campus.yaml", "--walks", "walks/other.walk.yaml")
-        self.assertEqual(2, done.code)
-        self.assertIn("no-walks", done.err)
+        for arguments, words in ((("--walks", "walks/other.walk.yaml"), "no-walks"), (("--fail-under", "5"), "--walks")):
+            done = self.run_program("explore", "yard.campus.yaml", *arguments)
+            self.assertEqual((2, ""), (done.code, done.out), done.err)
+            self.assertIn(words, done.err)
 
     def test_geojson_holds_the_ground(self):
         def area(ring):

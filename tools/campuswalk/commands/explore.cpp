@@ -144,8 +144,12 @@ void check_places(const ExploreOptions& options, const scene::CampusDescription&
     }
 }
 
-/// Before an hour is spent on what can't be written.
-void check_outputs(const ExploreOptions& options) {
+/// Before an hour is spent on what can't be written or evaluated.
+void check_options(const ExploreOptions& options) {
+    if (options.fail_under && options.covered_by.empty()) {
+        throw scene::InputError({"--fail-under", 1, 1}, "missing-key",
+                                "it is about the walks of --walks; name some");
+    }
     if (options.json) {
         require_writable_file(*options.json, "the report can't be written here");
     }
@@ -184,7 +188,7 @@ void write_walks(const ExploreOptions& options, const engine::WalkReport& report
 }
 
 int explore_campus(const ExploreOptions& options) {
-    check_outputs(options);
+    check_options(options);
     WalkLoader loader;
     const std::shared_ptr<const scene::Campus> campus = loader.load_campus(options.campus);
     check_places(options, campus->description);
@@ -223,7 +227,7 @@ int explore_campus(const ExploreOptions& options) {
     if (options.walks) {
         write_walks(options, report, findings);
     }
-    const bool covered = !options.fail_under || (coverage && 100.0 * coverage->share >= *options.fail_under);
+    const bool covered = !options.fail_under || 100.0 * coverage->share >= *options.fail_under;
     return is_accepted(options, report, findings) && covered ? kPass : kExpectationFailed;
 }
 
