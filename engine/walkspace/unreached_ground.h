@@ -33,7 +33,7 @@ struct Island {
 /// Walkable ground that the exploration didn't get to: the middle of each cell on a triangle that isn't too
 /// steep, with room for the body above. Spots in neighbouring cells belong together if their heights differ
 /// by no more than a step, or than the steepest walkable slope. The largest island first; those below
-/// `least_area` (m²) are left out. Tops of round solids don't count.
+/// `least_area` (m²) are left out. Only within `settings.within`; tops of round solids don't count.
 std::vector<Island> find_unreached_ground(const WorkerWorlds& worlds, const ExploreSettings& settings,
                                           const WalkSpace& reached, double least_area);
 

@@ -23,8 +23,9 @@ constexpr double kOneSurface = 0.02;
 /// Finds the surfaces of one triangle after another.
 class SurfaceCollector {
 public:
-    SurfaceCollector(const ExploreSettings& settings, const WalkSpace& reached, std::vector<Surface>& out)
-        : settings_(settings), reached_(reached), out_(out) {}
+    SurfaceCollector(const ExploreSettings& settings, const WalkSpace& reached, const collision::Aabb& region,
+                     std::vector<Surface>& out)
+        : settings_(settings), reached_(reached), region_(region), out_(out) {}
 
     void add(ObjectId object, std::uint32_t index, const std::array<Vec3, 3>& t) {
         const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
@@ -33,10 +34,10 @@ public:
             return;
         }
         const WalkGrid& grid = reached_.grid;
-        const auto [x0, x1] = std::minmax({t[0].x(), t[1].x(), t[2].x()});
-        const auto [z0, z1] = std::minmax({t[0].z(), t[1].z(), t[2].z()});
-        const GridCell first = grid.cell_at(x0 - 0.5 * grid.cell, z0 - 0.5 * grid.cell);
-        const GridCell last = grid.cell_at(x1, z1);
+        const Vec3 low = t[0].cwiseMin(t[1]).cwiseMin(t[2]).cwiseMax(region_.min);
+        const Vec3 high = t[0].cwiseMax(t[1]).cwiseMax(t[2]).cwiseMin(region_.max);
+        const GridCell first = grid.cell_at(low.x() - 0.5 * grid.cell, low.z() - 0.5 * grid.cell);
+        const GridCell last = grid.cell_at(high);
         for (int z = first.z; z <= last.z; ++z) {
             for (int x = first.x; x <= last.x; ++x) {
                 const Vec3 p = grid.center({x, z});
@@ -64,13 +65,15 @@ private:
     }
 
     void offer(const Surface& surface) {
-        if (!reached_.find(surface.cell, surface.y, kSameGround)) {
+        if (surface.y >= region_.min.y() && surface.y <= region_.max.y() &&
+            !reached_.find(surface.cell, surface.y, kSameGround)) {
             out_.push_back(surface);
         }
     }
 
     const ExploreSettings& settings_;
     const WalkSpace& reached_;
+    const collision::Aabb& region_;
     std::vector<Surface>& out_;
 };
 
@@ -105,7 +108,7 @@ void collect(SurfaceCollector& collector, const collision::World& world, ObjectI
 std::vector<Surface> unreached_surfaces(const collision::World& world, const ExploreSettings& settings,
                                         const WalkSpace& reached, const collision::Aabb& region) {
     std::vector<Surface> surfaces;
-    SurfaceCollector collector(settings, reached, surfaces);
+    SurfaceCollector collector(settings, reached, region, surfaces);
     std::vector<ObjectId> solids;
     world.candidates(region, settings.solids, solids);
     for (const ObjectId id : solids) {

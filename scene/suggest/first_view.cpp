@@ -4,26 +4,26 @@
 #include <array>
 
 #include "collision/geometry/trigonometry.h"
-#include "collision/mesh/mesh_query.h"
+#include "collision/world/cast.h"
 
 namespace campuswalk::scene {
 
 using collision::Vec3;
 
-double first_view(const collision::MeshCollider& mesh, const Vec3& p_world_origin, const Vec3& foot,
-                  const Vec3& target) {
+double first_view(const collision::World& world, const Vec3& foot, const Vec3& target) {
     constexpr std::size_t kDirections = 36;
     constexpr double kStep = 0.17453292519943295;  // ten degrees
     constexpr double kEye = 1.6;                   // metres above the feet
     constexpr double kMaxSight = 15.0;             // metres
     constexpr double kTargetWeight = 10.0;         // metres
-    const Vec3 eye = foot + kEye * Vec3::UnitY() - p_world_origin;
+    const Vec3 eye = foot + kEye * Vec3::UnitY();
     std::array<Vec3, kDirections> ahead;
     std::array<double, kDirections> free{};
     for (std::size_t d = 0; d < kDirections; ++d) {
         const collision::SinCos turn = collision::sin_cos(static_cast<double>(d) * kStep);
         ahead[d] = Vec3(-turn.sin, 0.0, -turn.cos);
-        const auto hit = collision::first_on_ray(mesh, {eye, eye + kMaxSight * ahead[d]});
+        const collision::Ray ray{eye, eye + kMaxSight * ahead[d]};
+        const auto hit = collision::cast(world, {}, ray, collision::Detection::solid);
         free[d] = hit ? hit->fraction * kMaxSight : kMaxSight;
     }
     Vec3 towards_target = target - foot;

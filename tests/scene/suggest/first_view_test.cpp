@@ -1,20 +1,43 @@
 #include "scene/suggest/first_view.h"
 
 #include <cmath>
+#include <memory>
 #include <numbers>
+#include <utility>
 
 #include <gtest/gtest.h>
 
+#include "collision/mesh/mesh_collider.h"
+#include "scene/model/world_triangles.h"
 #include "tests/scene/box_model.h"
-#include "tests/scene/suggest/solid_model.h"
 
 namespace campuswalk::scene {
 namespace {
 
 using Eigen::Vector3d;
 
+/// The model's triangles as one solid mesh, whose own origin is at `origin`.
+collision::World world_of(const Model& model, const Vector3d& origin = Vector3d::Zero()) {
+    collision::TriangleMesh mesh;
+    for (const Node& node : model.nodes) {
+        for_each_triangle(model, node, [&](const auto& a, const auto& b, const auto& c) {
+            const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+            for (const Vector3d& p : {a, b, c}) {
+                mesh.positions.push_back(p.template cast<float>());
+            }
+            mesh.triangles.push_back({first, first + 1, first + 2});
+        });
+    }
+    collision::World world(std::make_unique<collision::LinearBroadPhase>());
+    collision::Object object;
+    object.shape = std::make_shared<const collision::MeshCollider>(std::move(mesh));
+    object.X_world_shape.translation = origin;
+    world.add(object);
+    return world;
+}
+
 double degrees_of(const Model& model, const Vector3d& foot, const Vector3d& target) {
-    return first_view(*test::solid(model), Vector3d::Zero(), foot, target) * 180.0 / std::numbers::pi;
+    return first_view(world_of(model), foot, target) * 180.0 / std::numbers::pi;
 }
 
 TEST(FirstView, FacesTheTargetInTheOpen) {
@@ -46,8 +69,8 @@ TEST(FirstView, IsIndependentOfTheMeshOrigin) {
     Model model;
     test::add_box(model, "wall", {-50, 0, -2}, {50, 5, -1.5});
     const Vector3d origin(84000, 3, 447000);
-    const double here = first_view(*test::solid(model), Vector3d::Zero(), {0, 0, 0}, {9, 0, -9});
-    const double there = first_view(*test::solid(model), origin, origin, origin + Vector3d(9, 0, -9));
+    const double here = first_view(world_of(model), {0, 0, 0}, {9, 0, -9});
+    const double there = first_view(world_of(model, origin), origin, origin + Vector3d(9, 0, -9));
     EXPECT_EQ(here, there);
 }
 

@@ -94,9 +94,7 @@ std::string walk_yaml(const SuggestedCampus& campus, const std::string& campus_f
     std::string steps = "  - spawn: start\n";
     std::string expect = "  - never: \"avatar.fell *\"\n";
     for (std::size_t v = 0; v < visits; ++v) {
-        for (const Eigen::Vector3d& waypoint : campus.visits[v].waypoints) {
-            steps += "  - walk_to: " + list_of(waypoint) + "\n";
-        }
+        steps += "  - go_to: " + list_of(campus.visits[v].to) + "\n";
         if (!campus.visits[v].building.empty()) {
             expect +=
                 "  - sequence: [" + quoted("trigger.enter " + campus.visits[v].building + "/around") + "]\n";

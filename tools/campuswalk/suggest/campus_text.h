@@ -11,10 +11,10 @@
 
 namespace campuswalk::tools {
 
-/// A path from the end of the previous visit into a building's trigger.
+/// A way from the end of the previous visit into a building's trigger.
 struct SuggestedVisit {
-    std::string building;                    ///< its id; empty: the path leads to no building
-    std::vector<Eigen::Vector3d> waypoints;  ///< to walk to, in this order
+    std::string building;  ///< its id; empty: the way leads to no building
+    Eigen::Vector3d to = Eigen::Vector3d::Zero();
 };
 
 /// What the files of a suggested campus say.

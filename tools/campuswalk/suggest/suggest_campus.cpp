@@ -5,21 +5,20 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <thread>
 #include <utility>
-#include <variant>
 #include <vector>
 
-#include "collision/mesh/mesh_collider.h"
+#include "collision/world/bullet_broad_phase.h"
 #include "engine/events/decimals.h"
 #include "engine/simulation/run_walk.h"
+#include "engine/walkspace/start_place.h"
+#include "engine/walkspace/walk_report.h"
 #include "scene/base/atomic_file.h"
 #include "scene/base/glob.h"
-#include "scene/campus/bake_mesh.h"
-#include "scene/campus/node_selection.h"
 #include "scene/lint/model_report.h"
 #include "scene/lint/wording.h"
 #include "scene/suggest/first_view.h"
-#include "scene/suggest/walkable_ground.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
@@ -39,7 +38,12 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr std::size_t kMinGround = 16;  // spots of a quarter of a square metre
+constexpr double kMinGround = 4.0;  // m²
+/// Visits are looked for where one gets to by walking so far, metres.
+constexpr double kFarthestVisit = 100.0;
+constexpr double kFarthestStroll = 8.0;
+/// A spawn is at least this far outside of the buildings' triggers, if possible.
+constexpr double kOutside = 0.5;  // metres
 
 /// The walk file beside a campus file. Throws if one of them must not be written.
 fs::path walk_beside(const fs::path& campus_file, bool overwrite) {
@@ -84,61 +88,53 @@ scene::Bounds substitute_ground(const scene::Bounds& model,
     return ground;
 }
 
-void add_top(const scene::Bounds& box, scene::WorldGeometry& geometry) {
-    const auto first = static_cast<std::uint32_t>(geometry.positions.size());
-    const double y = box.max.y();
-    geometry.positions.insert(geometry.positions.end(),
-                              {Vector3d(box.min.x(), y, box.min.z()), Vector3d(box.min.x(), y, box.max.z()),
-                               Vector3d(box.max.x(), y, box.max.z()), Vector3d(box.max.x(), y, box.min.z())});
-    geometry.triangles.push_back({first, first + 1, first + 2});
-    geometry.triangles.push_back({first, first + 2, first + 3});
+/// Where a visitor is looked for a place: this far around the middle.
+constexpr double kHalfExtent = 75.0;  // metres
+
+engine::ExploreSettings settings_around(const scene::Campus& campus, const Vector3d& middle) {
+    engine::ExploreSettings settings =
+        engine::explore_settings(campus, engine::AvatarProfile(), engine::SimSettings().ticks_per_second);
+    settings.within = campus.world.bounds().grown(1.0);
+    settings.within.min = settings.within.min.cwiseMax(
+        Vector3d(middle.x() - kHalfExtent, settings.within.min.y(), middle.z() - kHalfExtent));
+    settings.within.max = settings.within.max.cwiseMin(
+        Vector3d(middle.x() + kHalfExtent, settings.within.max.y(), middle.z() + kHalfExtent));
+    return settings;
 }
 
-struct Solid {
-    std::shared_ptr<const collision::MeshCollider> mesh;
-    Vector3d p_world_origin;
-};
-
-/// The solid mesh of a suggested campus: its first collider.
-Solid solid_of(const scene::Campus& campus) {
-    const collision::Object& world = campus.world.object(collision::ObjectId{0});
-    return {std::get<std::shared_ptr<const collision::MeshCollider>>(world.shape),
-            world.X_world_shape.translation};
-}
-
-/// The same together with the top of the box that replaces the missing ground.
-Solid solid_with(const scene::Bounds& ground, const UprightModel& model,
-                 const std::vector<scene::NodeGlob>& doors) {
-    scene::NodeGlob all;
-    all.pattern = "*";
-    const scene::NodeSelection nodes = scene::select_nodes(model.models, {&all, 1}, doors);
-    scene::WorldGeometry geometry = scene::gather_geometry(model.models, nodes);
-    add_top(ground, geometry);
-    scene::BakedMesh baked = scene::bake_mesh(geometry);
-    return {std::make_shared<const collision::MeshCollider>(std::move(baked.mesh)), baked.p_world_origin};
-}
-
-/// Chooses a spawn, where to look from it and where to walk to. False if there is hardly any ground.
-bool place_visitor(const UprightModel& model, const Solid& solid, SuggestedCampus& campus) {
+/// Chooses a spawn, where to look from it and where to go. False if there is hardly any ground.
+bool place_visitor(const UprightModel& model, const scene::Campus& solid, SuggestedCampus& campus) {
     Vector3d middle = model.report.bounds.center();
     if (const auto* building = nearest_building(campus.buildings, middle)) {
         middle = building->box.center;
     }
-    std::vector<scene::UprightBox> triggers;
-    for (const scene::SuggestedBuilding& building : campus.buildings) {
-        triggers.push_back(trigger_about(building));
-    }
-    const scene::WalkableGround ground(solid.mesh, solid.p_world_origin, middle);
-    const std::optional<std::uint32_t> spawn = ground.best_spawn_spot(middle, triggers);
-    if (!spawn || ground.count_reachable(*spawn) < kMinGround) {
+    engine::ExploreSettings settings = settings_around(solid, middle);
+    const engine::WorkerWorlds worlds(solid.world, std::max(1U, std::thread::hardware_concurrency()),
+                                      collision::make_bullet_broad_phase);
+    const auto is_inside = [&](const Vector3d& foot) {
+        return std::ranges::any_of(campus.buildings, [&](const scene::SuggestedBuilding& building) {
+            return trigger_about(building).depth_of(foot) > -kOutside;
+        });
+    };
+    const auto spawn = engine::best_start(worlds, settings, {middle, is_inside});
+    if (!spawn) {
         return false;
     }
-    campus.spawn = ground.spots()[*spawn].foot;
-    campus.visits = plan_visits(*spawn, ground, campus.buildings);
+    settings.starts = {*spawn};
+    settings.steer_falls = false;  // visitors don't jump off roofs
+    const double far = campus.buildings.empty() ? kFarthestStroll : kFarthestVisit;
+    settings.max_ticks =
+        static_cast<std::uint32_t>(far / settings.strides.walk_speed / settings.strides.seconds);
+    const engine::WalkSpace reached = engine::explore(worlds, settings);
+    if (reached.area() < kMinGround) {
+        return false;
+    }
+    campus.spawn = *spawn;
+    engine::Strider strider(worlds[0], settings.strides, settings.solids);
+    campus.visits = plan_visits(reached, strider, campus.spawn, campus.buildings);
     const auto* target = nearest_building(campus.buildings, campus.spawn);
-    const double yaw = scene::first_view(*solid.mesh, solid.p_world_origin, campus.spawn,
-                                         target == nullptr ? middle : target->box.center);
-    campus.yaw_deg = engine::degrees(yaw);
+    campus.yaw_deg = engine::degrees(
+        scene::first_view(solid.world, campus.spawn, target == nullptr ? middle : target->box.center));
     return true;
 }
 
@@ -165,8 +161,8 @@ WalkLoader quiet_loader(const UprightModel& model) {
     return WalkLoader([](const std::vector<scene::Diagnostic>&) {}, std::move(search));
 }
 
-/// Places the visitor and writes the campus. As a large model's tree takes seconds to build, visits are
-/// planned on that of the campus in `loader`, which the walk then uses, unless a ground has to be added.
+/// Places the visitor and writes the campus. As a large model's tree takes seconds to build, the visitor is
+/// placed on the campus in `loader`, which the walk then uses.
 void write_campus(const UprightModel& model, const fs::path& campus_file, SuggestedCampus& campus,
                   WalkLoader& loader) {
     const double size = (model.report.bounds.max - model.report.bounds.min).maxCoeff();
@@ -174,12 +170,13 @@ void write_campus(const UprightModel& model, const fs::path& campus_file, Sugges
     bool placed = false;
     if (!tiny && !has_lint(model.report, "no-ground")) {
         scene::write_file_atomically(campus_file, campus_yaml(campus));  // its spawn isn't known yet
-        placed = place_visitor(model, solid_of(*loader.load_campus(campus_file)), campus);
+        placed = place_visitor(model, *loader.load_campus(campus_file), campus);
     }
     if (!placed && !tiny) {
         loader = quiet_loader(model);  // without the campus that lacks the ground
         campus.ground = substitute_ground(model.report.bounds, campus.buildings);
-        placed = place_visitor(model, solid_with(*campus.ground, model, campus.doors), campus);
+        scene::write_file_atomically(campus_file, campus_yaml(campus));
+        placed = place_visitor(model, *loader.load_campus(campus_file), campus);
     }
     if (!placed) {
         throw error_about(
@@ -190,7 +187,7 @@ void write_campus(const UprightModel& model, const fs::path& campus_file, Sugges
     scene::write_file_atomically(campus_file, campus_yaml(campus));
 }
 
-/// Writes a walk with as many of the planned visits as can be walked: they were planned on a grid.
+/// Writes a walk with as many of the planned visits as pass.
 std::size_t write_walk(const SuggestedCampus& campus, const fs::path& campus_file, const fs::path& walk_file,
                        WalkLoader& loader) {
     for (std::size_t visits = campus.visits.size();; --visits) {
