@@ -21,6 +21,9 @@ constexpr double kSameHeight = 0.5;
 /// How often it is tried to get from one part of the space into another before that counts as impossible;
 /// before a trap is reported, every way out of it has been tried.
 constexpr std::size_t kTries = 200;
+/// From so many places in a trap, winding ways out are tried as well, of legs that take so many seconds.
+constexpr std::size_t kWindingStarts = 16;
+constexpr double kLeg = 1.0;
 
 /// Parts of a walk space in which one can walk back wherever one came from, and which of them lead home to a
 /// start.
@@ -75,7 +78,39 @@ public:
         });
     }
 
+    /// Two legs in any directions, sliding along what is in the way: does one end where there is a way home?
+    /// In a corner, no stride of a cell may lead out.
+    bool has_winding_path(const std::vector<WalkNodeId>& nodes) {
+        const std::size_t every = std::max<std::size_t>(1, nodes.size() / kWindingStarts);
+        for (std::size_t i = 0; i < nodes.size(); i += every) {
+            const GroundState start = space_.state_at(nodes[i], strider_);
+            for (const GridDirection& first : grid_directions()) {
+                const auto middle = walk_on(start, first);
+                if (!middle) {
+                    continue;
+                }
+                for (const GridDirection& second : grid_directions()) {
+                    if (const auto end = walk_on(*middle, second); end && leads_home_at(*end)) {
+                        return true;
+                    }
+                }
+            }
+        }
+        return false;
+    }
+
 private:
+    std::optional<GroundState> walk_on(const GroundState& from, const GridDirection& direction) {
+        const double far = 2.0 * kLeg * strider_.settings().walk_speed;
+        const StrideEnd end = strider_.walk_to(from, from.foot + far * direction.unit, 0.02, kLeg);
+        return end.kind == StrideEnd::Kind::grounded ? std::optional(end.at) : std::nullopt;
+    }
+
+    bool leads_home_at(const GroundState& at) {
+        const auto there = space_.find(space_.grid.cell_at(at.foot), at.foot.y());
+        return there && leads_home(part_of(*there));
+    }
+
     std::size_t part_of(const WalkNodeId& ref) { return sets_.root(numbers_(ref)); }
     bool leads_home(std::size_t part) const { return home_.contains(part); }
 
@@ -139,11 +174,7 @@ private:
 
     bool leads_home_from(const GroundState& at, const Stride& stride) {
         const StrideEnd end = strider_.take(at, stride, space_.grid);
-        if (end.kind != StrideEnd::Kind::grounded) {
-            return false;
-        }
-        const auto there = space_.find(space_.grid.cell_at(end.at.foot), end.at.foot.y());
-        return there && leads_home(part_of(*there));
+        return end.kind == StrideEnd::Kind::grounded && leads_home_at(end.at);
     }
 
     const WalkSpace& space_;
@@ -181,7 +212,7 @@ std::vector<Trap> find_traps(const WorkerWorlds& worlds, const ExploreSettings& 
     std::vector<Trap> traps;
     Strider strider(worlds[0], settings.strides, settings.solids);
     for (auto& [part, nodes] : parts.without_path_home()) {
-        if (parts.has_any_path(nodes)) {
+        if (parts.has_any_path(nodes) || parts.has_winding_path(nodes)) {
             continue;
         }
         Trap trap;

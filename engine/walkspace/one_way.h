@@ -28,7 +28,8 @@ struct Hole {
     double length = 0.0;      ///< along the edge, roughly, metres
 };
 
-/// The largest first. Each node's strides were tried in every direction, and none leads away.
+/// The largest first. Each node's strides were tried in every direction, and walks of two legs from some of
+/// them, and none leads away.
 std::vector<Trap> find_traps(const WorkerWorlds& worlds, const ExploreSettings& settings,
                              const WalkSpace& space);
 

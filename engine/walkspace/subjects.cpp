@@ -28,6 +28,8 @@ namespace {
 constexpr double kLevel = 0.5;
 /// A body is at most this far from the middle of its node's cell, as a share of the cell.
 constexpr double kOffCenter = 0.71;
+/// A body so near to a box may touch it, metres.
+constexpr double kAtBox = 0.05;
 /// Nodes whose exact state is computed to test one object, the nearest to its middle first.
 constexpr std::size_t kMostExact = 64;
 /// Nodes, and points of an object, between which lines of sight are tried.
@@ -175,27 +177,20 @@ private:
         }
     }
 
+    /// Where the feet of bodies may be that overlap the box.
+    Aabb bodies_in(const Aabb& box) const {
+        const double around = body_.radius + kOffCenter * s_.reached.grid.cell;
+        Aabb feet = box.grown(around);
+        feet.min.y() = box.min.y() - body_.height - kAtBox;
+        feet.max.y() = box.max.y() + kAtBox;
+        return feet;
+    }
+
     /// Nodes whose body may overlap the box, the nearest to its middle first.
     std::vector<WalkNodeId> nodes_near(const Aabb& box, std::size_t most) const {
-        const double around = body_.radius + kOffCenter * s_.reached.grid.cell;
-        const GridCell low = s_.reached.grid.cell_at(box.min.x() - around, box.min.z() - around);
-        const GridCell high = s_.reached.grid.cell_at(box.max.x() + around, box.max.z() + around);
         std::vector<std::pair<double, WalkNodeId>> near;
-        const Vec3 center = box.center();
-        for (std::uint32_t t = 0; t < s_.reached.tiles.size(); ++t) {
-            const WalkTile& tile = s_.reached.tiles[t];
-            if (tile.first_cell.x > high.x || tile.first_cell.x + WalkTile::kCells <= low.x ||
-                tile.first_cell.z > high.z || tile.first_cell.z + WalkTile::kCells <= low.z) {
-                continue;
-            }
-            for (std::uint16_t n = 0; n < tile.nodes.size(); ++n) {
-                const GridCell cell = tile.cell_of(tile.nodes[n]);
-                const double y = static_cast<double>(tile.nodes[n].y);
-                if (cell.x >= low.x && cell.x <= high.x && cell.z >= low.z && cell.z <= high.z &&
-                    y + body_.height >= box.min.y() - 0.05 && y <= box.max.y() + 0.05) {
-                    near.emplace_back((s_.reached.position({t, n}) - center).squaredNorm(), WalkNodeId{t, n});
-                }
-            }
+        for (const WalkNodeId& node : s_.reached.nodes_in(bodies_in(box))) {
+            near.emplace_back((s_.reached.position(node) - box.center()).squaredNorm(), node);
         }
         const auto end = near.begin() + static_cast<std::ptrdiff_t>(std::min(most, near.size()));
         std::ranges::partial_sort(near, end);

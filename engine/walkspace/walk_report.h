@@ -6,10 +6,12 @@
 
 #include "engine/script/avatar.h"
 #include "engine/walkspace/explore.h"
+#include "engine/walkspace/hot_spots.h"
 #include "engine/walkspace/narrow_passages.h"
 #include "engine/walkspace/one_way.h"
 #include "engine/walkspace/storeys.h"
 #include "engine/walkspace/subjects.h"
+#include "engine/walkspace/trigger_overhangs.h"
 #include "engine/walkspace/unreached_ground.h"
 #include "engine/walkspace/why_not.h"
 #include "scene/campus/campus.h"
@@ -37,6 +39,8 @@ struct WalkReport {
     std::vector<Trap> traps = {};
     std::vector<Hole> holes = {};
     std::vector<NarrowPassage> narrow = {};
+    std::vector<TriggerOverhang> overhangs = {};
+    std::vector<HotSpot> hot_spots = {};
 };
 
 /// Explores the campus and finds all that a report tells. `settings` as for `explore`; the campus and what

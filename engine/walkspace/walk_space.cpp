@@ -56,6 +56,28 @@ collision::Vec3 WalkSpace::position(const WalkNodeId& ref) const {
     return p;
 }
 
+std::vector<WalkNodeId> WalkSpace::nodes_in(const collision::Aabb& box) const {
+    const GridCell low = grid.cell_at(box.min);
+    const GridCell high = grid.cell_at(box.max);
+    std::vector<WalkNodeId> nodes;
+    for (std::uint32_t t = 0; t < tiles.size(); ++t) {
+        const WalkTile& tile = tiles[t];
+        if (tile.first_cell.x > high.x || tile.first_cell.x + WalkTile::kCells <= low.x ||
+            tile.first_cell.z > high.z || tile.first_cell.z + WalkTile::kCells <= low.z) {
+            continue;
+        }
+        for (std::uint16_t n = 0; n < tile.nodes.size(); ++n) {
+            const GridCell cell = tile.cell_of(tile.nodes[n]);
+            const double y = static_cast<double>(tile.nodes[n].y);
+            if (cell.x >= low.x && cell.x <= high.x && cell.z >= low.z && cell.z <= high.z &&
+                y >= box.min.y() && y <= box.max.y()) {
+                nodes.push_back({t, n});
+            }
+        }
+    }
+    return nodes;
+}
+
 std::optional<std::uint32_t> WalkSpace::tile_at(const GridCell& cell) const {
     const auto found = tile_numbers_.find(first_cell_of(cell));
     return found == tile_numbers_.end() ? std::nullopt : std::optional(found->second);

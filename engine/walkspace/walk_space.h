@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "collision/geometry/shapes.h"
 #include "engine/walkspace/stride.h"
 #include "engine/walkspace/walk_grid.h"
 #include "engine/walkspace/walk_tile.h"
@@ -58,6 +59,8 @@ public:
 
     /// The node in this cell nearest to the height, within `tolerance` metres.
     std::optional<WalkNodeId> find(const GridCell& cell, double y, double tolerance = WalkNode::kLevel) const;
+    /// All nodes at heights of the box, in cells that overlap it seen from above; by tile and node.
+    std::vector<WalkNodeId> nodes_in(const collision::Aabb& box) const;
     std::optional<std::uint32_t> tile_at(const GridCell& cell) const;
     /// The tile's number; a tile that isn't there yet is added.
     std::uint32_t add_tile_at(const GridCell& cell);

@@ -7,6 +7,7 @@
 #include "engine/walkspace/island_barriers.h"
 #include "engine/walkspace/one_way.h"
 #include "engine/walkspace/storeys.h"
+#include "engine/walkspace/trigger_overhangs.h"
 #include "engine/walkspace/unreached_ground.h"
 #include "engine/walkspace/walk_report.h"
 #include "tests/engine/small_campus.h"
@@ -23,6 +24,17 @@ scene::Campus walled_yard() {
     add_box(campus, "south", {-6.2, 0, 6}, {6.2, 4, 6.2});
     add_box(campus, "west", {-6.2, 0, -6}, {-6, 4, 6});
     add_box(campus, "east", {6, 0, -6}, {6.2, 4, 6});
+    return campus;
+}
+
+/// With stairs of 0.25 m along the west wall up to a gallery at 3 m, under which one walks.
+scene::Campus yard_with_gallery() {
+    scene::Campus campus = walled_yard();
+    for (int i = 1; i <= 12; ++i) {
+        add_box(campus, "tread-" + std::to_string(i), {-6, -0.1, 5.5 - 0.5 * i},
+                {-4.5, 0.25 * i, 6.0 - 0.5 * i});
+    }
+    add_box(campus, "gallery", {-6, 2.8, -6}, {2, 3, -0.5});
     return campus;
 }
 
@@ -47,13 +59,7 @@ protected:
 };
 
 TEST_F(Findings, AFloorAboveAnotherIsAStoreyOfItsOwn) {
-    scene::Campus campus = walled_yard();
-    // Stairs of 0.25 m along the west wall up to a gallery at 3 m, under which one walks.
-    for (int i = 1; i <= 12; ++i) {
-        add_box(campus, "tread-" + std::to_string(i), {-6, -0.1, 5.5 - 0.5 * i},
-                {-4.5, 0.25 * i, 6.0 - 0.5 * i});
-    }
-    add_box(campus, "gallery", {-6, 2.8, -6}, {2, 3, -0.5});
+    const scene::Campus campus = yard_with_gallery();
     const WalkSpace& space = explored(campus);
     const Storeys storeys = find_storeys(space);
     ASSERT_EQ(storeys.list.size(), 2U);
@@ -116,6 +122,28 @@ TEST_F(Findings, APitThatOneCantClimbOutOfIsATrap) {
     EXPECT_NEAR(traps[0].drop, 1.0, 0.05);
     EXPECT_NEAR(static_cast<double>(traps[0].nodes.size()) * pit.grid.cell * pit.grid.cell,
                 (2 - 0.6) * (3 - 0.6), 1.0);
+}
+
+TEST_F(Findings, ATriggerThatReachesThroughAFloorIsFound) {
+    scene::Campus campus = yard_with_gallery();
+    ObjectTraits trigger;
+    trigger.detection = collision::Detection::trigger;
+    add_box(campus, "on-the-gallery", {-1, 3, -4}, {1, 5, -2}, trigger);
+    const collision::ObjectId overhanging =
+        add_box(campus, "through-the-floor", {-1, 1.6, -4}, {1, 5, -2}, trigger);
+    const collision::ObjectId below = add_box(campus, "below", {-2, 0, -5}, {2, 1.5, -1}, trigger);
+    add_box(campus, "on-both", {-1, 0, -4}, {1, 5, -2}, trigger);
+    const WalkSpace& space = explored(campus);
+    const std::vector<TriggerOverhang> found =
+        find_trigger_overhangs(campus, *worlds_, settings_, space, find_storeys(space));
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].trigger, overhanging);
+    EXPECT_EQ(found[0].storey, 0U);
+    EXPECT_TRUE(found[0].from_above);
+    EXPECT_NEAR(found[0].depth, 0.2, 0.01);
+    EXPECT_NEAR(found[0].foot.y(), 0.0, 0.05);
+    ASSERT_FALSE(found[0].also_in.empty());
+    EXPECT_EQ(found[0].also_in[0], below);
 }
 
 TEST_F(Findings, AGapInTheWallIsAHole) {

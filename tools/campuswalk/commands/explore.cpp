@@ -255,7 +255,8 @@ void add_explore(Command program, CommandAction& chosen) {
                     .value = "PLACE"},
                    options->required);
     command.choices({.names = "--fail-on", .help = "Exit with 1 if there are such findings; may be repeated"},
-                    {"unreached", "traps", "holes", "narrow", "islands"}, options->fail_on);
+                    {"unreached", "traps", "stuck", "holes", "narrow", "triggers", "islands", "hot"},
+                    options->fail_on);
     command.option({.names = "--min-width",
                     .help = "Find passages that are too narrow for a visitor of this width",
                     .value = "METRES"},

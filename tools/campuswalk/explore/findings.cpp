@@ -14,6 +14,9 @@ using engine::WalkReport;
 
 namespace {
 
+/// A trap smaller than this is a spot where one is stuck, m².
+constexpr double kStuckArea = 1.0;
+
 /// A square metre, as people say it.
 std::string area_text(double area) {
     return fixed(area, area < 10.0 ? 1 : 0) + " m²";
@@ -69,7 +72,9 @@ void add_traps(const WalkReport& report, std::vector<Finding>& findings) {
     const double cell = report.space.grid.cell * report.space.grid.cell;
     for (const engine::Trap& trap : report.traps) {
         const double area = static_cast<double>(trap.nodes.size()) * cell;
-        findings.push_back({FindingKind::trap, "trap of " + area_text(area),
+        const bool small = area < kStuckArea;
+        findings.push_back({small ? FindingKind::stuck : FindingKind::trap,
+                            (small ? "stuck spot of " : "trap of ") + area_text(area),
                             "one gets in over an edge of " + fixed(trap.drop, 2) + " m and not out again",
                             trap.edge});
     }
@@ -115,6 +120,19 @@ void add_narrow_passages(const scene::Campus& campus, const WalkReport& report,
     }
 }
 
+void add_overhangs(const scene::Campus& campus, const WalkReport& report, std::vector<Finding>& findings) {
+    for (const engine::TriggerOverhang& overhang : report.overhangs) {
+        std::string text = "it reaches through the floor: on storey " + std::to_string(overhang.storey) +
+                           " one is in it with the " + (overhang.from_above ? "head" : "feet") + " only, " +
+                           fixed(overhang.depth, 2) + " m deep";
+        for (std::size_t i = 0; i < overhang.also_in.size(); ++i) {
+            text += (i == 0 ? ", and at once in " : ", ") + campus.objects[index_of(overhang.also_in[i])].id;
+        }
+        findings.push_back({FindingKind::trigger, "trigger " + campus.objects[index_of(overhang.trigger)].id,
+                            std::move(text), overhang.foot});
+    }
+}
+
 /// Those that no subject's finding tells of already.
 void add_islands(const scene::Campus& campus, const WalkReport& report, std::vector<Finding>& findings) {
     std::set<std::size_t> told;
@@ -136,6 +154,16 @@ void add_islands(const scene::Campus& campus, const WalkReport& report, std::vec
     }
 }
 
+void add_hot_spots(const scene::Campus& campus, const WalkReport& report, std::vector<Finding>& findings) {
+    for (const engine::HotSpot& spot : report.hot_spots) {
+        findings.push_back(
+            {FindingKind::hot, "hot spot",
+             std::to_string(spot.pieces) + " triangles are within a step of the visitor, most of " +
+                 engine::object_text(campus, spot.object, spot.foot) + ": every tick there takes long",
+             spot.foot});
+    }
+}
+
 }  // namespace
 
 bool is_top(const engine::IslandReport& island) {
@@ -148,7 +176,9 @@ std::vector<Finding> find_findings(const scene::Campus& campus, const WalkReport
     add_traps(report, findings);
     add_holes(report, findings);
     add_narrow_passages(campus, report, findings);
+    add_overhangs(campus, report, findings);
     add_islands(campus, report, findings);
+    add_hot_spots(campus, report, findings);
     return findings;
 }
 
@@ -158,12 +188,18 @@ const char* name_of(FindingKind kind) {
             return "unreached";
         case FindingKind::trap:
             return "traps";
+        case FindingKind::stuck:
+            return "stuck";
         case FindingKind::hole:
             return "holes";
         case FindingKind::narrow:
             return "narrow";
+        case FindingKind::trigger:
+            return "triggers";
         case FindingKind::island:
             return "islands";
+        case FindingKind::hot:
+            return "hot";
     }
     return "";
 }

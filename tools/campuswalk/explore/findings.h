@@ -10,7 +10,7 @@
 
 namespace campuswalk::tools::explore {
 
-enum class FindingKind { unreached, trap, hole, narrow, island };
+enum class FindingKind { unreached, trap, stuck, hole, narrow, trigger, island, hot };
 
 /// Something that an author of the campus would want to know.
 struct Finding {
@@ -22,14 +22,16 @@ struct Finding {
     std::optional<std::size_t> island = {};  ///< index into WalkReport::islands
 };
 
-/// Unreached subjects first, then traps, holes, narrow passages and islands. Subjects on one island are one
-/// finding; islands that are the tops of things, higher than anyone climbs (is_top), are left out.
+/// Unreached subjects first, then traps (stuck spots if they are small), holes, narrow passages, triggers
+/// that reach through a floor, islands and hot spots. Subjects on one island are one finding; islands that
+/// are the tops of things, higher than anyone climbs (is_top), are left out.
 std::vector<Finding> find_findings(const scene::Campus& campus, const engine::WalkReport& report);
 
 /// Roofs, the tops of walls and the like: islands that are only reached over a ledge.
 bool is_top(const engine::IslandReport& island);
 
-/// What it is called in files and in `--fail-on`: "unreached", "traps", "holes", "narrow", "islands".
+/// What it is called in files and in `--fail-on`: "unreached", "traps", "stuck", "holes", "narrow",
+/// "triggers", "islands", "hot".
 const char* name_of(FindingKind kind);
 
 }  // namespace campuswalk::tools::explore

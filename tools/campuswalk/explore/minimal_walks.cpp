@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "engine/events/decimals.h"
+#include "scene/base/glob.h"
 #include "tools/campuswalk/base/json_text.h"
 
 namespace campuswalk::tools::explore {
@@ -62,6 +63,11 @@ Vec3 nearest_ground(const engine::Island& island, const Vec3& from) {
     return std::ranges::min_element(island.spots, {}, apart)->at.foot;
 }
 
+/// What the log says when the trigger that the finding is about is entered.
+std::string entering(const Finding& finding) {
+    return "trigger.enter " + scene::glob_for(finding.subject.substr(finding.subject.find(' ') + 1));
+}
+
 std::optional<std::string> yaml_of(const WalkReport& report, const Finding& finding) {
     switch (finding.kind) {
         case FindingKind::unreached:
@@ -74,8 +80,14 @@ std::optional<std::string> yaml_of(const WalkReport& report, const Finding& find
                               finding);
         }
         case FindingKind::narrow:
-            return std::nullopt;  // this visitor passes; a wider one doesn't
-        case FindingKind::trap: {
+        case FindingKind::hot:
+            return std::nullopt;  // this visitor passes: a wider one doesn't, and a walk tells no costs
+        case FindingKind::trigger:
+            return "status: {is: xfail, because: " + json_text(finding.text) +
+                   ", failures: [never]}\nsteps:\n  - spawn: {at: " + list_of(finding.at) +
+                   "}\n  - wait: 0.1\nexpect:\n  - never: " + json_text(entering(finding)) + "\n";
+        case FindingKind::trap:
+        case FindingKind::stuck: {
             const auto trap = std::ranges::find(report.traps, finding.at, &engine::Trap::edge);
             return steps_yaml(report.space.position(trap->entrance), trap->edge, "blocked", finding);
         }

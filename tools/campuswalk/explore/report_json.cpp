@@ -134,6 +134,33 @@ Json narrow_json(const scene::Campus& campus, const WalkReport& report) {
     return json;
 }
 
+Json overhangs_json(const scene::Campus& campus, const WalkReport& report) {
+    Json json = Json::array();
+    for (const engine::TriggerOverhang& overhang : report.overhangs) {
+        Json also_in = Json::array();
+        for (const collision::ObjectId other : overhang.also_in) {
+            also_in.push_back(campus.objects[index_of(other)].id);
+        }
+        json.push_back({{"trigger", campus.objects[index_of(overhang.trigger)].id},
+                        {"storey", overhang.storey},
+                        {"at", json_of(overhang.foot)},
+                        {"part", overhang.from_above ? "head" : "feet"},
+                        {"depth", rounded(overhang.depth)},
+                        {"also_in", std::move(also_in)}});
+    }
+    return json;
+}
+
+Json hot_spots_json(const scene::Campus& campus, const WalkReport& report) {
+    Json json = Json::array();
+    for (const engine::HotSpot& spot : report.hot_spots) {
+        json.push_back({{"at", json_of(spot.foot)},
+                        {"pieces", spot.pieces},
+                        {"object", campus.objects[index_of(spot.object)].id}});
+    }
+    return json;
+}
+
 Json coverage_json(const WalkReport& report, const Coverage& coverage) {
     Json json = {{"walks", coverage.walks},        {"failed", coverage.failed},
                  {"area", rounded(coverage.area)}, {"share", rounded(coverage.share)},
@@ -173,6 +200,8 @@ std::string report_json(const scene::Campus& campus, const WalkReport& report,
                  {"traps", traps_json(report)},
                  {"holes", holes_json(report)},
                  {"narrow", narrow_json(campus, report)},
+                 {"overhangs", overhangs_json(campus, report)},
+                 {"hot_spots", hot_spots_json(campus, report)},
                  {"findings", Json::array()}};
     for (std::size_t i = 0; i < findings.size(); ++i) {
         json["findings"].push_back({{"number", i + 1},

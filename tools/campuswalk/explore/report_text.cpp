@@ -42,6 +42,22 @@ void print_reached(const WalkReport& report) {
     }
 }
 
+/// Solids that no stride touches and that carry no one: the first few.
+void print_untouched(const WalkReport& report) {
+    constexpr std::size_t kMost = 8;
+    std::string names;
+    std::size_t count = 0;
+    for (const engine::SubjectReport& entry : report.subjects) {
+        if (entry.subject.kind == SubjectKind::solid && !entry.subject.reached && count++ < kMost) {
+            names += (names.empty() ? "" : ", ") + entry.subject.name;
+        }
+    }
+    if (count > 0) {
+        print_line("  nobody touches %s%s", names.c_str(),
+                   count > kMost ? (" and " + std::to_string(count - kMost) + " more").c_str() : "");
+    }
+}
+
 /// How many of each kind are reached, and the way to each place.
 void print_subjects(const WalkReport& report) {
     constexpr std::array kKinds{SubjectKind::spawn,   SubjectKind::place, SubjectKind::building,
@@ -63,6 +79,7 @@ void print_subjects(const WalkReport& report) {
             }
         }
     }
+    print_untouched(report);
 }
 
 void print_tops(const WalkReport& report) {

@@ -97,6 +97,7 @@ PlanSeverity severity_of(FindingKind kind) {
         case FindingKind::unreached:
             return PlanSeverity::error;
         case FindingKind::island:
+        case FindingKind::hot:
             return PlanSeverity::note;
         default:
             return PlanSeverity::warning;
