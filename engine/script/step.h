@@ -1,6 +1,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <variant>
@@ -86,12 +87,18 @@ struct Avoided {
     double radius = 0.0;  ///< metres, horizontal, of the feet
 };
 
+enum class RoutePreference : std::uint8_t {
+    shortest,
+    wide,  ///< a way round rather than through tight places
+};
+
 /// Along a route that is planned when the step begins, so that the avatar arrives for certain.
 struct GoToStep {
     SourceMark mark;
     Target target;
     std::vector<Target> through;  ///< before it, in this order
     std::vector<Avoided> avoid;
+    RoutePreference prefer = RoutePreference::shortest;
     double within = 0.05;           ///< metres, horizontal
     std::optional<double> timeout;  ///< simulated seconds; default 2 x the route's time + 5 s
     std::optional<double> speed;    ///< metres per second

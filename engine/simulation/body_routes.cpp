@@ -5,6 +5,7 @@
 
 #include "engine/walkspace/keep_out.h"
 #include "engine/walkspace/route.h"
+#include "engine/walkspace/tight_places.h"
 #include "engine/walkspace/unreachable.h"
 
 namespace campuswalk::engine {
@@ -16,6 +17,9 @@ PlannedRoute BodyRoutes::plan(const GoToStep& step, double speed) {
     settings.strides.walk_speed = speed;
     settings.solids = body_.solids();
     settings.keep_out = keep_out_of(campus_, step.avoid, settings.strides.body);
+    if (step.prefer == RoutePreference::wide) {
+        settings.is_tight = tight_places(campus_.world, settings.solids, settings.strides.body);
+    }
     RouteRequest request{body_.mover_state(), step.through, step.within};
     request.to.push_back(step.target);
     auto found = plan_route(campus_.world, settings, request);

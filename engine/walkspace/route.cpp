@@ -51,6 +51,7 @@ struct ChainNode {
     Stride stride;  ///< to it
     GroundState at;
     Tick ticks = 0;  ///< from the chain's start
+    Tick tight = 0;  ///< of them, of strides that end in tight places
 };
 
 /// A walked piece and where on the chain it leads.
@@ -59,6 +60,7 @@ struct Pull {
     RoutePiece piece;
     TrialWalk::End end;
     std::vector<Vec3> path;
+    Tick tight = 0;  ///< ticks in tight places
 };
 
 class Planner {
@@ -87,7 +89,7 @@ public:
         if (auto none = search()) {
             return none;
         }
-        if (straight && cost_of(*straight) <= static_cast<Tick>(route_.path.size() - points)) {
+        if (straight && cost_of(*straight) <= ticks_since(points)) {
             route_.pieces.resize(pieces);
             route_.path.resize(points);
             state_ = start;
@@ -99,6 +101,13 @@ public:
     Route finished() { return std::move(route_); }
 
 private:
+    /// Of the route's path from this point on; tight places count as in the exploration.
+    Tick ticks_since(std::size_t point) const {
+        const std::vector<Vec3> path(route_.path.begin() + static_cast<std::ptrdiff_t>(point),
+                                     route_.path.end());
+        return static_cast<Tick>(path.size()) + (kTightFactor - 1) * tight_ticks(path);
+    }
+
     RoutePiece last_piece() const { return {target_, within_}; }
 
     std::optional<Pull> walk_straight() {
@@ -109,22 +118,28 @@ private:
         }
         pull.end = *end;
         pull.path = trial_.path();
+        pull.tight = tight_ticks(pull.path);
         return pull;
+    }
+
+    Tick tight_ticks(const std::vector<Vec3>& path) const {
+        return settings_.is_tight ? static_cast<Tick>(std::ranges::count_if(path, settings_.is_tight)) : 0;
     }
 
     bool is_nearly_straight(const Pull& pull) const {
         const double distance = flat(target_.point - state_.foot).norm();
         const double ticks = distance / (settings_.strides.walk_speed * settings_.strides.seconds);
-        return pull.end.falls <= kHarmlessFall &&
+        return pull.end.falls <= kHarmlessFall && pull.tight == 0 &&
                static_cast<double>(pull.piece.ticks) <=
                    kNearlyStraight * ticks + static_cast<double>(kFewTicks);
     }
 
-    /// In ticks: falls count as longer than they are, as in the exploration, and so does bumping into things.
+    /// In ticks: falls and tight places count as in the exploration, and bumping into things counts as well.
     Tick cost_of(const Pull& pull) const {
         const double round = std::max(0.0, pull.end.falls - kHarmlessFall) * kSecondsRoundAFall +
                              (pull.end.touched ? kSecondsRoundATouch : 0.0);
-        return pull.piece.ticks + static_cast<Tick>(round / settings_.strides.seconds);
+        return pull.piece.ticks + (kTightFactor - 1) * pull.tight +
+               static_cast<Tick>(round / settings_.strides.seconds);
     }
 
     std::optional<NoRoute> search() {
@@ -174,6 +189,7 @@ private:
             settings.keep_out = [this](const Vec3& foot) { return is_close_to_what_is_avoided(foot); };
         }
         settings.towards = target_.point;
+        settings.is_tight = settings_.is_tight;
         settings.is_goal_state = [this](const GroundState& at) {
             RoutePiece piece = last_piece();
             if (!is_near_target(at.foot)) {
@@ -210,7 +226,9 @@ private:
         for (std::size_t i = 1; i < ids.size(); ++i) {
             const Stride stride = space.node(ids[i]).stride();
             const StrideEnd end = strider_.take(chain.back().at, stride, space.grid);
-            chain.push_back({stride, end.at, chain.back().ticks + end.ticks});
+            const bool tight = settings_.is_tight && settings_.is_tight(end.at.foot);
+            chain.push_back({stride, end.at, chain.back().ticks + end.ticks,
+                             chain.back().tight + (tight ? end.ticks : 0)});
         }
         return chain;
     }
@@ -278,6 +296,10 @@ private:
         }
         pull.end = *end;
         pull.path = trial_.path();
+        pull.tight = tight_ticks(pull.path);
+        if (pull.tight > goal.tight - chain_[at].tight + (last ? last_ticks() : kSlack)) {
+            return std::nullopt;
+        }
         return pull;
     }
 

@@ -19,6 +19,8 @@ struct RouteSettings {
     collision::QueryFilter solids;  ///< what it points to must outlive the call
     /// Where the body must not be, by its feet. May be empty.
     std::function<bool(const collision::Vec3& foot)> keep_out = {};
+    /// Where it had rather not be: a way through such places counts kTightFactor times. May be empty.
+    std::function<bool(const collision::Vec3& foot)> is_tight = {};
     std::size_t max_nodes = 60'000'000;
 };
 

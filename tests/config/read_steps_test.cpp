@@ -50,7 +50,7 @@ TEST_F(ReadSteps, ReadsGoTo) {
         "  - go_to: square\n"
         "  - go_to: {to: [4, 5], through: [square, [1, 2]], avoid: [\"bench/*\", {center: gate, radius: "
         "2}],\n"
-        "            within: 0.5, timeout: 30, speed: 2}\n"
+        "            prefer: wide, within: 0.5, timeout: 30, speed: 2}\n"
         "  - go_to: {to: square, avoid: fountain}\n"
         "  - go_to: {to: square, avoid: {center: [3, 4], radius: 1}}\n");
     const auto& square = std::get<GoToStep>(steps.at(1));
@@ -67,6 +67,8 @@ TEST_F(ReadSteps, ReadsGoTo) {
     EXPECT_EQ(full.avoid[0].objects->glob, "bench/*");
     EXPECT_EQ(full.avoid[1].center.point, Vector3d(1, 0, 5));
     EXPECT_EQ(full.avoid[1].radius, 2.0);
+    EXPECT_EQ(full.prefer, RoutePreference::wide);
+    EXPECT_EQ(square.prefer, RoutePreference::shortest);
     EXPECT_EQ(full.within, 0.5);
     EXPECT_EQ(full.timeout, 30.0);
     EXPECT_EQ(full.speed, 2.0);

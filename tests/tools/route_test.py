@@ -47,6 +47,15 @@ class Route(ProgramCase):
         self.assertGreater(shut["length"], 15.0)
         self.assertAlmostEqual(1.0, through["narrowest"]["width"], delta=0.01)
 
+    def test_a_wide_way_may_be_longer(self):
+        """Through the open gate, 1 m wide, or round the end of the wall."""
+        shortest = self.json_route("3,3", "3,-3", "--disable", "gate")
+        wide = self.json_route("3,3", "3,-3", "--disable", "gate", "--prefer", "wide")
+        self.assertAlmostEqual(1.0, shortest["narrowest"]["width"], delta=0.01)
+        self.assertLess(shortest["length"], 9.0)
+        self.assertGreater(wide["length"], 2 * (3 ** 2 + (6.5 + 0.3 - 3) ** 2) ** 0.5)
+        self.assertTrue(any(x > 6.5 for x, _, z in wide["waypoints"]))
+
     def test_passes_places_on_the_way(self):
         there = self.json_route("south", "0,-5", "--through", "5,5", "--through", "8,-5")
         self.assertTrue(any(abs(x - 5) < 0.06 and abs(z - 5) < 0.06 for x, _, z in there["waypoints"]))

@@ -151,6 +151,9 @@ Step read_go_to(const CheckedNode& node, StepContext& context) {
     if (const auto avoid = map.find("avoid")) {
         step.avoid = read_all_avoided(*avoid, context);
     }
+    constexpr std::array kPrefer = {Choice<RoutePreference>{"shortest", RoutePreference::shortest},
+                                    Choice<RoutePreference>{"wide", RoutePreference::wide}};
+    map.choice("prefer", kPrefer, step.prefer);
     map.number("within", kDistance, step.within);
     map.number("timeout", kTimeout, step.timeout);
     map.number("speed", kSpeed, step.speed);

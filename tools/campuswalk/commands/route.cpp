@@ -7,7 +7,7 @@
 
 #include "config/loader/load_run.h"
 #include "engine/walkspace/campus_route.h"
-#include "engine/walkspace/keep_out.h"
+#include "engine/walkspace/tight_places.h"
 #include "scene/base/atomic_file.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/print.h"
@@ -30,6 +30,7 @@ struct RouteOptions {
     std::string to;
     std::string avatar = "adult";
     std::vector<std::string> through;
+    engine::RoutePreference prefer = engine::RoutePreference::shortest;
     std::vector<std::string> disable;            ///< globs over objects
     std::optional<std::filesystem::path> write;  ///< a NAME.steps.yaml
     std::optional<std::filesystem::path> map;    ///< a picture
@@ -87,7 +88,10 @@ int find_route(const RouteOptions& options) {
     const engine::AvatarProfile avatar = config::read_avatar_text(
         options.avatar, "--avatar", options.campus.parent_path(), campus->description, search_paths());
     const std::vector<bool> disabled = disabled_objects(*campus, options.disable);
-    const engine::RouteSettings settings = engine::route_settings(*campus, avatar, &disabled);
+    engine::RouteSettings settings = engine::route_settings(*campus, avatar, &disabled);
+    if (options.prefer == engine::RoutePreference::wide) {
+        settings.is_tight = engine::tight_places(campus->world, settings.solids, settings.strides.body);
+    }
     const collision::Vec3 start = engine::route_start(
         route::parse_target(campus->description, options.from, "FROM"), campus->description);
     const engine::RouteRequest request = request_of(options, *campus, settings, start);
@@ -136,6 +140,11 @@ void add_route(Command program, CommandAction& chosen) {
                     .help = "Pass there on the way; may be repeated, and is kept in order",
                     .value = "PLACE"},
                    options->through);
+    command.choice<engine::RoutePreference>(
+        {.names = "--prefer",
+         .help = "wide: stretches with less than 0.4 m of room beside the avatar count four times"},
+        {{"shortest", engine::RoutePreference::shortest}, {"wide", engine::RoutePreference::wide}},
+        options->prefer);
     add_disable(command, options->disable);
     command.option({.names = "--write",
                     .help = "Write the route as steps that any walk may include: NAME.steps.yaml",
