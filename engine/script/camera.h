@@ -88,6 +88,7 @@ struct ImageOverlays {
     bool labels = false;     ///< titles of the buildings in the image
     bool compass = false;    ///< where north is
     bool grid = false;       ///< lines at round coordinates, from above only
+    bool walkspace = false;  ///< ground that the avatar gets to from where it is
     /// The boxes at this level of the meshes' trees; 0 is the whole mesh's.
     std::optional<int> tree_level = {};
 };

@@ -52,7 +52,7 @@ PROJECT = {
                               "engine/script", "engine/events", "scene", "collision"],
     # Plans of the walk space are drawn without GL, from plain data.
     "engine/render/plan": ["engine/render/overlay", "engine/render/image"],
-    "engine/render": ["engine/record", "engine/script", "engine/events", "scene", "collision"],
+    "engine/render": ["engine/walkspace", "engine/record", "engine/script", "engine/events", "scene", "collision"],
     "config/loader/yaml": ["scene/base"],
     "config/loader/values": ["config/loader/yaml", "scene/base"],
     "config/loader/campus": ["config/loader/values", "config/loader/yaml", "engine/events", "scene"],

@@ -141,7 +141,8 @@ void read_overlays(const CheckedNode& node, engine::ImageOverlays& overlays) {
                                       Choice<Overlay>{"triggers", &Overlays::triggers},
                                       Choice<Overlay>{"labels", &Overlays::labels},
                                       Choice<Overlay>{"compass", &Overlays::compass},
-                                      Choice<Overlay>{"grid", &Overlays::grid}};
+                                      Choice<Overlay>{"grid", &Overlays::grid},
+                                      Choice<Overlay>{"walkspace", &Overlays::walkspace}};
     for (const CheckedNode& item : node.items_or_one("an overlay")) {
         if (const auto overlay = item.choice(kOverlays)) {
             overlays.** overlay = true;

@@ -37,7 +37,8 @@ void refuse_unused_keys(CheckedMap& map, const engine::View& view);
 /// `channels`: one of depth, ids and normals, or a list of them.
 engine::ImageChannels read_channels(const CheckedNode& node);
 
-/// `overlays`: one of path, contacts, colliders, triggers, labels, compass and grid, or a list of them.
+/// `overlays`: one of path, contacts, colliders, triggers, labels, compass, grid and walkspace, or a list of
+/// them.
 void read_overlays(const CheckedNode& node, engine::ImageOverlays& overlays);
 
 }  // namespace campuswalk::config

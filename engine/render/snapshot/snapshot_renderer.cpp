@@ -10,6 +10,7 @@
 #include "engine/render/geometry/building_bounds.h"
 #include "engine/render/geometry/visible_parts.h"
 #include "engine/render/overlay/map_grid.h"
+#include "engine/render/snapshot/walk_space_lines.h"
 
 namespace campuswalk::engine::render {
 namespace {
@@ -26,6 +27,7 @@ constexpr double kOrbitPitch = -0.4363323129985824;
 constexpr double kSteep = 0.999;  // sine of the pitch; beyond, the upper edge of the image gives the heading
 constexpr double kLabelledShare = 0.002;  // of the image: buildings that cover less have no label
 
+constexpr double kWalkSpaceRadius = 40.0;   // metres around the avatar
 constexpr double kMaxMinimapPlan = 2048.0;  // pixels per side, 16 MB
 
 Eigen::Vector3d eyes_of(const SnapshotRequest& request) {
@@ -47,11 +49,27 @@ SnapshotRenderer::SnapshotRenderer(const scene::Campus& campus, SnapshotSettings
 
 Image SnapshotRenderer::draw(const SnapshotRequest& request) {
     const Viewpoint view = viewpoint(request);
-    const std::vector<OverlayLine> lines =
-        overlay_lines(campus_, request.overlays, request.path, request.contacts);
+    const std::vector<OverlayLine> lines = lines_of(request);
     const Image image =
         renderer_.draw(view, request.camera.width, request.camera.height, figure(request, view), lines);
     return draw_overlays(image, request, view);
+}
+
+std::vector<OverlayLine> SnapshotRenderer::lines_of(const SnapshotRequest& request) const {
+    std::vector<OverlayLine> lines = overlay_lines(campus_, request.overlays, request.path, request.contacts);
+    if (request.overlays.walkspace) {
+        WalkSpaceRequest walk_space{
+            request.profile, {request.avatar.position}, kWalkSpaceRadius, request.disabled};
+        if (request.nobody) {  // what all visitors get to
+            walk_space.radius = 0.0;
+            walk_space.starts.clear();
+            for (const scene::Spawn& spawn : campus_.description.spawns) {
+                walk_space.starts.push_back(spawn.position);
+            }
+        }
+        add_walk_space(campus_, walk_space, lines);
+    }
+    return lines;
 }
 
 Channels SnapshotRenderer::draw_channels(const SnapshotRequest& request, const ChannelChoice& choice) {

@@ -40,10 +40,11 @@ struct SnapshotRequest {
     CameraSettings camera;
     AvatarState avatar;
     AvatarProfile profile;
-    bool nobody = false;                     ///< no avatar; only for OrbitView and FixedView
-    double stride = 0.0;                     ///< phase of the gait, radians
-    std::span<const OpenPopup> open_popups;  ///< oldest first
-    std::span<const Eigen::Vector3d> path;   ///< walked so far, shown in TopView
+    bool nobody = false;                          ///< no avatar; only for OrbitView and FixedView
+    const std::vector<bool>* disabled = nullptr;  ///< by object, for the walk space; null: none is
+    double stride = 0.0;                          ///< phase of the gait, radians
+    std::span<const OpenPopup> open_popups;       ///< oldest first
+    std::span<const Eigen::Vector3d> path;        ///< walked so far, shown in TopView
     ImageOverlays overlays;
     std::span<const Eigen::Vector3d> contacts;  ///< foot points, for the overlay
     std::string caption;                        ///< in the upper left corner, if any
@@ -94,6 +95,7 @@ private:
                                           const Viewpoint& view) const;
     std::vector<MapLabel> labels() const;
     std::string title_of(std::size_t building) const;
+    std::vector<OverlayLine> lines_of(const SnapshotRequest& request) const;
     std::vector<PixelLabel> visible_labels(const SnapshotRequest& request);
     const Minimap& minimap();
 

@@ -17,6 +17,7 @@ SnapshotRequest SnapshotRequestBuilder::request(const TickRecord& record, const 
     request.stride = trail_.stride();
     request.open_popups = record.open_popups;
     request.path = path_;
+    request.disabled = record.disabled;
     return request;
 }
 

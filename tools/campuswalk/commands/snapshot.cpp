@@ -106,6 +106,7 @@ engine::ImageOverlays overlays_of(const SnapshotOptions& options) {
     overlays.grid = !options.no_grid;  // on every plan
     overlays.labels = named("labels");
     overlays.triggers = named("triggers");
+    overlays.walkspace = named("walkspace");
     return overlays;
 }
 
@@ -187,7 +188,8 @@ void add_snapshot(Command program, CommandAction& chosen) {
         [&channels = options->channels](const std::string& list) { channels = *channels_in(list); });
     command.choices({.names = "--overlay",
                      .help = "Draw this over the picture, a grid over a plan only; may be repeated"},
-                    {"colliders", "compass", kGrid, "labels", "triggers"}, options->overlay_names);
+                    {"colliders", "compass", kGrid, "labels", "triggers", "walkspace"},
+                    options->overlay_names);
     command.flag({.names = "--no-grid", .help = "Draw a plan without the grid of coordinates"},
                  options->no_grid);
     command.option({.names = "--tree-level",
