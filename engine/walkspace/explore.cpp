@@ -21,7 +21,7 @@ constexpr std::uint8_t kStridesBetweenKeyframes = 32;
 /// A round plays this many ticks of each walk: short enough for chains to be hardly longer than need be, long
 /// enough for a tile to be worth the work of coming to it.
 constexpr std::uint32_t kTicksOfRound = 600;
-/// Likewise on the way to a point, where what a round explores too much is wasted.
+/// Likewise on the way to a goal, where what a round explores too much is wasted.
 constexpr std::uint32_t kTicksOfGoalRound = 30;
 /// From this height on a fall is also steered elsewhere, metres.
 constexpr double kSteeredFall = 0.5;
@@ -43,7 +43,7 @@ class Exploration {
 public:
     Exploration(const WorkerWorlds& worlds, const ExploreSettings& settings)
         : settings_(settings), space_(WalkGrid{cell_for(settings)}) {
-        if (!settings_.towards) {  // on a path to a point they are as good
+        if (!has_goal()) {  // on a path to a goal they are as good
             diagonals_later_ = ticks_in(kDiagonalsLater / settings_.strides.walk_speed);
         }
         for (std::size_t i = 0; i < worlds.size(); ++i) {
@@ -106,10 +106,13 @@ private:
 
     /// Without steering in falls.
     void explore_ground() {
-        const std::uint32_t round = settings_.towards ? kTicksOfGoalRound : kTicksOfRound;
+        const std::uint32_t round = has_goal() ? kTicksOfGoalRound : kTicksOfRound;
         std::uint32_t limit = 0;
         while (const auto earliest = space_.goal ? std::nullopt : earliest_pending()) {
-            limit = std::max(limit + round, *earliest + round);
+            if (*earliest >= settings_.max_ticks) {
+                break;
+            }
+            limit = std::min(std::max(limit, *earliest) + round, settings_.max_ticks);
             for_each_tile([&](const Frontier& f) { return !f.is_empty() && f.next_order() < limit; },
                           [&](std::uint32_t tile, Worker& worker) { explore_tile(tile, limit, worker); });
             note_goal();
@@ -127,37 +130,28 @@ private:
 
     /// Only where there is ground to be reached by that. False if there was no fall left.
     bool steer_falls() {
-        if (!keep_useful_falls()) {
-            return false;
-        }
-        for_each_tile([](const Frontier& f) { return !f.falls.empty(); },
-                      [&](std::uint32_t tile, Worker& worker) {
-                          for (const Fall& fall : std::exchange(frontiers_[tile].falls, {})) {
-                              steer(tile, fall, worker);
-                          }
-                      });
-        note_goal();
-        return true;
-    }
-
-    /// False if there was none.
-    bool keep_useful_falls() {
         std::vector<FallEdge> edges;
         for (const Frontier& frontier : frontiers_) {
             for (const Fall& fall : frontier.falls) {
                 edges.push_back({fall.edge, fall.stride.gait});
             }
         }
-        const std::vector<bool> useful =
-            edges_above_new_ground(workers_.front().strider.world(), settings_, space_, edges);
-        if (!edges.empty()) {  // not all ways to steer are tried
-            workers_.front().bounds.insert(Bound::steering);
+        if (edges.empty()) {
+            return false;
         }
-        std::size_t number = 0;
-        for (Frontier& frontier : frontiers_) {
-            std::erase_if(frontier.falls, [&](const Fall&) { return !useful[number++]; });
+        workers_.front().bounds.insert(Bound::steering);  // not all ways to steer are tried
+        if (!settings_.steer_falls) {
+            return false;
         }
-        return !edges.empty();
+        const LandingPlaces places(workers_.front().strider.world(), settings_, space_, edges);
+        for_each_tile([](const Frontier& f) { return !f.falls.empty(); },
+                      [&](std::uint32_t tile, Worker& worker) {
+                          for (const Fall& fall : std::exchange(frontiers_[tile].falls, {})) {
+                              steer(tile, fall, places, worker);
+                          }
+                      });
+        note_goal();
+        return true;
     }
 
     std::uint32_t tile_for(const GridCell& cell) {
@@ -165,6 +159,8 @@ private:
         frontiers_.resize(space_.tiles.size());
         return tile;
     }
+
+    bool has_goal() const { return settings_.towards || settings_.is_goal; }
 
     void note_goal() {
         for (std::uint32_t i = 0; i < frontiers_.size() && !space_.goal; ++i) {
@@ -307,12 +303,22 @@ private:
     }
 
     /// The same fall, steered elsewhere.
-    void steer(std::uint32_t tile, const Fall& fall, Worker& worker) {
+    void steer(std::uint32_t tile, const Fall& fall, const LandingPlaces& places, Worker& worker) {
+        const std::vector<Landing> landings = places.below({fall.edge, fall.stride.gait});
+        if (landings.empty()) {
+            return;
+        }
         Stride straight_down = fall.stride;
         straight_down.steering = Stride::kLetGo;
-        const StrideEnd down = take(tile, fall.from, straight_down, worker);
-        for (const Stride& stride : steered_strides(fall, fall.gone && down.kind == StrideEnd::Kind::gone)) {
-            take(tile, fall.from, stride, worker);
+        bool is_over_the_rim = fall.gone;
+        if (fall.gone || places.may_land_on(landings, straight_down)) {
+            const StrideEnd down = take(tile, fall.from, straight_down, worker);
+            is_over_the_rim = is_over_the_rim && down.kind == StrideEnd::Kind::gone;
+        }
+        for (const Stride& stride : steered_strides(fall, is_over_the_rim)) {
+            if (places.may_land_on(landings, stride)) {
+                take(tile, fall.from, stride, worker);
+            }
         }
     }
 
@@ -321,11 +327,15 @@ private:
                (settings_.keep_out && settings_.keep_out(foot));
     }
 
-    /// What a fall on the way to a point counts for in the order.
-    std::uint32_t ticks_for_fall(const StrideEnd& end) const {
-        const double fall =
-            settings_.towards && end.left_ground ? end.edge.y() - end.at.foot.y() - kHarmlessFall : 0.0;
-        return fall > 0.0 ? ticks_in(fall * kSecondsRoundAFall) : 0U;
+    /// What falls and tight places on the way to a point count for in the order, besides the ticks.
+    std::uint32_t ticks_for_detour(const StrideEnd& end) const {
+        if (!settings_.towards) {
+            return 0;
+        }
+        const double fall = end.left_ground ? end.edge.y() - end.at.foot.y() - kHarmlessFall : 0.0;
+        const bool tight = settings_.is_tight && settings_.is_tight(end.at.foot);
+        return (fall > 0.0 ? ticks_in(fall * kSecondsRoundAFall) : 0U) +
+               (tight ? (kTightFactor - 1U) * static_cast<std::uint32_t>(end.ticks) : 0U);
     }
 
     /// As the strides go: along the axes and diagonals.
@@ -363,7 +373,7 @@ private:
                 : !settings_.towards && frontiers_[tile].has_sent(cell, end.at.foot.y(), hangs)) {
             return;
         }
-        const std::uint32_t detour = ticks_for_fall(end);
+        const std::uint32_t detour = ticks_for_detour(end);
         const Arrival arrival{from.ticks + static_cast<std::uint32_t>(end.ticks) + detour,
                               {tile, from.node},
                               stride,

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -25,8 +27,11 @@ struct ExploreSettings {
     collision::Aabb within = {};
     /// Cells that this space has reached already aren't explored again. May be null.
     const WalkSpace* known = nullptr;
-    bool keep_rim = false;  ///< fill WalkTile::rim
+    bool steer_falls = true;  ///< also where that may lead to other ground; else Bound::steering
+    bool keep_rim = false;    ///< fill WalkTile::rim
     std::size_t max_nodes = 60'000'000;
+    /// Nodes that take longer to get to than this are no farther explored: for ways across something.
+    std::uint32_t max_ticks = std::numeric_limits<std::uint32_t>::max();
     /// Called now and then, with the nodes so far. May be empty.
     std::function<void(std::size_t nodes)> progress = {};
     /// Whether a node in this cell and at this height is what is looked for: the exploration ends soon after
@@ -43,6 +48,8 @@ struct ExploreSettings {
     std::function<bool(const GroundState&)> is_goal_state = {};
     /// Where the body must not come to stand, by its feet. May be empty.
     std::function<bool(const collision::Vec3& foot)> keep_out = {};
+    /// Where it had rather not be: strides that end there count kTightFactor times. May be empty.
+    std::function<bool(const collision::Vec3& foot)> is_tight = {};
 };
 
 /// Walks everywhere: from each node to the cells around it that have none at its height, until nothing new is
@@ -54,5 +61,7 @@ WalkSpace explore(const WorkerWorlds& worlds, const ExploreSettings& settings);
 /// so many seconds for each metre.
 inline constexpr double kHarmlessFall = 0.5;
 inline constexpr double kSecondsRoundAFall = 10.0;
+/// Visitors who prefer wide ways walk so much farther rather than through a tight place.
+inline constexpr std::uint32_t kTightFactor = 4;
 
 }  // namespace campuswalk::engine

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <tuple>
 #include <utility>
 
 #include "engine/walkspace/worker_threads.h"
@@ -19,6 +21,9 @@ constexpr double kNear = 2.0;
 constexpr double kAround = 2.0;
 /// Places on the rim that ways are looked for from: the nearest.
 constexpr std::size_t kMostStarts = 200;
+/// Those on the rim are about this far apart, metres: nearer ones lead to the same.
+constexpr double kApart = 0.5;
+constexpr double kOneLevel = 0.5;
 /// A spot's ground, in its cell, metres.
 constexpr double kSameGround = 0.3;
 
@@ -91,10 +96,20 @@ std::vector<Approach> approaches_to(const Island& island, const Rim& rim) {
         }
     }
     std::ranges::stable_sort(approaches, {}, &Approach::apart);
+    return approaches;
+}
+
+/// The nearest of those in one cell and at one height, and at most the nearest few.
+void thin_out(std::vector<Approach>& approaches) {
+    std::set<std::tuple<GridCell, int>> taken;
+    std::erase_if(approaches, [&](const Approach& approach) {
+        const Vec3& foot = approach.from.foot;
+        const auto level = static_cast<int>(std::floor(foot.y() / kOneLevel));
+        return !taken.emplace(WalkGrid{kApart}.cell_at(foot), level).second;
+    });
     if (approaches.size() > kMostStarts) {
         approaches.resize(kMostStarts);
     }
-    return approaches;
 }
 
 /// The heights of an island's spots by cell.
@@ -113,21 +128,22 @@ Heights heights_of(const Island& island, const WalkGrid& grid, const collision::
 std::optional<Barrier> barrier_before(const WorkerWorlds& worlds, const ExploreSettings& settings,
                                       const WalkSpace& reached, const Island& island, const Rim& rim,
                                       const scene::NodeTriangles* nodes) {
-    const std::vector<Approach> approaches = approaches_to(island, rim);
+    std::vector<Approach> approaches = approaches_to(island, rim);
+    thin_out(approaches);
     if (approaches.empty()) {
         return std::nullopt;
     }
     const auto rise = [](const Approach& a) { return a.spot->at.foot.y() - a.from.foot.y(); };
     const Approach& lowest = *std::ranges::min_element(approaches, {}, rise);
-    if (rise(lowest) > kHighestLedge) {
-        Barrier ledge;
-        ledge.kind = BarrierKind::ledge;
-        ledge.measured = rise(lowest);
-        ledge.allowed = settings.strides.body.step_height;
-        ledge.at = lowest.spot->at.foot;
-        ledge.object = lowest.spot->object;
-        ledge.triangle = lowest.spot->triangle;
-        ledge.from = lowest.from.foot;
+    Barrier ledge;
+    ledge.kind = BarrierKind::ledge;
+    ledge.measured = rise(lowest);
+    ledge.allowed = settings.strides.body.step_height;
+    ledge.at = lowest.spot->at.foot;
+    ledge.object = lowest.spot->object;
+    ledge.triangle = lowest.spot->triangle;
+    ledge.from = lowest.from.foot;
+    if (ledge.measured > kHighestLedge) {
         return ledge;
     }
     PassageQuery query;
@@ -146,7 +162,9 @@ std::optional<Barrier> barrier_before(const WorkerWorlds& worlds, const ExploreS
     };
     query.known = &reached;
     query.nodes = nodes;
-    return why_not(worlds, settings, query);
+    std::optional<Barrier> barrier = why_not(worlds, settings, query);
+    const bool is_closed_off = barrier && barrier->kind == BarrierKind::solid;
+    return is_closed_off && ledge.measured > kHighestRiser ? ledge : barrier;
 }
 
 }  // namespace

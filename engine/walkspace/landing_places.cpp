@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <memory>
-#include <unordered_map>
 #include <variant>
 
 #include "collision/mesh/mesh_collider.h"
+#include "engine/walkspace/unreached_surfaces.h"
 
 namespace campuswalk::engine {
 
@@ -15,120 +14,144 @@ using collision::Vec3;
 
 namespace {
 
-constexpr double kBlock = 2.0;  // metres
-/// A body that touches slopes and walls on its way gets farther than one that falls freely.
+constexpr WalkGrid kBlocks{2.0};
+/// A body that touches slopes on its way gets farther than one that falls freely.
 constexpr double kSlides = 1.5;
-constexpr double kBeside = 0.5;  // metres
+/// It may land this much farther from where it is expected, metres.
+constexpr double kBeside = 0.5;
 /// A surface and a node this near in height are one, metres.
 constexpr double kSameLevel = 0.3;
 
-class LandingPlaces {
-public:
-    LandingPlaces(const collision::World& world, const ExploreSettings& settings, const WalkSpace& reached,
-                  const std::vector<FallEdge>& edges)
-        : world_(world), settings_(settings), grid_(reached.grid), bottom_(world.bounds().min.y()) {
-        collision::Aabb region;
-        for (const FallEdge& edge : edges) {
-            region.extend(bounds_below(edge));
-        }
-        if (!region.empty()) {
-            for (const Surface& surface : unreached_surfaces(world, settings, reached, region)) {
-                if (!is_explored_elsewhere(surface)) {
-                    blocks_[key_of(WalkGrid{kBlock}.cell_at(grid_.center(surface.cell)))].push_back(surface);
-                }
-            }
-        }
-    }
+std::uint64_t key_of(const GridCell& block) {
+    return static_cast<std::uint64_t>(static_cast<std::uint32_t>(block.x)) << 32U |
+           static_cast<std::uint32_t>(block.z);
+}
 
-    bool has_any_below(const FallEdge& edge) {
-        const collision::Aabb bounds = bounds_below(edge);
-        if (has_round_solid(bounds)) {
-            return true;
-        }
-        const WalkGrid grid{kBlock};
-        const GridCell first = grid.cell_at(bounds.min);
-        const GridCell last = grid.cell_at(bounds.max);
-        for (int z = first.z; z <= last.z; ++z) {
-            for (int x = first.x; x <= last.x; ++x) {
-                const auto block = blocks_.find(key_of({x, z}));
-                if (block != blocks_.end() &&
-                    std::ranges::any_of(block->second, [&](const Surface& s) { return is_below(s, edge); })) {
-                    return true;
-                }
-            }
-        }
-        return false;
-    }
-
-private:
-    /// The exploration doesn't go there.
-    bool is_explored_elsewhere(const Surface& surface) const {
-        Vec3 foot = grid_.center(surface.cell);
-        foot.y() = surface.y;
-        return (!settings_.within.empty() && !settings_.within.overlaps({foot, foot})) ||
-               (settings_.known != nullptr && settings_.known->find(surface.cell, surface.y, kSameLevel));
-    }
-
-    static std::uint64_t key_of(const GridCell& block) {
-        return static_cast<std::uint64_t>(static_cast<std::uint32_t>(block.x)) << 32U |
-               static_cast<std::uint32_t>(block.z);
-    }
-
-    /// Even if the body has no room there: on a narrow ledge it may hang over the edge.
-    bool is_below(const Surface& surface, const FallEdge& edge) const {
-        return collision::horizontal_norm(grid_.center(surface.cell) - edge.at) <= reach_at(edge, surface.y);
-    }
-
-    /// How far ahead a body gets before it falls below `y`; less than nothing if it never gets so high.
-    double reach_at(const FallEdge& edge, double y) const {
-        const StrideSettings& strides = settings_.strides;
-        const double gravity = strides.body.gravity;
-        const double upwards = edge.gait == Gait::jump ? strides.jump_speed : 0.0;
-        const double left = upwards * upwards + 2.0 * gravity * (edge.at.y() - y);
-        if (left < 0.0) {
-            return -1.0;
-        }
-        const double seconds = (upwards + std::sqrt(left)) / gravity + 2.0 * strides.seconds;
-        const double speed = edge.gait == Gait::walk ? strides.walk_speed : strides.run_speed;
-        return kSlides * speed * seconds + strides.body.radius + grid_.cell + kBeside;
-    }
-
-    collision::Aabb bounds_below(const FallEdge& edge) const {
-        const double reach = reach_at(edge, bottom_);
-        const double rise = edge.gait == Gait::jump ? settings_.strides.jump_speed : 0.0;
-        return {{edge.at.x() - reach, bottom_, edge.at.z() - reach},
-                {edge.at.x() + reach, edge.at.y() + 0.5 * rise * rise / settings_.strides.body.gravity,
-                 edge.at.z() + reach}};
-    }
-
-    /// Their tops are no surfaces.
-    bool has_round_solid(const collision::Aabb& bounds) {
-        world_.candidates(bounds, settings_.solids, solids_);
-        return std::ranges::any_of(solids_, [&](collision::ObjectId id) {
-            const collision::Shape& shape = world_.object(id).shape;
-            return !std::holds_alternative<std::shared_ptr<const collision::MeshCollider>>(shape) &&
-                   !std::holds_alternative<collision::Box>(shape);
-        });
-    }
-
-    const collision::World& world_;
-    const ExploreSettings& settings_;
-    const WalkGrid grid_;
-    double bottom_;
-    std::unordered_map<std::uint64_t, std::vector<Surface>> blocks_;
-    std::vector<collision::ObjectId> solids_;
-};
+bool is_round(const collision::Shape& shape) {
+    return !std::holds_alternative<std::shared_ptr<const collision::MeshCollider>>(shape) &&
+           !std::holds_alternative<collision::Box>(shape);
+}
 
 }  // namespace
 
-std::vector<bool> edges_above_new_ground(const collision::World& world, const ExploreSettings& settings,
-                                         const WalkSpace& reached, const std::vector<FallEdge>& edges) {
-    LandingPlaces places(world, settings, reached, edges);
-    std::vector<bool> above;
+LandingPlaces::LandingPlaces(const collision::World& world, const ExploreSettings& settings,
+                             const WalkSpace& reached, const std::vector<FallEdge>& edges)
+    : settings_(settings), bottom_(world.bounds().min.y()) {
+    collision::Aabb region;
     for (const FallEdge& edge : edges) {
-        above.push_back(places.has_any_below(edge));
+        const double reach = reach_after(edge, seconds_to(edge, bottom_));
+        const double rise = edge.gait == Gait::jump ? settings.strides.jump_speed : 0.0;
+        region.extend({edge.at.x() - reach, bottom_, edge.at.z() - reach});
+        region.extend({edge.at.x() + reach, edge.at.y() + 0.5 * rise * rise / settings.strides.body.gravity,
+                       edge.at.z() + reach});
     }
-    return above;
+    if (!region.empty()) {
+        add_surfaces(world, reached, region);
+        add_round_solids(world, reached.grid, region);
+    }
+}
+
+void LandingPlaces::add_surfaces(const collision::World& world, const WalkSpace& reached,
+                                 const collision::Aabb& region) {
+    for (const Surface& surface : unreached_surfaces(world, settings_, reached, region)) {
+        Vec3 at = reached.grid.center(surface.cell);
+        at.y() = surface.y;
+        if (!is_explored_elsewhere(at)) {
+            add(at);
+        }
+    }
+}
+
+/// Their tops are no surfaces: any cell counts that one is in, at its lowest.
+void LandingPlaces::add_round_solids(const collision::World& world, const WalkGrid& grid,
+                                     const collision::Aabb& region) {
+    std::vector<collision::ObjectId> solids;
+    world.candidates(region, settings_.solids, solids);
+    for (const collision::ObjectId id : solids) {
+        if (!is_round(world.object(id).shape)) {
+            continue;
+        }
+        const collision::Aabb& bounds = world.bounds(id);
+        const GridCell first = grid.cell_at(bounds.min.cwiseMax(region.min));
+        const GridCell last = grid.cell_at(bounds.max.cwiseMin(region.max));
+        for (int z = first.z; z <= last.z; ++z) {
+            for (int x = first.x; x <= last.x; ++x) {
+                Vec3 at = grid.center({x, z});
+                at.y() = bounds.min.y();
+                add(at);
+            }
+        }
+    }
+}
+
+void LandingPlaces::add(const Vec3& at) {
+    blocks_[key_of(kBlocks.cell_at(at))].push_back(at);
+}
+
+/// The exploration doesn't go there.
+bool LandingPlaces::is_explored_elsewhere(const Vec3& at) const {
+    return (!settings_.within.empty() && !settings_.within.overlaps({at, at})) ||
+           (settings_.known != nullptr &&
+            settings_.known->find(settings_.known->grid.cell_at(at), at.y(), kSameLevel));
+}
+
+/// Even if the body has no room there: on a narrow ledge it may hang over the edge.
+std::vector<Landing> LandingPlaces::below(const FallEdge& edge) const {
+    std::vector<Landing> landings;
+    const double reach = reach_after(edge, seconds_to(edge, bottom_));
+    const GridCell first = kBlocks.cell_at(edge.at - Vec3(reach, 0, reach));
+    const GridCell last = kBlocks.cell_at(edge.at + Vec3(reach, 0, reach));
+    for (int z = first.z; z <= last.z; ++z) {
+        for (int x = first.x; x <= last.x; ++x) {
+            const auto block = blocks_.find(key_of({x, z}));
+            if (block == blocks_.end()) {
+                continue;
+            }
+            for (const Vec3& at : block->second) {
+                const double seconds = seconds_to(edge, at.y());
+                const Vec3 offset(at.x() - edge.at.x(), 0.0, at.z() - edge.at.z());
+                if (seconds >= 0.0 && offset.norm() <= reach_after(edge, seconds)) {
+                    landings.push_back({offset, seconds});
+                }
+            }
+        }
+    }
+    return landings;
+}
+
+/// Along a wall a body gets as far as its way's projection on it: to the circle whose diameter is the way
+/// that it would have gone.
+bool LandingPlaces::may_land_on(const std::vector<Landing>& landings, const Stride& stride) const {
+    const double speed = speed_of(stride.gait);
+    const double seconds_ahead = Stride::kFifth * stride.steers_after;
+    const bool steers = stride.steering != Stride::kLetGo;
+    const Vec3& straight_on = grid_directions()[stride.direction].unit;
+    const Vec3& steered = steers && stride.steering != Stride::kStraightOn
+                              ? grid_directions()[stride.steering].unit
+                              : straight_on;
+    const double beside = settings_.strides.body.radius + kBeside;
+    return std::ranges::any_of(landings, [&](const Landing& landing) {
+        const double ahead = speed * std::min(landing.seconds, seconds_ahead);
+        const double after = steers ? speed * landing.seconds - ahead : 0.0;
+        const Vec3 middle = 0.5 * ahead * straight_on + 0.5 * after * steered;
+        return (landing.offset - middle).norm() <= 0.5 * kSlides * (ahead + after) + beside;
+    });
+}
+
+/// Until a body that leaves the ground there falls below `y`; negative if it never gets so high.
+double LandingPlaces::seconds_to(const FallEdge& edge, double y) const {
+    const StrideSettings& strides = settings_.strides;
+    const double upwards = edge.gait == Gait::jump ? strides.jump_speed : 0.0;
+    const double left = upwards * upwards + 2.0 * strides.body.gravity * (edge.at.y() - y);
+    return left < 0.0 ? -1.0 : (upwards + std::sqrt(left)) / strides.body.gravity + 2.0 * strides.seconds;
+}
+
+double LandingPlaces::speed_of(Gait gait) const {
+    return gait == Gait::walk ? settings_.strides.walk_speed : settings_.strides.run_speed;
+}
+
+double LandingPlaces::reach_after(const FallEdge& edge, double seconds) const {
+    return kSlides * speed_of(edge.gait) * std::max(0.0, seconds) + settings_.strides.body.radius + kBeside;
 }
 
 }  // namespace campuswalk::engine

@@ -1,21 +1,52 @@
 #pragma once
 
+#include <cstdint>
+#include <unordered_map>
 #include <vector>
 
-#include "engine/walkspace/unreached_surfaces.h"
+#include "engine/walkspace/explore.h"
+#include "engine/walkspace/walk_space.h"
 
 namespace campuswalk::engine {
 
-/// An edge that the body may leave the ground at, and how.
+/// Where a body leaves the ground.
 struct FallEdge {
-    collision::Vec3 at = collision::Vec3::Zero();  ///< of the feet
+    collision::Vec3 at = collision::Vec3::Zero();  ///< its feet, at the height of what carried it
     Gait gait = Gait::walk;
 };
 
-/// For each edge, whether a body that leaves the ground there and steers as it likes may land on a surface
-/// that isn't reached yet. Where there is none, it is of no use to try how the fall may be
-/// steered.
-std::vector<bool> edges_above_new_ground(const collision::World& world, const ExploreSettings& settings,
-                                         const WalkSpace& reached, const std::vector<FallEdge>& edges);
+/// A place below an edge, as seen from there.
+struct Landing {
+    collision::Vec3 offset = collision::Vec3::Zero();  ///< horizontal
+    double seconds = 0.0;                              ///< that a body falls until it is as low
+};
+
+/// Surfaces that aren't reached yet. Where a fall can't end on one, it is of no use to try how it may be
+/// steered. Bodies that slide along walls and slopes on their way are allowed for, roughly. Threads may share
+/// one.
+class LandingPlaces {
+public:
+    /// Those below the edges.
+    LandingPlaces(const collision::World& world, const ExploreSettings& settings, const WalkSpace& reached,
+                  const std::vector<FallEdge>& edges);
+
+    /// Where a body that leaves the ground there may land, steered as it likes.
+    std::vector<Landing> below(const FallEdge& edge) const;
+    /// Whether it may land on one of these, steered as the stride says.
+    bool may_land_on(const std::vector<Landing>& landings, const Stride& stride) const;
+
+private:
+    void add_surfaces(const collision::World& world, const WalkSpace& reached, const collision::Aabb& region);
+    void add_round_solids(const collision::World& world, const WalkGrid& grid, const collision::Aabb& region);
+    void add(const collision::Vec3& at);
+    bool is_explored_elsewhere(const collision::Vec3& at) const;
+    double seconds_to(const FallEdge& edge, double y) const;
+    double speed_of(Gait gait) const;
+    double reach_after(const FallEdge& edge, double seconds) const;
+
+    const ExploreSettings& settings_;
+    double bottom_;
+    std::unordered_map<std::uint64_t, std::vector<collision::Vec3>> blocks_;  ///< of 2 m
+};
 
 }  // namespace campuswalk::engine

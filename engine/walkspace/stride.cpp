@@ -17,12 +17,12 @@ namespace {
 constexpr double kMaxFall = 30.0;
 /// A body that moves less in a tick than this stands still, metres.
 constexpr double kStill = 1e-9;
-/// Seconds; see Stride::steers_after.
-constexpr double kFifth = 0.2;
 /// In a fall, after so many ticks, half as many more and so on, it is asked whether it goes on for ever.
 constexpr std::size_t kFirstLook = 16;
 /// What is nearer than this to a fall may be touched, metres.
 constexpr double kFreeMargin = 0.05;
+/// One of so many obstructed ticks of a stride tells what is touched: along a wall, all would tell the same.
+constexpr int kTicksBetweenTouches = 8;
 /// Beyond the slope's own rise in a tick, the body climbed or descended a step, metres.
 constexpr double kStepRise = 0.01;
 
@@ -62,6 +62,7 @@ StrideEnd Strider::take(const GroundState& from, const Stride& stride, const Wal
     StrideEnd end;
     state_ = state_of(from);
     path_.clear();
+    obstructed_ticks_ = 0;
     if (stride.gait == Gait::jump) {
         mover_.jump(state_, settings_.jump_speed);
         end.left_ground = true;
@@ -87,8 +88,8 @@ StrideEnd Strider::take(const GroundState& from, const Stride& stride, const Wal
     if (!state_.grounded) {
         const bool straight_on = stride.steering == Stride::kStraightOn;
         const bool let_go = stride.steering == Stride::kLetGo;
-        const auto steers_after =
-            static_cast<std::size_t>(std::floor(kFifth * stride.steers_after / settings_.seconds + 0.5));
+        const auto steers_after = static_cast<std::size_t>(
+            std::floor(Stride::kFifth * stride.steers_after / settings_.seconds + 0.5));
         ahead_until += steers_after;
         fall(desired,
              straight_on ? desired
@@ -106,6 +107,7 @@ StrideEnd Strider::walk_to(const GroundState& from, const Vec3& point, double wi
     end.clean = false;
     state_ = state_of(from);
     path_.clear();
+    obstructed_ticks_ = 0;
     const double length = settings_.walk_speed * settings_.seconds;
     const int most = static_cast<int>(std::ceil(seconds / settings_.seconds));
     while (static_cast<int>(path_.size()) < most) {
@@ -135,6 +137,7 @@ StrideEnd Strider::put_down(const Vec3& foot) {
     StrideEnd end;
     end.clean = false;
     path_.clear();
+    obstructed_ticks_ = 0;
     const auto placement = collision::nearest_free_placement(*world_, filter_, foot, settings_.body.radius,
                                                              settings_.body.height, kPlacementSearch);
     if (!placement) {
@@ -162,7 +165,7 @@ void Strider::tick(const Vec3& desired) {
     path_.push_back(state_.foot);
     ++ticks_;
     obstructed_ = collision::horizontal_norm(state_.foot - before - desired) > kStill;
-    if (obstructed_) {
+    if (obstructed_ && obstructed_ticks_++ % kTicksBetweenTouches == 0) {
         mover_.touch(state_, cache_, trace_);
         for (const collision::Touch& touch : trace_.touching) {
             if (touch.gap <= settings_.body.skin + kTouchSlack) {

@@ -17,6 +17,7 @@ enum class Gait : std::uint8_t { walk, run, jump };
 struct Stride {
     static constexpr std::uint8_t kStraightOn = 8;  ///< in a fall: as on the ground
     static constexpr std::uint8_t kLetGo = 9;       ///< in a fall: straight down
+    static constexpr double kFifth = 0.2;           ///< of `steers_after`, seconds
 
     std::uint8_t direction = 0;  ///< index into grid_directions()
     Gait gait = Gait::walk;
@@ -118,7 +119,8 @@ private:
     collision::MoverCache cache_;
     collision::MoverState state_;
     collision::MoveTrace trace_;
-    bool obstructed_ = false;  ///< in the last tick it didn't get as far ahead as desired
+    bool obstructed_ = false;   ///< in the last tick it didn't get as far ahead as desired
+    int obstructed_ticks_ = 0;  ///< of this stride
     std::vector<collision::Vec3> path_;
     std::vector<bool> touched_;
     std::vector<collision::ObjectId> below_;

@@ -20,6 +20,8 @@ namespace {
 
 /// A local search that has reached this many cells has found no barrier, but another place.
 constexpr std::size_t kMostNodes = 4'000;
+/// A way across a barrier is no longer than this, metres.
+constexpr double kLongestCrossing = 6.0;
 /// Once the searches for one barrier have reached so many, no other change is tried: what is closed off for
 /// good would take minutes.
 constexpr std::size_t kMostNodesInAll = 50'000;
@@ -64,8 +66,11 @@ public:
         settings_.known = query.known;
         settings_.is_goal = query.is_beyond;
         settings_.max_nodes = std::min(settings.max_nodes, kMostNodes);
+        settings_.max_ticks = static_cast<std::uint32_t>(kLongestCrossing / settings.strides.walk_speed /
+                                                         settings.strides.seconds);
         settings_.keep_cell = true;  // the query speaks of these cells
         settings_.keep_rim = false;
+        settings_.steer_falls = false;  // that would be no barrier
         settings_.progress = {};
         settings_.solids.disabled = &disabled_;
     }
