@@ -77,6 +77,7 @@ public:
     void check_nodes();
     void convert_meshes();
     void check_triangles();
+    void check_reach();
     void load_textures();
     ImportedModel finish();
 
@@ -170,6 +171,16 @@ void Import::check_triangles() {
     }
 }
 
+/// Far beyond the numbers that trees and pictures are made with.
+void Import::check_reach() {
+    model_.nodes = std::move(tree_.nodes);
+    if (const auto node = find_node_beyond(model_, kMaxReach)) {
+        error("bad-size", "node '" + model_.nodes[*node].name +
+                              "' reaches farther than 100 million km; check the file's unit and scale");
+    }
+    tree_.nodes = std::move(model_.nodes);
+}
+
 void Import::convert_meshes() {
     for (std::size_t i = 0; i < tree_.nodes.size(); ++i) {
         Node& node = tree_.nodes[i];
@@ -184,6 +195,7 @@ void Import::convert_meshes() {
         }
     }
     check_triangles();
+    check_reach();
     if (points_and_lines_ > 0) {
         warning("points-and-lines", std::to_string(points_and_lines_) +
                                         " points and lines are ignored, the first in node '" +

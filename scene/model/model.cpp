@@ -17,6 +17,28 @@ std::size_t count_triangles(const Model& model) {
     return count;
 }
 
+std::optional<std::size_t> find_node_beyond(const Model& model, double most) {
+    std::vector<Bounds> bounds(model.meshes.size());
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+        for (const Eigen::Vector3f& position : model.meshes[i].positions) {
+            bounds[i].extend(position.cast<double>());
+        }
+    }
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+        const Eigen::Matrix3d axes = model.nodes[i].X_world_node.topLeftCorner<3, 3>();
+        const Eigen::Vector3d origin = model.nodes[i].X_world_node.topRightCorner<3, 1>();
+        for (const MeshIndex mesh : model.nodes[i].meshes) {
+            const Bounds& own = bounds[index_of(mesh)];
+            const Eigen::Vector3d half = 0.5 * (own.max - own.min);
+            const Eigen::Vector3d reach = (axes * own.center() + origin).cwiseAbs() + axes.cwiseAbs() * half;
+            if (!own.empty() && !(reach.maxCoeff() <= most)) {
+                return i;
+            }
+        }
+    }
+    return std::nullopt;
+}
+
 Bounds world_bounds(const Model& model) {
     Bounds bounds;
     for (const Node& node : model.nodes) {

@@ -112,6 +112,9 @@ struct Bounds {
 std::size_t count_triangles(const Model& model);
 Bounds world_bounds(const Model& model);
 
+/// The first node with a mesh that reaches farther than `most` metres along an axis; none on any real campus.
+std::optional<std::size_t> find_node_beyond(const Model& model, double most);
+
 /// The origin to subtract from map coordinates: per axis the bounds' centre, rounded to whole kilometres, if
 /// it is over kFarAway from 0, else 0. The rounding keeps it stable under small changes of the model.
 Eigen::Vector3d origin_near(const Bounds& bounds);

@@ -12,4 +12,6 @@ inline constexpr std::size_t kMaxNodes = 1'000'000;  ///< of a model, each insta
 inline constexpr std::size_t kMaxTriangles =
     50'000'000;  ///< placed by a model, and in the colliders of a campus
 
+inline constexpr double kMaxReach = 1e11;  ///< of a model's nodes, metres: 100 million km
+
 }  // namespace campuswalk::scene

@@ -4,6 +4,7 @@
 
 #include "collision/mesh/mesh_extent.h"
 #include "scene/model/model_file.h"
+#include "scene/model/model_limits.h"
 
 namespace campuswalk::scene {
 namespace {
@@ -199,6 +200,9 @@ ImportedModel read_model_file(std::span<const std::byte> bytes, std::shared_ptr<
     model.nodes = take_each<Node>(
         in, kMinNodeBytes, [&](std::size_t before) { return take_node(in, before, model.meshes.size()); });
     in.finish();
+    if (find_node_beyond(model, kMaxReach)) {
+        refuse("a node in it reaches too far");
+    }
     return read;
 }
 

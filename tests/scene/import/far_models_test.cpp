@@ -113,6 +113,17 @@ TEST_F(FarModels, NearModelsStayInPlace) {
     EXPECT_FALSE(campus("near.glb", {.near = true, .origin = {}}).origin.is_known());
 }
 
+TEST_F(FarModels, AreRefusedBeyondAnyDistance) {
+    place("planet.glb", {{"scale", {9e10, 1, 1}}});
+    EXPECT_NO_THROW(import("planet.glb"));
+    for (const double scale : {2e11, 1e307, -1e300}) {
+        place("vast.glb", {{"scale", {1, 1, scale}}});
+        EXPECT_TRUE(test::has_code(test::errors_of([&] { import("vast.glb"); }), "bad-size")) << scale;
+    }
+    place("remote.glb", {{"translation", {0, 1e12, 0}}});
+    EXPECT_TRUE(test::has_code(test::errors_of([&] { import("remote.glb"); }), "bad-size"));
+}
+
 // Latitude 52, longitude 4.375, 10 m up, by WGS 84's formula (see tangent_frame_test.cpp), to 0.01 mm.
 const test::Json kDelft = {3923500.65116, 300174.89356, 5002811.22559};
 

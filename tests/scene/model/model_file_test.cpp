@@ -48,7 +48,7 @@ ImportedModel small_import() {
     mesh.triangles = {{0, 1, 2}, {3, 2, 1}};
     mesh.material = MaterialIndex{1};
     Mesh bare;
-    bare.positions = {{7, 8, 9}, {-0.0F, 1e-40F, 1e30F}, {4, 5, 6}};
+    bare.positions = {{7, 8, 9}, {-0.0F, 1e-40F, 1e9F}, {4, 5, 6}};
     bare.normals = {{0, 1, 0}, {0, 1, 0}, {0, 1, 0}};
     bare.triangles = {{0, 1, 2}};
     model.meshes = {mesh, bare};
