@@ -28,6 +28,9 @@ Pending Frontier::pop() {
     std::ranges::pop_heap(pending_, later);
     const Pending next = pending_.back();
     pending_.pop_back();
+    if (pending_.size() < pending_.capacity() / 4) {  // most tiles are done at any time
+        pending_.shrink_to_fit();
+    }
     return next;
 }
 

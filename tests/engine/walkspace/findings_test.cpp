@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "collision/mesh/mesh_collider.h"
+#include "engine/walkspace/hot_spots.h"
 #include "engine/walkspace/island_barriers.h"
 #include "engine/walkspace/one_way.h"
 #include "engine/walkspace/storeys.h"
@@ -144,6 +146,40 @@ TEST_F(Findings, ATriggerThatReachesThroughAFloorIsFound) {
     EXPECT_NEAR(found[0].foot.y(), 0.0, 0.05);
     ASSERT_FALSE(found[0].also_in.empty());
     EXPECT_EQ(found[0].also_in[0], below);
+}
+
+/// A carpet on the floor, 2 m x 2 m about the point, of triangles with sides of 5 cm.
+std::shared_ptr<const collision::MeshCollider> carpet() {
+    constexpr std::uint32_t kCells = 40;
+    collision::TriangleMesh mesh;
+    for (std::uint32_t z = 0; z <= kCells; ++z) {
+        for (std::uint32_t x = 0; x <= kCells; ++x) {
+            mesh.positions.emplace_back(0.05F * static_cast<float>(x) - 1.0F, 0.01F,
+                                        0.05F * static_cast<float>(z) - 1.0F);
+        }
+    }
+    for (std::uint32_t z = 0; z < kCells; ++z) {
+        for (std::uint32_t x = 0; x < kCells; ++x) {
+            const std::uint32_t first = z * (kCells + 1) + x;
+            mesh.triangles.push_back({first, first + kCells + 1, first + 1});
+            mesh.triangles.push_back({first + 1, first + kCells + 1, first + kCells + 2});
+        }
+    }
+    return std::make_shared<const collision::MeshCollider>(std::move(mesh));
+}
+
+TEST_F(Findings, ManyTrianglesAroundTheBodyAreAHotSpot) {
+    scene::Campus campus = walled_yard();
+    EXPECT_TRUE(find_hot_spots(WorkerWorlds(campus.world, 1, {}), settings_, explored(campus)).empty());
+    const collision::ObjectId object = add_object(campus, "carpet", carpet(), {3, 0, 3});
+    const WalkSpace& space = explored(campus);
+    const std::vector<HotSpot> spots = find_hot_spots(*worlds_, settings_, space);
+    ASSERT_FALSE(spots.empty());
+    EXPECT_EQ(spots[0].object, object);
+    // Within the radius and a step of the core's lower end: a circle of about half a metre.
+    EXPECT_GT(spots[0].pieces, 300U);
+    EXPECT_LT(spots[0].pieces, 1200U);
+    EXPECT_LT((spots[0].foot - Vec3(3, 0, 3)).norm(), 1.2);
 }
 
 TEST_F(Findings, AGapInTheWallIsAHole) {
