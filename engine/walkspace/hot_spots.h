@@ -9,16 +9,16 @@
 
 namespace campuswalk::engine {
 
-/// Reached ground where so much lies within a step's reach of the body that each tick there takes long: a hedge
-/// of leaves that collide one by one.
+/// Reached ground where so much lies within a step's reach of the body that each tick there takes long: a
+/// hedge of leaves that collide one by one.
 struct HotSpot {
     collision::Vec3 foot = collision::Vec3::Zero();
     std::size_t pieces = 0;        ///< triangles and convex solids near the body
     collision::ObjectId object{};  ///< that most of them are of
 };
 
-/// The hottest place of each tile that has more than 300 pieces, of a sample; the hottest tiles first, at most
-/// ten. On most campuses the body has less than ten around it.
+/// The hottest place of each tile that has more than 300 pieces, of a sample; the hottest tiles first, at
+/// most ten. On most campuses the body has less than ten around it.
 std::vector<HotSpot> find_hot_spots(const WorkerWorlds& worlds, const ExploreSettings& settings,
                                     const WalkSpace& space);
 

@@ -19,7 +19,7 @@ using collision::Vec3;
 namespace {
 
 /// Coarser than the walk space: any good place will do.
-constexpr double kStartCell = 0.5;  // metres
+constexpr double kStartCell = 0.5;    // metres
 constexpr double kLeastGround = 1.0;  // m²
 /// Farther from an edge is no better, cells.
 constexpr std::uint32_t kFarEnough = 16;
@@ -90,7 +90,8 @@ private:
 
 class StartFinder {
 public:
-    StartFinder(const WorkerWorlds& worlds, const ExploreSettings& settings, const StartPreference& preference)
+    StartFinder(const WorkerWorlds& worlds, const ExploreSettings& settings,
+                const StartPreference& preference)
         : world_(worlds[0]), settings_(settings), preference_(preference), grid_{kStartCell} {
         const WalkSpace nothing_reached(grid_);
         islands_ = find_unreached_ground(worlds, settings, nothing_reached, kLeastGround);
@@ -103,8 +104,8 @@ public:
     }
 
     std::optional<Vec3> best() const {
-        const auto most = std::ranges::max_element(
-            islands_, {}, [&](const Island& island) { return weight_of(island); });
+        const auto most =
+            std::ranges::max_element(islands_, {}, [&](const Island& island) { return weight_of(island); });
         if (most == islands_.end()) {
             return std::nullopt;
         }

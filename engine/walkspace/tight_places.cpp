@@ -18,8 +18,8 @@ constexpr double kAboveStep = 0.02;
 std::function<bool(const collision::Vec3& foot)> tight_places(const collision::World& world,
                                                               const collision::QueryFilter& solids,
                                                               const collision::MoverSettings& body) {
-    return [&world, solids, body, near = std::vector<collision::Obstacle>()](
-               const collision::Vec3& foot) mutable {
+    return [&world, solids, body,
+            near = std::vector<collision::Obstacle>()](const collision::Vec3& foot) mutable {
         const collision::Vec3 step(0, body.step_height, 0);
         const collision::Segment core{body.core(foot).a + step, body.core(foot).b};
         const double top_of_step = foot.y() + body.step_height + kAboveStep;

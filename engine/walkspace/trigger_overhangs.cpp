@@ -19,7 +19,7 @@ constexpr std::size_t kMostExactPerStorey = 64;
 class OverhangFinder {
 public:
     OverhangFinder(const scene::Campus& campus, const WorkerWorlds& worlds, const ExploreSettings& settings,
-           const WalkSpace& space, const Storeys& storeys)
+                   const WalkSpace& space, const Storeys& storeys)
         : world_(campus.world),
           body_(settings.strides.body),
           space_(space),

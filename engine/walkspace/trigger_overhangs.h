@@ -10,8 +10,8 @@
 
 namespace campuswalk::engine {
 
-/// A trigger that reaches through a floor: made for one storey, it is also entered from another, by the head or
-/// the feet only.
+/// A trigger that reaches through a floor: made for one storey, it is also entered from another, by the head
+/// or the feet only.
 struct TriggerOverhang {
     collision::ObjectId trigger{};
     std::size_t storey = 0;  ///< that it wasn't made for
@@ -22,11 +22,10 @@ struct TriggerOverhang {
     std::vector<collision::ObjectId> also_in = {};
 };
 
-/// Each trigger and storey, in the order of objects. A trigger is made for the storeys where the body's middle
-/// gets into it, and for those at whose bodies its own middle is: one that fills a whole building is made for
-/// all of them.
-std::vector<TriggerOverhang> find_trigger_overhangs(const scene::Campus& campus,
-                                                    const WorkerWorlds& worlds,
+/// Each trigger and storey, in the order of objects. A trigger is made for the storeys where the body's
+/// middle gets into it, and for those at whose bodies its own middle is: one that fills a whole building is
+/// made for all of them.
+std::vector<TriggerOverhang> find_trigger_overhangs(const scene::Campus& campus, const WorkerWorlds& worlds,
                                                     const ExploreSettings& settings, const WalkSpace& space,
                                                     const Storeys& storeys);
 

@@ -19,8 +19,7 @@ constexpr double kHalfDot = 0.04;      // metres
 constexpr double kSameGround = 0.4;
 
 WalkSpace explored(const scene::Campus& campus, const WalkSpaceRequest& request) {
-    ExploreSettings settings =
-        explore_settings(campus, request.profile, SimSettings().ticks_per_second);
+    ExploreSettings settings = explore_settings(campus, request.profile, SimSettings().ticks_per_second);
     settings.solids.disabled = request.disabled;
     settings.starts = request.starts;
     if (request.radius > 0.0 && !request.starts.empty()) {

@@ -16,8 +16,8 @@ struct WalkSpaceRequest {
     const std::vector<bool>* disabled = nullptr;
 };
 
-/// Adds the edge of the ground that a visitor gets to from the starts without leaving the radius, and a dot for
-/// every other cell of it.
+/// Adds the edge of the ground that a visitor gets to from the starts without leaving the radius, and a dot
+/// for every other cell of it.
 void add_walk_space(const scene::Campus& campus, const WalkSpaceRequest& request,
                     std::vector<OverlayLine>& lines);
 
