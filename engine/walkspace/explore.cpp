@@ -304,7 +304,7 @@ private:
 
     /// The same fall, steered elsewhere.
     void steer(std::uint32_t tile, const Fall& fall, const LandingPlaces& places, Worker& worker) {
-        const std::vector<Landing> landings = places.below({fall.edge, fall.stride.gait});
+        const Landings landings = places.below({fall.edge, fall.stride.gait});
         if (landings.empty()) {
             return;
         }

@@ -30,7 +30,7 @@ struct ExploreSettings {
     bool steer_falls = true;  ///< also where that may lead to other ground; else Bound::steering
     bool keep_rim = false;    ///< fill WalkTile::rim
     std::size_t max_nodes = 60'000'000;
-    /// Nodes that take longer to get to than this are no farther explored: for ways across something.
+    /// Nodes that take longer to get to than this aren't explored any further: for ways across something.
     std::uint32_t max_ticks = std::numeric_limits<std::uint32_t>::max();
     /// Called now and then, with the nodes so far. May be empty.
     std::function<void(std::size_t nodes)> progress = {};

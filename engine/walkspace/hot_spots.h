@@ -18,7 +18,7 @@ struct HotSpot {
 };
 
 /// The hottest place of each tile that has more than 300 pieces, of a sample; the hottest tiles first, at
-/// most ten. On most campuses the body has less than ten around it.
+/// most ten. On most campuses the body has fewer than ten around it.
 std::vector<HotSpot> find_hot_spots(const WorkerWorlds& worlds, const ExploreSettings& settings,
                                     const WalkSpace& space);
 

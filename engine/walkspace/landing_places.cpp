@@ -39,15 +39,11 @@ LandingPlaces::LandingPlaces(const collision::World& world, const ExploreSetting
     : settings_(settings), bottom_(world.bounds().min.y()) {
     collision::Aabb region;
     for (const FallEdge& edge : edges) {
-        const double reach = reach_after(edge, seconds_to(edge, bottom_));
-        const double rise = edge.gait == Gait::jump ? settings.strides.jump_speed : 0.0;
-        region.extend({edge.at.x() - reach, bottom_, edge.at.z() - reach});
-        region.extend({edge.at.x() + reach, edge.at.y() + 0.5 * rise * rise / settings.strides.body.gravity,
-                       edge.at.z() + reach});
+        region.extend(region_below(edge));
     }
     if (!region.empty()) {
         add_surfaces(world, reached, region);
-        add_round_solids(world, reached.grid, region);
+        add_round_solids(world, region);
     }
 }
 
@@ -62,24 +58,13 @@ void LandingPlaces::add_surfaces(const collision::World& world, const WalkSpace&
     }
 }
 
-/// Their tops are no surfaces: any cell counts that one is in, at its lowest.
-void LandingPlaces::add_round_solids(const collision::World& world, const WalkGrid& grid,
-                                     const collision::Aabb& region) {
+/// Their tops are no surfaces.
+void LandingPlaces::add_round_solids(const collision::World& world, const collision::Aabb& region) {
     std::vector<collision::ObjectId> solids;
     world.candidates(region, settings_.solids, solids);
     for (const collision::ObjectId id : solids) {
-        if (!is_round(world.object(id).shape)) {
-            continue;
-        }
-        const collision::Aabb& bounds = world.bounds(id);
-        const GridCell first = grid.cell_at(bounds.min.cwiseMax(region.min));
-        const GridCell last = grid.cell_at(bounds.max.cwiseMin(region.max));
-        for (int z = first.z; z <= last.z; ++z) {
-            for (int x = first.x; x <= last.x; ++x) {
-                Vec3 at = grid.center({x, z});
-                at.y() = bounds.min.y();
-                add(at);
-            }
+        if (is_round(world.object(id).shape)) {
+            round_solids_.push_back(world.bounds(id));
         }
     }
 }
@@ -96,9 +81,12 @@ bool LandingPlaces::is_explored_elsewhere(const Vec3& at) const {
 }
 
 /// Even if the body has no room there: on a narrow ledge it may hang over the edge.
-std::vector<Landing> LandingPlaces::below(const FallEdge& edge) const {
-    std::vector<Landing> landings;
+Landings LandingPlaces::below(const FallEdge& edge) const {
+    Landings landings;
     const double reach = reach_after(edge, seconds_to(edge, bottom_));
+    const collision::Aabb region = region_below(edge);
+    landings.anywhere = std::ranges::any_of(
+        round_solids_, [&](const collision::Aabb& bounds) { return bounds.overlaps(region); });
     const GridCell first = kBlocks.cell_at(edge.at - Vec3(reach, 0, reach));
     const GridCell last = kBlocks.cell_at(edge.at + Vec3(reach, 0, reach));
     for (int z = first.z; z <= last.z; ++z) {
@@ -111,7 +99,7 @@ std::vector<Landing> LandingPlaces::below(const FallEdge& edge) const {
                 const double seconds = seconds_to(edge, at.y());
                 const Vec3 offset(at.x() - edge.at.x(), 0.0, at.z() - edge.at.z());
                 if (seconds >= 0.0 && offset.norm() <= reach_after(edge, seconds)) {
-                    landings.push_back({offset, seconds});
+                    landings.list.push_back({offset, seconds});
                 }
             }
         }
@@ -121,7 +109,7 @@ std::vector<Landing> LandingPlaces::below(const FallEdge& edge) const {
 
 /// Along a wall a body gets as far as its way's projection on it: to the circle whose diameter is the way
 /// that it would have gone.
-bool LandingPlaces::may_land_on(const std::vector<Landing>& landings, const Stride& stride) const {
+bool LandingPlaces::may_land_on(const Landings& landings, const Stride& stride) const {
     const double speed = speed_of(stride.gait);
     const double seconds_ahead = Stride::kFifth * stride.steers_after;
     const bool steers = stride.steering != Stride::kLetGo;
@@ -130,12 +118,14 @@ bool LandingPlaces::may_land_on(const std::vector<Landing>& landings, const Stri
                               ? grid_directions()[stride.steering].unit
                               : straight_on;
     const double beside = settings_.strides.body.radius + kBeside;
-    return std::ranges::any_of(landings, [&](const Landing& landing) {
-        const double ahead = speed * std::min(landing.seconds, seconds_ahead);
-        const double after = steers ? speed * landing.seconds - ahead : 0.0;
+    const auto is_near = [&](const Landing& landing) {
+        const double whole = speed * landing.seconds;
+        const double ahead = std::min(whole, speed * seconds_ahead);
+        const double after = steers ? whole - ahead : 0.0;
         const Vec3 middle = 0.5 * ahead * straight_on + 0.5 * after * steered;
-        return (landing.offset - middle).norm() <= 0.5 * kSlides * (ahead + after) + beside;
-    });
+        return (landing.offset - middle).norm() <= 0.5 * (ahead + after) + (kSlides - 1.0) * whole + beside;
+    };
+    return landings.anywhere || std::ranges::any_of(landings.list, is_near);
 }
 
 /// Until a body that leaves the ground there falls below `y`; negative if it never gets so high.
@@ -143,7 +133,17 @@ double LandingPlaces::seconds_to(const FallEdge& edge, double y) const {
     const StrideSettings& strides = settings_.strides;
     const double upwards = edge.gait == Gait::jump ? strides.jump_speed : 0.0;
     const double left = upwards * upwards + 2.0 * strides.body.gravity * (edge.at.y() - y);
-    return left < 0.0 ? -1.0 : (upwards + std::sqrt(left)) / strides.body.gravity + 2.0 * strides.seconds;
+    return left < 0.0 ? -1.0
+                      : std::min((upwards + std::sqrt(left)) / strides.body.gravity + 2.0 * strides.seconds,
+                                 kMaxFall);
+}
+
+collision::Aabb LandingPlaces::region_below(const FallEdge& edge) const {
+    const double reach = reach_after(edge, seconds_to(edge, bottom_));
+    const double upwards = edge.gait == Gait::jump ? settings_.strides.jump_speed : 0.0;
+    const double rise = 0.5 * upwards * upwards / settings_.strides.body.gravity;
+    return {{edge.at.x() - reach, bottom_, edge.at.z() - reach},
+            {edge.at.x() + reach, edge.at.y() + rise, edge.at.z() + reach}};
 }
 
 double LandingPlaces::speed_of(Gait gait) const {

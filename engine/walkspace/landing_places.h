@@ -21,32 +21,41 @@ struct Landing {
     double seconds = 0.0;                              ///< that a body falls until it is as low
 };
 
+struct Landings {
+    std::vector<Landing> list;
+    bool anywhere = false;  ///< there are round solids below, whose tops aren't known
+
+    bool empty() const { return list.empty() && !anywhere; }
+};
+
 /// Surfaces that aren't reached yet. Where a fall can't end on one, it is of no use to try how it may be
 /// steered. Bodies that slide along walls and slopes on their way are allowed for, roughly. Threads may share
 /// one.
 class LandingPlaces {
 public:
-    /// Those below the edges.
+    /// Finds those below the edges.
     LandingPlaces(const collision::World& world, const ExploreSettings& settings, const WalkSpace& reached,
                   const std::vector<FallEdge>& edges);
 
     /// Where a body that leaves the ground there may land, steered as it likes.
-    std::vector<Landing> below(const FallEdge& edge) const;
+    Landings below(const FallEdge& edge) const;
     /// Whether it may land on one of these, steered as the stride says.
-    bool may_land_on(const std::vector<Landing>& landings, const Stride& stride) const;
+    bool may_land_on(const Landings& landings, const Stride& stride) const;
 
 private:
     void add_surfaces(const collision::World& world, const WalkSpace& reached, const collision::Aabb& region);
-    void add_round_solids(const collision::World& world, const WalkGrid& grid, const collision::Aabb& region);
+    void add_round_solids(const collision::World& world, const collision::Aabb& region);
     void add(const collision::Vec3& at);
     bool is_explored_elsewhere(const collision::Vec3& at) const;
     double seconds_to(const FallEdge& edge, double y) const;
+    collision::Aabb region_below(const FallEdge& edge) const;
     double speed_of(Gait gait) const;
     double reach_after(const FallEdge& edge, double seconds) const;
 
     const ExploreSettings& settings_;
     double bottom_;
     std::unordered_map<std::uint64_t, std::vector<collision::Vec3>> blocks_;  ///< of 2 m
+    std::vector<collision::Aabb> round_solids_;
 };
 
 }  // namespace campuswalk::engine

@@ -126,6 +126,12 @@ private:
         return settings_.is_tight ? static_cast<Tick>(std::ranges::count_if(path, settings_.is_tight)) : 0;
     }
 
+    /// The chain ends beside the target: from there on, a piece has no choice.
+    Tick tight_ticks_at_target(std::vector<Vec3> path) const {
+        std::erase_if(path, [&](const Vec3& foot) { return !is_near_target(foot); });
+        return tight_ticks(path);
+    }
+
     bool is_nearly_straight(const Pull& pull) const {
         const double distance = flat(target_.point - state_.foot).norm();
         const double ticks = distance / (settings_.strides.walk_speed * settings_.strides.seconds);
@@ -297,10 +303,8 @@ private:
         pull.end = *end;
         pull.path = trial_.path();
         pull.tight = tight_ticks(pull.path);
-        if (pull.tight > goal.tight - chain_[at].tight + (last ? last_ticks() : kSlack)) {
-            return std::nullopt;
-        }
-        return pull;
+        const Tick inevitable = goal.tight - chain_[at].tight + (last ? tight_ticks_at_target(pull.path) : 0);
+        return pull.tight <= inevitable + kSlack ? std::optional(pull) : std::nullopt;
     }
 
     /// Of the chain's own strides, roughly: a straight piece must not leap down where the chain takes the

@@ -37,11 +37,24 @@ public:
         measure_edge_distances();
     }
 
-    /// In cells, to the nearest spot that hasn't ground on all four sides.
-    std::uint32_t edge_distance(std::size_t spot) const { return edge_distances_[spot]; }
+    /// In cells, to the nearest spot that hasn't ground on all four sides. Ground on other ground, such as a
+    /// carpet, is as far from an edge as that.
+    std::uint32_t edge_distance(std::size_t spot) const {
+        std::uint32_t least = edge_distances_[spot];
+        for (const std::size_t other : by_cell_.at(cell_of(spot))) {
+            if (goes_on(spot, other)) {
+                least = std::min(least, edge_distances_[other]);
+            }
+        }
+        return least;
+    }
 
 private:
     GridCell cell_of(std::size_t spot) const { return grid_.cell_at(spots_[spot].at.foot); }
+
+    bool goes_on(std::size_t a, std::size_t b) const {
+        return std::abs(spots_[a].at.foot.y() - spots_[b].at.foot.y()) <= kGoesOn;
+    }
 
     /// On its four sides.
     std::vector<std::size_t> neighbours(std::size_t spot) const {
@@ -53,7 +66,7 @@ private:
                 continue;
             }
             for (const std::size_t other : beside->second) {
-                if (std::abs(spots_[other].at.foot.y() - spots_[spot].at.foot.y()) <= kGoesOn) {
+                if (goes_on(spot, other)) {
                     found.push_back(other);
                     break;
                 }
@@ -104,9 +117,15 @@ public:
     }
 
     std::optional<Vec3> best() const {
-        const auto most =
-            std::ranges::max_element(islands_, {}, [&](const Island& island) { return weight_of(island); });
-        if (most == islands_.end()) {
+        const Island* most = nullptr;
+        std::size_t most_weight = 0;
+        for (const Island& island : islands_) {
+            if (const std::size_t weight = weight_of(island); weight > most_weight) {
+                most_weight = weight;
+                most = &island;
+            }
+        }
+        if (most == nullptr) {
             return std::nullopt;
         }
         const IslandGround ground(*most, grid_);

@@ -13,8 +13,6 @@ using collision::Vec3;
 
 namespace {
 
-/// A fall that takes longer isn't followed, seconds: 4.4 km.
-constexpr double kMaxFall = 30.0;
 /// A body that moves less in a tick than this stands still, metres.
 constexpr double kStill = 1e-9;
 /// In a fall, after so many ticks, half as many more and so on, it is asked whether it goes on for ever.

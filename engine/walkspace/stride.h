@@ -52,6 +52,9 @@ struct StrideEnd {
     int ticks_ahead = 0;  ///< of them, of a stride: before it was steered elsewhere
 };
 
+/// A fall that takes longer isn't followed, seconds: 4.4 km.
+inline constexpr double kMaxFall = 30.0;
+
 /// Where a body that stands would fall from: one that hangs over an edge is lower than that already.
 collision::Vec3 edge_below(const collision::MoverState& state);
 /// Of a body that stands.

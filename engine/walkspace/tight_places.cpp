@@ -1,6 +1,7 @@
 #include "engine/walkspace/tight_places.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "collision/world/obstacle.h"
@@ -10,8 +11,8 @@ namespace campuswalk::engine {
 namespace {
 
 constexpr double kRoomBeside = 0.4;  // metres
-/// What rises less than this above a step is still one, metres.
-constexpr double kAboveStep = 0.02;
+/// What is farther above or below than this share of how far it is aside isn't beside.
+constexpr double kHowLevel = 0.5;
 
 }  // namespace
 
@@ -20,12 +21,13 @@ std::function<bool(const collision::Vec3& foot)> tight_places(const collision::W
                                                               const collision::MoverSettings& body) {
     return [&world, solids, body,
             near = std::vector<collision::Obstacle>()](const collision::Vec3& foot) mutable {
-        const collision::Vec3 step(0, body.step_height, 0);
-        const collision::Segment core{body.core(foot).a + step, body.core(foot).b};
-        const double top_of_step = foot.y() + body.step_height + kAboveStep;
-        collision::gather_obstacles(world, solids, core, body.radius + kRoomBeside, near);
+        const collision::Vec3 waist = foot + collision::Vec3(0, 0.5 * body.height, 0);
+        const collision::Segment spine{waist, foot + collision::Vec3(0, body.height, 0)};
+        collision::gather_obstacles(world, solids, spine, body.radius + kRoomBeside, near);
         return std::ranges::any_of(near, [&](const collision::Obstacle& piece) {
-            return collision::closest(core, piece).on_shape.y() > top_of_step;
+            const collision::Closest c = collision::closest(spine, piece);
+            const collision::Vec3 gap = c.on_shape - c.on_segment;
+            return std::abs(gap.y()) <= kHowLevel * collision::horizontal_norm(gap);
         });
     };
 }

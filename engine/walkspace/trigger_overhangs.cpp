@@ -27,7 +27,7 @@ public:
           strider_(worlds[0], settings.strides, settings.solids) {
         for (std::size_t i = 0; i < campus.objects.size(); ++i) {
             const auto id = static_cast<ObjectId>(i);
-            if (collision::any_of(world_.object(id).detection, Detection::trigger)) {
+            if (is_detected(id, settings.solids)) {
                 triggers_.push_back(id);
             }
         }
@@ -51,6 +51,13 @@ public:
     }
 
 private:
+    bool is_detected(ObjectId id, const collision::QueryFilter& filter) const {
+        const collision::Object& object = world_.object(id);
+        return collision::any_of(object.detection, Detection::trigger) &&
+               ((filter.ignored_layers >> object.layer) & 1U) == 0 &&
+               (filter.disabled == nullptr || !(*filter.disabled)[index_of(id)]);
+    }
+
     /// How a trigger is entered from one storey.
     struct Entry {
         bool is_made_for = false;

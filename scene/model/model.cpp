@@ -31,7 +31,7 @@ std::optional<std::size_t> find_node_beyond(const Model& model, double most) {
             const Bounds& own = bounds[index_of(mesh)];
             const Eigen::Vector3d half = 0.5 * (own.max - own.min);
             const Eigen::Vector3d reach = (axes * own.center() + origin).cwiseAbs() + axes.cwiseAbs() * half;
-            if (!own.empty() && !(reach.maxCoeff() <= most)) {
+            if (!own.empty() && !(reach.array() <= most).all()) {
                 return i;
             }
         }

@@ -217,6 +217,29 @@ class Explore(ProgramCase):
         self.assertEqual(1, done.code, done.out)
         self.assertIn("expected to fail", done.out + done.err)
 
+    def test_a_trigger_that_reaches_through_a_floor(self):
+        """A gallery above the yard, up to which stairs of 0.25 m lead; its trigger reaches 0.2 m into those below."""
+        gallery = "".join(box("tread-%d" % i, (-6, -0.1, 5.5 - 0.5 * i), (-4.5, 0.25 * i, 6 - 0.5 * i))
+                          for i in range(1, 13)) + box("gallery", (-6, 2.8, -6), (2, 3, -0.5))
+        campus = ("scenes: [{file: floor.obj}]\ncolliders:\n"
+                  "  - {id: ground, nodes: floor, shape: mesh, mode: solid}\n" + gallery
+                  + box("below", (-2, 0, -5), (2, 1.5, -1), "trigger") + "%s"
+                  + "spawns: {start: {at: [0, 0, 3]}}\n")
+        self.write("yard.campus.yaml", campus % box("upstairs", (-1, 1.6, -4), (1, 5, -2), "trigger"))
+        report = self.report("--fail-on", "triggers", "--write-walks", "walks", code=1)
+        overhang, = report["overhangs"]
+        self.assertEqual(("upstairs", 0, "head", ["below"]),
+                         tuple(overhang[key] for key in ("trigger", "storey", "part", "also_in")))
+        self.assertAlmostEqual(0.2, overhang["depth"], delta=0.01)
+        self.assertRegex(self.finding(report, "trigger upstairs")["text"],
+                         r"on storey 0 one is in it with the head only, 0\.\d+ m deep, and at once in below$")
+        walk, = [name for name in os.listdir(self.path("walks")) if "upstairs" in name]
+        self.passes("run", "walks/" + walk, "--rendering-backend", "none")
+        self.write("yard.campus.yaml", campus % box("upstairs", (-1, 3, -4), (1, 5, -2), "trigger"))
+        self.assertEqual([], self.report("--fail-on", "triggers")["overhangs"])
+        done = self.run_program("run", "walks/" + walk, "--rendering-backend", "none")
+        self.assertIn("expected to fail", done.out + done.err)
+
     @unittest.skipUnless(os.path.isdir(UFAZ), "needs ../shared/data")
     def test_the_known_faults_of_a_real_stair(self):
         """Two versions of a campus game's stair; see ../shared/data/README.md."""

@@ -56,6 +56,20 @@ class Route(ProgramCase):
         self.assertGreater(wide["length"], 2 * (3 ** 2 + (6.5 + 0.3 - 3) ** 2) ** 0.5)
         self.assertTrue(any(x > 6.5 for x, _, z in wide["waypoints"]))
 
+    def test_a_wide_way_goes_round_posts(self):
+        """Two posts with 1 m between them, through which the straight way leads; stairs and lintels aren't tight."""
+        posts = "".join("  - {id: post-%d, shape: box, center: [%g, 1, 5], size: [0.3, 2, 0.3], mode: solid}\n" % (i, x)
+                        for i, x in enumerate((-0.65, 0.65)))
+        self.write("yard.campus.yaml", YARD.replace("spawns:", posts + "spawns:"))
+        self.assertAlmostEqual(6.0, self.json_route("0,8", "0,2")["length"], delta=0.06)
+        wide = self.json_route("0,8", "0,2", "--prefer", "wide")
+        self.assertTrue(any(abs(x) > 0.8 for x, _, z in wide["waypoints"]), wide)
+        stairs = "".join("  - {id: tread-%d, shape: box, center: [0, %g, %g], size: [6, %g, 0.3], mode: solid}\n"
+                         % (i, 0.085 * i, 8 - 0.3 * i, 0.17 * i) for i in range(1, 15))
+        self.write("yard.campus.yaml", YARD.replace("spawns:", stairs + "spawns:"))
+        narrow, wide = (self.json_route("0,9", "0,3.9", "--prefer", way) for way in ("shortest", "wide"))
+        self.assertEqual(narrow["length"], wide["length"])
+
     def test_passes_places_on_the_way(self):
         there = self.json_route("south", "0,-5", "--through", "5,5", "--through", "8,-5")
         self.assertTrue(any(abs(x - 5) < 0.06 and abs(z - 5) < 0.06 for x, _, z in there["waypoints"]))

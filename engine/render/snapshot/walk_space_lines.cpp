@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::array<float, 3> kReached = {0.05F, 0.85F, 0.25F};
 constexpr double kAboveGround = 0.05;  // metres
-constexpr double kHalfDot = 0.04;      // metres
+constexpr std::size_t kMostNodes = 4'000'000;
+constexpr double kHalfDot = 0.04;  // metres
 /// Ground in the next cell belongs to this one's up to this height apart, metres.
 constexpr double kSameGround = 0.4;
 
@@ -22,6 +23,7 @@ WalkSpace explored(const scene::Campus& campus, const WalkSpaceRequest& request)
     ExploreSettings settings = explore_settings(campus, request.profile, SimSettings().ticks_per_second);
     settings.solids.disabled = request.disabled;
     settings.starts = request.starts;
+    settings.max_nodes = kMostNodes;
     if (request.radius > 0.0 && !request.starts.empty()) {
         const Vector3d around(request.radius, campus.world.bounds().max.y() - campus.world.bounds().min.y(),
                               request.radius);
@@ -34,7 +36,8 @@ void add_cell(const WalkSpace& space, const WalkNodeId& node, std::vector<Overla
     const GridCell cell = space.cell_of(node);
     const Vector3d middle = space.position(node) + kAboveGround * Vector3d::UnitY();
     for (const auto& [dx, dz] : {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)}) {
-        if (!space.find({cell.x + dx, cell.z + dz}, middle.y(), kSameGround)) {
+        const auto beside = space.find({cell.x + dx, cell.z + dz}, middle.y(), kSameGround);
+        if (!beside || space.node(*beside).hangs != 0) {
             const Vector3d side = 0.5 * space.grid.cell * Vector3d(dx, 0, dz);
             const Vector3d along = 0.5 * space.grid.cell * Vector3d(dz, 0, dx);
             lines.push_back({middle + side - along, middle + side + along, kReached});

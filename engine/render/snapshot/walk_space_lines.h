@@ -17,7 +17,7 @@ struct WalkSpaceRequest {
 };
 
 /// Adds the edge of the ground that a visitor gets to from the starts without leaving the radius, and a dot
-/// for every other cell of it.
+/// for one in four cells of it.
 void add_walk_space(const scene::Campus& campus, const WalkSpaceRequest& request,
                     std::vector<OverlayLine>& lines);
 

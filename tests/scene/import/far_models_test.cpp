@@ -120,6 +120,8 @@ TEST_F(FarModels, AreRefusedBeyondAnyDistance) {
         place("vast.glb", {{"scale", {1, 1, scale}}});
         EXPECT_TRUE(test::has_code(test::errors_of([&] { import("vast.glb"); }), "bad-size")) << scale;
     }
+    place("skewed.glb", {{"matrix", {1, 1e300, 0, 0, 0, -1e300, 0, 0, 0, 0, 1, 0, 0, 1e300, 0, 1}}});
+    EXPECT_TRUE(test::has_code(test::errors_of([&] { import("skewed.glb"); }), "bad-size"));
     place("remote.glb", {{"translation", {0, 1e12, 0}}});
     EXPECT_TRUE(test::has_code(test::errors_of([&] { import("remote.glb"); }), "bad-size"));
 }

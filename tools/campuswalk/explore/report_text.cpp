@@ -24,7 +24,7 @@ const char* text_of(engine::Bound bound) {
         case engine::Bound::falls:
             return "a fall took longer than half a minute";
         case engine::Bound::steering:
-            return "in falls of over half a metre, ten ways to steer were tried, not all";
+            return "in falls of over half a metre, some ways to steer were tried, not all";
     }
     return "";
 }

@@ -88,7 +88,7 @@ scene::Bounds substitute_ground(const scene::Bounds& model,
     return ground;
 }
 
-/// Where a visitor is looked for a place: this far around the middle.
+/// A place for the visitor is looked for this far around the middle.
 constexpr double kHalfExtent = 75.0;  // metres
 
 engine::ExploreSettings settings_around(const scene::Campus& campus, const Vector3d& middle) {

@@ -50,7 +50,9 @@ TEST(WalkSpaceLines, FollowTheWalls) {
 
 TEST(WalkSpaceLines, EndAtTheRadius) {
     const scene::Campus campus = walled_yard();
-    for (const OverlayLine& line : lines_in(campus, {{}, {{3, 0, 3}}, 2.0})) {
+    const std::vector<OverlayLine> lines = lines_in(campus, {{}, {{3, 0, 3}}, 2.0});
+    EXPECT_NEAR(length_of(lines, 0.2), 4 * 4.0, 2.0);
+    for (const OverlayLine& line : lines) {
         EXPECT_LE((line.a - Vector3d(3, 0, 3)).cwiseAbs().maxCoeff(), 2.5);
     }
 }
