@@ -8,6 +8,7 @@
 
 #include "engine/walkspace/frontier.h"
 #include "engine/walkspace/landing_places.h"
+#include "engine/walkspace/path_order.h"
 #include "engine/walkspace/worker_threads.h"
 
 namespace campuswalk::engine {
@@ -42,9 +43,9 @@ struct Worker {
 class Exploration {
 public:
     Exploration(const WorkerWorlds& worlds, const ExploreSettings& settings)
-        : settings_(settings), space_(WalkGrid{cell_for(settings)}) {
+        : settings_(settings), order_(settings), space_(WalkGrid{cell_for(settings)}) {
         if (!has_goal()) {  // on a path to a goal they are as good
-            diagonals_later_ = ticks_in(kDiagonalsLater / settings_.strides.walk_speed);
+            diagonals_later_ = order_.ticks_in(kDiagonalsLater / settings_.strides.walk_speed);
         }
         for (std::size_t i = 0; i < worlds.size(); ++i) {
             workers_.push_back({Strider(worlds[i], settings.strides, settings.solids)});
@@ -327,33 +328,6 @@ private:
                (settings_.keep_out && settings_.keep_out(foot));
     }
 
-    /// What falls and tight places on the way to a point count for in the order, besides the ticks.
-    std::uint32_t ticks_for_detour(const StrideEnd& end) const {
-        if (!settings_.towards) {
-            return 0;
-        }
-        const double fall = end.left_ground ? end.edge.y() - end.at.foot.y() - kHarmlessFall : 0.0;
-        const bool tight = settings_.is_tight && settings_.is_tight(end.at.foot);
-        return (fall > 0.0 ? ticks_in(fall * kSecondsRoundAFall) : 0U) +
-               (tight ? (kTightFactor - 1U) * static_cast<std::uint32_t>(end.ticks) : 0U);
-    }
-
-    /// As the strides go: along the axes and diagonals.
-    std::uint32_t ticks_to_goal(const Vec3& foot) const {
-        if (!settings_.towards) {
-            return 0;
-        }
-        const Vec3 apart = (*settings_.towards - foot).cwiseAbs();
-        const double less = std::min(apart.x(), apart.z());
-        const double more = std::max(apart.x(), apart.z());
-        return ticks_in((more - less + less / kDiagonal) / settings_.strides.walk_speed);
-    }
-
-    std::uint32_t ticks_in(double seconds) const {
-        constexpr double kMost = 1e9;
-        return static_cast<std::uint32_t>(std::min(kMost, seconds / settings_.strides.seconds));
-    }
-
     bool is_goal(const GridCell& cell, const GroundState& at) const {
         return (settings_.is_goal && settings_.is_goal(cell, at.foot.y())) ||
                (settings_.is_goal_state && settings_.is_goal_state(at));
@@ -373,7 +347,7 @@ private:
                 : !settings_.towards && frontiers_[tile].has_sent(cell, end.at.foot.y(), hangs)) {
             return;
         }
-        const std::uint32_t detour = ticks_for_detour(end);
+        const std::uint32_t detour = order_.ticks_for_detour(end);
         const Arrival arrival{from.ticks + static_cast<std::uint32_t>(end.ticks) + detour,
                               {tile, from.node},
                               stride,
@@ -383,7 +357,7 @@ private:
                               cell,
                               end.at};
         if (detour == 0 ||
-            !frontiers_[tile].push_detour(arrival, arrival.ticks + ticks_to_goal(end.at.foot))) {
+            !frontiers_[tile].push_detour(arrival, arrival.ticks + order_.ticks_to_goal(end.at.foot))) {
             add_or_send(tile, arrival, worker);
         }
     }
@@ -462,7 +436,7 @@ private:
         if (keep) {
             own.keyframes.push_back({number, at});
         }
-        frontiers_[tile].push({.order = ticks + ticks_to_goal(at.foot),
+        frontiers_[tile].push({.order = ticks + order_.ticks_to_goal(at.foot),
                                .ticks = ticks,
                                .node = number,
                                .since_keyframe = keep ? std::uint8_t{0} : since_keyframe,
@@ -486,6 +460,7 @@ private:
     }
 
     const ExploreSettings& settings_;
+    const PathOrder order_;
     std::uint32_t diagonals_later_ = 0;  ///< ticks
     WalkSpace space_;
     std::vector<Worker> workers_;

@@ -28,8 +28,6 @@ namespace {
 constexpr double kLevel = 0.5;
 /// A body is at most this far from the middle of its node's cell, as a share of the cell.
 constexpr double kOffCenter = 0.71;
-/// A body so near to a box may touch it, metres.
-constexpr double kAtBox = 0.05;
 /// Nodes whose exact state is computed to test one object, the nearest to its middle first.
 constexpr std::size_t kMostExact = 64;
 /// Nodes, and points of an object, between which lines of sight are tried.
@@ -177,19 +175,10 @@ private:
         }
     }
 
-    /// Where the feet of bodies may be that overlap the box.
-    Aabb bodies_in(const Aabb& box) const {
-        const double around = body_.radius + kOffCenter * s_.reached.grid.cell;
-        Aabb feet = box.grown(around);
-        feet.min.y() = box.min.y() - body_.height - kAtBox;
-        feet.max.y() = box.max.y() + kAtBox;
-        return feet;
-    }
-
     /// Nodes whose body may overlap the box, the nearest to its middle first.
     std::vector<WalkNodeId> nodes_near(const Aabb& box, std::size_t most) const {
         std::vector<std::pair<double, WalkNodeId>> near;
-        for (const WalkNodeId& node : s_.reached.nodes_in(bodies_in(box))) {
+        for (const WalkNodeId& node : s_.reached.nodes_touching(box, body_)) {
             near.emplace_back((s_.reached.position(node) - box.center()).squaredNorm(), node);
         }
         const auto end = near.begin() + static_cast<std::ptrdiff_t>(std::min(most, near.size()));

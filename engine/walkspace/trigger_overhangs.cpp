@@ -25,12 +25,9 @@ public:
           space_(space),
           storeys_(storeys),
           strider_(worlds[0], settings.strides, settings.solids) {
-        for (std::size_t i = 0; i < campus.objects.size(); ++i) {
-            const auto id = static_cast<ObjectId>(i);
-            if (is_detected(id, settings.solids)) {
-                triggers_.push_back(id);
-            }
-        }
+        const collision::QueryFilter triggers{Detection::trigger, settings.solids.ignored_layers,
+                                              settings.solids.disabled};
+        world_.candidates(world_.bounds(), triggers, triggers_);
     }
 
     std::vector<TriggerOverhang> run() {
@@ -51,13 +48,6 @@ public:
     }
 
 private:
-    bool is_detected(ObjectId id, const collision::QueryFilter& filter) const {
-        const collision::Object& object = world_.object(id);
-        return collision::any_of(object.detection, Detection::trigger) &&
-               ((filter.ignored_layers >> object.layer) & 1U) == 0 &&
-               (filter.disabled == nullptr || !(*filter.disabled)[index_of(id)]);
-    }
-
     /// How a trigger is entered from one storey.
     struct Entry {
         bool is_made_for = false;
@@ -68,10 +58,7 @@ private:
     std::map<std::size_t, Entry> entries_to(ObjectId trigger) {
         std::map<std::size_t, Entry> entries;
         const collision::Aabb& bounds = world_.bounds(trigger);
-        collision::Aabb feet = bounds.grown(body_.radius + space_.grid.cell);
-        feet.min.y() = bounds.min.y() - body_.height;
-        feet.max.y() = bounds.max.y();
-        for (const WalkNodeId& node : space_.nodes_in(feet)) {
+        for (const WalkNodeId& node : space_.nodes_touching(bounds, body_)) {
             Entry& entry = entries[storeys_.of(node)];
             if (entry.is_made_for) {
                 continue;

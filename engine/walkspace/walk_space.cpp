@@ -78,6 +78,16 @@ std::vector<WalkNodeId> WalkSpace::nodes_in(const collision::Aabb& box) const {
     return nodes;
 }
 
+std::vector<WalkNodeId> WalkSpace::nodes_touching(const collision::Aabb& box,
+                                                  const collision::MoverSettings& body) const {
+    constexpr double kOffCenter = 0.71;  // a body is at most so many cells from its cell's middle
+    constexpr double kAtBox = 0.05;      // metres
+    collision::Aabb feet = box.grown(body.radius + kOffCenter * grid.cell);
+    feet.min.y() = box.min.y() - body.height - kAtBox;
+    feet.max.y() = box.max.y() + kAtBox;
+    return nodes_in(feet);
+}
+
 std::optional<std::uint32_t> WalkSpace::tile_at(const GridCell& cell) const {
     const auto found = tile_numbers_.find(first_cell_of(cell));
     return found == tile_numbers_.end() ? std::nullopt : std::optional(found->second);

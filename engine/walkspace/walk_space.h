@@ -61,6 +61,9 @@ public:
     std::optional<WalkNodeId> find(const GridCell& cell, double y, double tolerance = WalkNode::kLevel) const;
     /// All nodes at heights of the box, in cells that overlap it seen from above; by tile and node.
     std::vector<WalkNodeId> nodes_in(const collision::Aabb& box) const;
+    /// Likewise, all nodes whose body may touch the box.
+    std::vector<WalkNodeId> nodes_touching(const collision::Aabb& box,
+                                           const collision::MoverSettings& body) const;
     std::optional<std::uint32_t> tile_at(const GridCell& cell) const;
     /// The tile's number; a tile that isn't there yet is added.
     std::uint32_t add_tile_at(const GridCell& cell);

@@ -25,6 +25,15 @@ scene::Campus level_campus(double half_size, collision::TreeKind tree) {
     return campus;
 }
 
+scene::Campus walled_yard() {
+    scene::Campus campus = level_campus(10.0);
+    add_box(campus, "north", {-6.2, 0, -6.2}, {6.2, 4, -6});
+    add_box(campus, "south", {-6.2, 0, 6}, {6.2, 4, 6.2});
+    add_box(campus, "west", {-6.2, 0, -6}, {-6, 4, 6});
+    add_box(campus, "east", {6, 0, -6}, {6.2, 4, 6});
+    return campus;
+}
+
 void add_building(scene::Campus& campus, const std::string& id, const std::string& title,
                   const std::string& hours, const std::string& text) {
     scene::Building building;

@@ -22,6 +22,9 @@ scene::Campus empty_campus();
 /// origin.
 scene::Campus level_campus(double half_size = 50.0, collision::TreeKind tree = collision::TreeKind::bvh8);
 
+/// A level floor of 12 m x 12 m within walls of 4 m, about the origin.
+scene::Campus walled_yard();
+
 /// Appends a building with an information record.
 void add_building(scene::Campus& campus, const std::string& id, const std::string& title = "",
                   const std::string& hours = "", const std::string& text = "");

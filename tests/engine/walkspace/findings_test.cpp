@@ -19,16 +19,6 @@ namespace {
 
 using collision::Vec3;
 
-/// A floor of 12 m x 12 m within walls of 4 m.
-scene::Campus walled_yard() {
-    scene::Campus campus = level_campus(10.0);
-    add_box(campus, "north", {-6.2, 0, -6.2}, {6.2, 4, -6});
-    add_box(campus, "south", {-6.2, 0, 6}, {6.2, 4, 6.2});
-    add_box(campus, "west", {-6.2, 0, -6}, {-6, 4, 6});
-    add_box(campus, "east", {6, 0, -6}, {6.2, 4, 6});
-    return campus;
-}
-
 /// With stairs of 0.25 m along the west wall up to a gallery at 3 m, under which one walks.
 scene::Campus yard_with_gallery() {
     scene::Campus campus = walled_yard();

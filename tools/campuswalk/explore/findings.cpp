@@ -128,8 +128,10 @@ void add_overhangs(const scene::Campus& campus, const WalkReport& report, std::v
         for (std::size_t i = 0; i < overhang.also_in.size(); ++i) {
             text += (i == 0 ? ", and at once in " : ", ") + campus.objects[index_of(overhang.also_in[i])].id;
         }
-        findings.push_back({FindingKind::trigger, "trigger " + campus.objects[index_of(overhang.trigger)].id,
-                            std::move(text), overhang.foot});
+        const std::string& trigger = campus.objects[index_of(overhang.trigger)].id;
+        Finding finding{FindingKind::trigger, "trigger " + trigger, std::move(text), overhang.foot};
+        finding.trigger = trigger;
+        findings.push_back(std::move(finding));
     }
 }
 
@@ -156,11 +158,12 @@ void add_islands(const scene::Campus& campus, const WalkReport& report, std::vec
 
 void add_hot_spots(const scene::Campus& campus, const WalkReport& report, std::vector<Finding>& findings) {
     for (const engine::HotSpot& spot : report.hot_spots) {
-        findings.push_back(
-            {FindingKind::hot, "hot spot",
-             std::to_string(spot.pieces) + " triangles are within a step of the visitor, most of " +
-                 engine::object_text(campus, spot.object, spot.foot) + ": every tick there takes long",
-             spot.foot});
+        findings.push_back({FindingKind::hot, "hot spot",
+                            std::to_string(spot.pieces) +
+                                " triangles and solids are within a step of the visitor, most of " +
+                                engine::object_text(campus, spot.object, spot.foot) +
+                                ": every tick there takes long",
+                            spot.foot});
     }
 }
 

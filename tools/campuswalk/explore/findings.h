@@ -20,6 +20,7 @@ struct Finding {
     collision::Vec3 at = collision::Vec3::Zero();
     std::optional<engine::Barrier> barrier = {};
     std::optional<std::size_t> island = {};  ///< index into WalkReport::islands
+    std::string trigger = {};                ///< id, of one that reaches through a floor
 };
 
 /// Unreached subjects first, then traps (stuck spots if they are small), holes, narrow passages, triggers

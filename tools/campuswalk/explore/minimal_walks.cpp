@@ -63,11 +63,6 @@ Vec3 nearest_ground(const engine::Island& island, const Vec3& from) {
     return std::ranges::min_element(island.spots, {}, apart)->at.foot;
 }
 
-/// What the log says when the trigger that the finding is about is entered.
-std::string entering(const Finding& finding) {
-    return "trigger.enter " + scene::glob_for(finding.subject.substr(finding.subject.find(' ') + 1));
-}
-
 std::optional<std::string> yaml_of(const WalkReport& report, const Finding& finding) {
     switch (finding.kind) {
         case FindingKind::unreached:
@@ -85,7 +80,8 @@ std::optional<std::string> yaml_of(const WalkReport& report, const Finding& find
         case FindingKind::trigger:
             return "status: {is: xfail, because: " + json_text(finding.text) +
                    ", failures: [never]}\nsteps:\n  - spawn: {at: " + list_of(finding.at) +
-                   "}\n  - wait: 0.1\nexpect:\n  - never: " + json_text(entering(finding)) + "\n";
+                   "}\n  - wait: 0.1\nexpect:\n  - never: " +
+                   json_text("trigger.enter " + scene::glob_for(finding.trigger)) + "\n";
         case FindingKind::trap:
         case FindingKind::stuck: {
             const auto trap = std::ranges::find(report.traps, finding.at, &engine::Trap::edge);

@@ -9,13 +9,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A floor of 12 m x 12 m within walls, with a pillar of 1 m x 1 m in the middle.
-scene::Campus walled_yard() {
-    scene::Campus campus = level_campus(10.0);
-    add_box(campus, "north", {-6.2, 0, -6.2}, {6.2, 4, -6});
-    add_box(campus, "south", {-6.2, 0, 6}, {6.2, 4, 6.2});
-    add_box(campus, "west", {-6.2, 0, -6}, {-6, 4, 6});
-    add_box(campus, "east", {6, 0, -6}, {6.2, 4, 6});
+/// With a pillar of 1 m x 1 m in the middle.
+scene::Campus yard_with_pillar() {
+    scene::Campus campus = walled_yard();
     add_box(campus, "pillar", {-0.5, 0, -0.5}, {0.5, 4, 0.5});
     return campus;
 }
@@ -36,7 +32,7 @@ std::vector<OverlayLine> lines_in(const scene::Campus& campus, const WalkSpaceRe
 }
 
 TEST(WalkSpaceLines, FollowTheWalls) {
-    const scene::Campus campus = walled_yard();
+    const scene::Campus campus = yard_with_pillar();
     const std::vector<OverlayLine> lines = lines_in(campus, {{}, {{3, 0, 3}}});
     for (const OverlayLine& line : lines) {
         for (const Vector3d& p : {line.a, line.b}) {
@@ -49,7 +45,7 @@ TEST(WalkSpaceLines, FollowTheWalls) {
 }
 
 TEST(WalkSpaceLines, EndAtTheRadius) {
-    const scene::Campus campus = walled_yard();
+    const scene::Campus campus = yard_with_pillar();
     const std::vector<OverlayLine> lines = lines_in(campus, {{}, {{3, 0, 3}}, 2.0});
     EXPECT_NEAR(length_of(lines, 0.2), 4 * 4.0, 2.0);
     for (const OverlayLine& line : lines) {
@@ -58,7 +54,7 @@ TEST(WalkSpaceLines, EndAtTheRadius) {
 }
 
 TEST(WalkSpaceLines, LeadWhereADisabledObjectStood) {
-    const scene::Campus campus = walled_yard();
+    const scene::Campus campus = yard_with_pillar();
     std::vector<bool> disabled(campus.objects.size(), false);
     disabled.back() = true;
     const std::vector<OverlayLine> lines = lines_in(campus, {{}, {{3, 0, 3}}, 0.0, &disabled});

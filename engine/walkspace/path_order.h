@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+
+#include "engine/walkspace/explore.h"
+
+namespace campuswalk::engine {
+
+/// In which order the exploration takes nodes on the way to a point: by the ticks to them and those from there on,
+/// where falls and tight places count for more than they take. Without a point, by the ticks to them alone.
+class PathOrder {
+public:
+    /// `settings` must outlive it.
+    explicit PathOrder(const ExploreSettings& settings) : settings_(settings) {}
+
+    std::uint32_t ticks_in(double seconds) const;
+    /// Straight on, as the strides go: along the axes and diagonals.
+    std::uint32_t ticks_to_goal(const collision::Vec3& foot) const;
+    /// What a stride counts for besides its ticks.
+    std::uint32_t ticks_for_detour(const StrideEnd& end) const;
+
+private:
+    const ExploreSettings& settings_;
+};
+
+}  // namespace campuswalk::engine
