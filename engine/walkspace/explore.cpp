@@ -305,21 +305,14 @@ private:
 
     /// The same fall, steered elsewhere.
     void steer(std::uint32_t tile, const Fall& fall, const LandingPlaces& places, Worker& worker) {
-        const Landings landings = places.below({fall.edge, fall.stride.gait});
-        if (landings.empty()) {
+        if (!places.has_any_below({fall.edge, fall.stride.gait})) {
             return;
         }
         Stride straight_down = fall.stride;
         straight_down.steering = Stride::kLetGo;
-        bool is_over_the_rim = fall.gone;
-        if (fall.gone || places.may_land_on(landings, straight_down)) {
-            const StrideEnd down = take(tile, fall.from, straight_down, worker);
-            is_over_the_rim = is_over_the_rim && down.kind == StrideEnd::Kind::gone;
-        }
-        for (const Stride& stride : steered_strides(fall, is_over_the_rim)) {
-            if (places.may_land_on(landings, stride)) {
-                take(tile, fall.from, stride, worker);
-            }
+        const StrideEnd down = take(tile, fall.from, straight_down, worker);
+        for (const Stride& stride : steered_strides(fall, fall.gone && down.kind == StrideEnd::Kind::gone)) {
+            take(tile, fall.from, stride, worker);
         }
     }
 

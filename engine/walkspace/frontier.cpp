@@ -8,9 +8,10 @@ namespace campuswalk::engine {
 
 namespace {
 
-/// High falls are steered up to so many fifths of a second later: what is below an edge is often set back,
-/// and a body that steers back at once lands on the edge again. A fall of 5 m takes one second.
-constexpr std::uint8_t kLatestSteering = 3;
+/// Falls are steered up to so many fifths of a second later: what is below an edge is often set back, and a
+/// body that steers back at once lands on the edge again. A fall of 5 m takes one second, one of 0.8 m 0.4.
+constexpr std::uint8_t kLatestInHighFall = 3;
+constexpr std::uint8_t kLatestInLowFall = 1;
 
 /// The earlier first, at the top of a heap.
 bool later(const Pending& a, const Pending& b) {
@@ -69,7 +70,8 @@ std::vector<Stride> steered_strides(const Fall& fall, bool over_the_rim) {
     std::vector<Stride> strides;
     Stride stride = fall.stride;
     const collision::Vec3& ahead = grid_directions()[fall.stride.direction].unit;
-    for (std::uint8_t after = over_the_rim ? 1 : 0; after <= (fall.high ? kLatestSteering : 0); ++after) {
+    const std::uint8_t latest = fall.high ? kLatestInHighFall : kLatestInLowFall;
+    for (std::uint8_t after = over_the_rim ? 1 : 0; after <= latest; ++after) {
         stride.steers_after = after;
         for (std::uint8_t i = 0; i < 8; ++i) {
             // Over the rim of the world, ground can only be behind.

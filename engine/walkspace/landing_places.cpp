@@ -81,51 +81,26 @@ bool LandingPlaces::is_explored_elsewhere(const Vec3& at) const {
 }
 
 /// Even if the body has no room there: on a narrow ledge it may hang over the edge.
-Landings LandingPlaces::below(const FallEdge& edge) const {
-    Landings landings;
-    const double reach = reach_after(edge, seconds_to(edge, bottom_));
+bool LandingPlaces::has_any_below(const FallEdge& edge) const {
     const collision::Aabb region = region_below(edge);
-    landings.anywhere = std::ranges::any_of(
-        round_solids_, [&](const collision::Aabb& bounds) { return bounds.overlaps(region); });
-    const GridCell first = kBlocks.cell_at(edge.at - Vec3(reach, 0, reach));
-    const GridCell last = kBlocks.cell_at(edge.at + Vec3(reach, 0, reach));
+    if (std::ranges::any_of(round_solids_, [&](const collision::Aabb& b) { return b.overlaps(region); })) {
+        return true;
+    }
+    const auto is_below = [&](const Vec3& at) {
+        const double seconds = seconds_to(edge, at.y());
+        return seconds >= 0.0 && collision::horizontal_norm(at - edge.at) <= reach_after(edge, seconds);
+    };
+    const GridCell first = kBlocks.cell_at(region.min);
+    const GridCell last = kBlocks.cell_at(region.max);
     for (int z = first.z; z <= last.z; ++z) {
         for (int x = first.x; x <= last.x; ++x) {
             const auto block = blocks_.find(key_of({x, z}));
-            if (block == blocks_.end()) {
-                continue;
-            }
-            for (const Vec3& at : block->second) {
-                const double seconds = seconds_to(edge, at.y());
-                const Vec3 offset(at.x() - edge.at.x(), 0.0, at.z() - edge.at.z());
-                if (seconds >= 0.0 && offset.norm() <= reach_after(edge, seconds)) {
-                    landings.list.push_back({offset, seconds});
-                }
+            if (block != blocks_.end() && std::ranges::any_of(block->second, is_below)) {
+                return true;
             }
         }
     }
-    return landings;
-}
-
-/// Along a wall a body gets as far as its way's projection on it: to the circle whose diameter is the way
-/// that it would have gone.
-bool LandingPlaces::may_land_on(const Landings& landings, const Stride& stride) const {
-    const double speed = speed_of(stride.gait);
-    const double seconds_ahead = Stride::kFifth * stride.steers_after;
-    const bool steers = stride.steering != Stride::kLetGo;
-    const Vec3& straight_on = grid_directions()[stride.direction].unit;
-    const Vec3& steered = steers && stride.steering != Stride::kStraightOn
-                              ? grid_directions()[stride.steering].unit
-                              : straight_on;
-    const double beside = settings_.strides.body.radius + kBeside;
-    const auto is_near = [&](const Landing& landing) {
-        const double whole = speed * landing.seconds;
-        const double ahead = std::min(whole, speed * seconds_ahead);
-        const double after = steers ? whole - ahead : 0.0;
-        const Vec3 middle = 0.5 * ahead * straight_on + 0.5 * after * steered;
-        return (landing.offset - middle).norm() <= 0.5 * (ahead + after) + (kSlides - 1.0) * whole + beside;
-    };
-    return landings.anywhere || std::ranges::any_of(landings.list, is_near);
+    return false;
 }
 
 /// Until a body that leaves the ground there falls below `y`; negative if it never gets so high.
@@ -146,12 +121,10 @@ collision::Aabb LandingPlaces::region_below(const FallEdge& edge) const {
             {edge.at.x() + reach, edge.at.y() + rise, edge.at.z() + reach}};
 }
 
-double LandingPlaces::speed_of(Gait gait) const {
-    return gait == Gait::walk ? settings_.strides.walk_speed : settings_.strides.run_speed;
-}
-
 double LandingPlaces::reach_after(const FallEdge& edge, double seconds) const {
-    return kSlides * speed_of(edge.gait) * std::max(0.0, seconds) + settings_.strides.body.radius + kBeside;
+    const StrideSettings& strides = settings_.strides;
+    const double speed = edge.gait == Gait::walk ? strides.walk_speed : strides.run_speed;
+    return kSlides * speed * std::max(0.0, seconds) + strides.body.radius + kBeside;
 }
 
 }  // namespace campuswalk::engine

@@ -15,19 +15,6 @@ struct FallEdge {
     Gait gait = Gait::walk;
 };
 
-/// A place below an edge, as seen from there.
-struct Landing {
-    collision::Vec3 offset = collision::Vec3::Zero();  ///< horizontal
-    double seconds = 0.0;                              ///< that a body falls until it is as low
-};
-
-struct Landings {
-    std::vector<Landing> list;
-    bool anywhere = false;  ///< there are round solids below, whose tops aren't known
-
-    bool empty() const { return list.empty() && !anywhere; }
-};
-
 /// Surfaces that aren't reached yet. Where a fall can't end on one, it is of no use to try how it may be
 /// steered. Bodies that slide along walls and slopes on their way are allowed for, roughly. Threads may share
 /// one.
@@ -37,10 +24,8 @@ public:
     LandingPlaces(const collision::World& world, const ExploreSettings& settings, const WalkSpace& reached,
                   const std::vector<FallEdge>& edges);
 
-    /// Where a body that leaves the ground there may land, steered as it likes.
-    Landings below(const FallEdge& edge) const;
-    /// Whether it may land on one of these, steered as the stride says.
-    bool may_land_on(const Landings& landings, const Stride& stride) const;
+    /// Whether a body that leaves the ground there may land on one, steered as it likes.
+    bool has_any_below(const FallEdge& edge) const;
 
 private:
     void add_surfaces(const collision::World& world, const WalkSpace& reached, const collision::Aabb& region);
@@ -49,7 +34,6 @@ private:
     bool is_explored_elsewhere(const collision::Vec3& at) const;
     double seconds_to(const FallEdge& edge, double y) const;
     collision::Aabb region_below(const FallEdge& edge) const;
-    double speed_of(Gait gait) const;
     double reach_after(const FallEdge& edge, double seconds) const;
 
     const ExploreSettings& settings_;

@@ -6,8 +6,9 @@
 
 namespace campuswalk::engine {
 
-/// In which order the exploration takes nodes on the way to a point: by the ticks to them and those from there on,
-/// where falls and tight places count for more than they take. Without a point, by the ticks to them alone.
+/// In which order the exploration takes nodes on the way to a point: by the ticks to them and those from
+/// there on, where falls and tight places count for more than they take. Without a point, by the ticks to
+/// them alone.
 class PathOrder {
 public:
     /// `settings` must outlive it.

@@ -15,6 +15,8 @@ namespace {
 
 /// A body that moves less in a tick than this stands still, metres.
 constexpr double kStill = 1e-9;
+/// Seconds; see Stride::steers_after.
+constexpr double kFifth = 0.2;
 /// In a fall, after so many ticks, half as many more and so on, it is asked whether it goes on for ever.
 constexpr std::size_t kFirstLook = 16;
 /// What is nearer than this to a fall may be touched, metres.
@@ -86,8 +88,8 @@ StrideEnd Strider::take(const GroundState& from, const Stride& stride, const Wal
     if (!state_.grounded) {
         const bool straight_on = stride.steering == Stride::kStraightOn;
         const bool let_go = stride.steering == Stride::kLetGo;
-        const auto steers_after = static_cast<std::size_t>(
-            std::floor(Stride::kFifth * stride.steers_after / settings_.seconds + 0.5));
+        const auto steers_after =
+            static_cast<std::size_t>(std::floor(kFifth * stride.steers_after / settings_.seconds + 0.5));
         ahead_until += steers_after;
         fall(desired,
              straight_on ? desired

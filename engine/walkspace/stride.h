@@ -17,7 +17,6 @@ enum class Gait : std::uint8_t { walk, run, jump };
 struct Stride {
     static constexpr std::uint8_t kStraightOn = 8;  ///< in a fall: as on the ground
     static constexpr std::uint8_t kLetGo = 9;       ///< in a fall: straight down
-    static constexpr double kFifth = 0.2;           ///< of `steers_after`, seconds
 
     std::uint8_t direction = 0;  ///< index into grid_directions()
     Gait gait = Gait::walk;
