@@ -16,6 +16,7 @@ PlannedRoute BodyRoutes::plan(const GoToStep& step, double speed) {
     settings.strides.seconds = 1.0 / sim_.ticks_per_second;
     settings.strides.walk_speed = speed;
     settings.solids = body_.solids();
+    settings.ground = ground_;
     settings.keep_out = keep_out_of(campus_, step.avoid, settings.strides.body);
     if (step.prefer == RoutePreference::wide) {
         settings.is_tight = tight_places(campus_.world, settings.solids, settings.strides.body);

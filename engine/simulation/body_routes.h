@@ -3,6 +3,7 @@
 #include "engine/script/route_planner.h"
 #include "engine/script/walk.h"
 #include "engine/simulation/body.h"
+#include "engine/walkspace/ground_map.h"
 #include "scene/campus/campus.h"
 
 namespace campuswalk::engine {
@@ -11,9 +12,9 @@ namespace campuswalk::engine {
 /// enabled at that tick.
 class BodyRoutes final : public RoutePlanner {
 public:
-    /// All must outlive it.
-    BodyRoutes(const scene::Campus& campus, const SimSettings& sim, const Body& body)
-        : campus_(campus), sim_(sim), body_(body) {}
+    /// All must outlive it; `ground` is what RouteSettings::ground is.
+    BodyRoutes(const scene::Campus& campus, const SimSettings& sim, const Body& body, GroundMaps* ground)
+        : campus_(campus), sim_(sim), body_(body), ground_(ground) {}
 
     PlannedRoute plan(const GoToStep& step, double speed) override;
 
@@ -21,6 +22,7 @@ private:
     const scene::Campus& campus_;
     const SimSettings& sim_;
     const Body& body_;
+    GroundMaps* ground_;
 };
 
 }  // namespace campuswalk::engine

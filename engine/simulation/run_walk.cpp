@@ -126,8 +126,9 @@ WalkSummary run_walk(Simulation& simulation, const scene::Campus& campus, const 
 
 }  // namespace
 
-WalkSummary run_walk(const scene::Campus& campus, const Walk& walk, std::span<Observer* const> observers) {
-    Simulation simulation(campus, walk);
+WalkSummary run_walk(const scene::Campus& campus, const Walk& walk, std::span<Observer* const> observers,
+                     GroundMaps* ground) {
+    Simulation simulation(campus, walk, ground);
     return run_walk(simulation, campus, walk, observers);
 }
 

@@ -19,14 +19,14 @@ const char* cause_of(const Intent& intent) {
 
 }  // namespace
 
-Simulation::Simulation(const scene::Campus& campus, const Walk& walk)
+Simulation::Simulation(const scene::Campus& campus, const Walk& walk, GroundMaps* ground)
     : state_(campus, walk),
-      routes_(campus, walk.sim, state_.body),
+      routes_(campus, walk.sim, state_.body, ground),
       script_(std::in_place, walk, &routes_),
       intents_(*script_) {}
 
 Simulation::Simulation(const scene::Campus& campus, const Walk& walk, IntentSource& intents)
-    : state_(campus, walk), routes_(campus, walk.sim, state_.body), intents_(intents) {}
+    : state_(campus, walk), routes_(campus, walk.sim, state_.body, nullptr), intents_(intents) {}
 
 const TickRecord& Simulation::step() {
     begin_tick(state_.events.tick + 1);

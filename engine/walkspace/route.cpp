@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/script/travel.h"
+#include "engine/walkspace/taut_path.h"
 #include "engine/walkspace/trial_walk.h"
 #include "engine/walkspace/worker_worlds.h"
 
@@ -36,6 +37,8 @@ constexpr double kLastPiece = 4.0;
 constexpr double kNearTarget = 0.6;
 /// Nodes are at least this far from what is avoided, metres.
 constexpr double kRoomBeside = 0.1;
+/// So many guesses are walked before the way is looked for by walking everywhere.
+constexpr int kMostGuesses = 12;
 /// After so many searches a leg is walked as the last chain goes, stride by stride.
 constexpr int kMostSearches = 12;
 /// Points that pieces go to have whole millimetres, so that they can be written down exactly.
@@ -70,6 +73,8 @@ public:
           settings_(settings),
           strider_(world, settings.strides, settings.solids),
           trial_(world, settings.strides, settings.solids, settings.keep_out),
+          map_((settings.ground != nullptr ? *settings.ground : own_maps_)
+                   .of(world, settings.strides.body, settings.solids)),
           state_(request.from) {
         route_.path.push_back(state_.foot);
     }
@@ -78,21 +83,17 @@ public:
     std::optional<NoRoute> go_to(const Target& target, double within) {
         target_ = target;
         within_ = within;
-        const MoverState start = state_;
+        const Mark start = mark();
         const std::optional<Pull> straight = walk_straight();
         if (straight && is_nearly_straight(*straight)) {
             append(*straight);
             return std::nullopt;
         }
-        const std::size_t pieces = route_.pieces.size();
-        const std::size_t points = route_.path.size();
         if (auto none = search()) {
             return none;
         }
-        if (straight && cost_of(*straight) <= ticks_since(points)) {
-            route_.pieces.resize(pieces);
-            route_.path.resize(points);
-            state_ = start;
+        if (straight && cost_of(*straight) <= ticks_since(start.points)) {
+            go_back_to(start);
             append(*straight);
         }
         return std::nullopt;
@@ -148,10 +149,14 @@ private:
                static_cast<Tick>(round / settings_.strides.seconds);
     }
 
+    /// What is guessed is walked; only where that fails, all around is, until the target is reached.
     std::optional<NoRoute> search() {
         for (int searches = 1;; ++searches) {
             if (!land()) {
                 return NoRoute{target_, WalkSpace(WalkGrid{}), false};
+            }
+            if (follow_guess()) {
+                return std::nullopt;
             }
             WalkSpace space = explore(worlds_, explore_settings());
             if (!space.goal) {
@@ -167,6 +172,92 @@ private:
                 return NoRoute{target_, std::move(space), true};
             }
         }
+    }
+
+    /// Where one has come to.
+    struct Mark {
+        MoverState state;
+        std::size_t pieces = 0;
+        std::size_t points = 0;
+    };
+
+    Mark mark() const { return {state_, route_.pieces.size(), route_.path.size()}; }
+
+    void go_back_to(const Mark& mark) {
+        state_ = mark.state;
+        route_.pieces.resize(mark.pieces);
+        route_.path.resize(mark.points);
+    }
+
+    /// By straight pieces along a way over the map; where they lead no farther, the map is wrong. Whether
+    /// that leads to the target: if not, the body is where it was.
+    bool follow_guess() {
+        const Mark start = mark();
+        const collision::MoverSettings& body = settings_.strides.body;
+        const double steepest = std::sqrt(1.0 - body.min_up * body.min_up) / body.min_up;
+        GuessRules rules{{}, settings_.is_tight, std::max(body.step_height, steepest * map_.grid().cell), {}};
+        if (settings_.keep_out) {
+            rules.keep_out = [this](const Vec3& foot) { return is_close_to_what_is_avoided(foot); };
+        }
+        for (int guesses = 0; guesses < kMostGuesses; ++guesses) {
+            auto guess = guess_path(map_, state_.foot, target_, rules);
+            if (!guess) {
+                return false;
+            }
+            if (!rules.is_tight) {
+                guess = pulled_taut(map_, std::move(*guess), rules);
+            }
+            chain_ = chain_along(*guess);
+            const std::size_t end = follow_pieces(rules);
+            if (end == chain_.size()) {
+                return true;
+            }
+            go_back_to(start);
+            rules.blocked.push_back((*guess)[std::min(end + 1, guess->size() - 1)]);
+        }
+        return false;
+    }
+
+    std::vector<ChainNode> chain_along(const std::vector<GroundMap::Spot>& guess) const {
+        const double length = settings_.strides.walk_speed * settings_.strides.seconds;
+        std::vector<ChainNode> chain;
+        double walked = 0.0;
+        for (const GroundMap::Spot& spot : guess) {
+            const Vec3 foot = map_.foot(spot);
+            ChainNode node{{}, {foot, foot.y()}};
+            if (!chain.empty()) {
+                const ChainNode& before = chain.back();
+                walked += flat(foot - before.at.foot).norm();
+                node.ticks = static_cast<Tick>(walked / length);
+                const bool tight = settings_.is_tight && settings_.is_tight(foot);
+                node.tight = before.tight + (tight ? node.ticks - before.ticks : 0);
+            }
+            chain.push_back(node);
+        }
+        return chain;
+    }
+
+    /// The node of the chain from which none leads on; its size at the target.
+    std::size_t follow_pieces(const GuessRules& rules) {
+        std::size_t at = 0;
+        const auto may_lead = [&](std::size_t node) {
+            const ChainNode& goal = chain_[std::min(node, chain_.size() - 1)];
+            return straight_path(map_, state_.foot, goal.at.foot, rules).has_value();
+        };
+        while (at < chain_.size()) {
+            const std::size_t most = chain_.size() - at;
+            const auto leads = [&](std::size_t length) { return may_lead(at + length); };
+            auto next = piece_to(at, at + farthest_by_leaps(most, leads));
+            if (!next) {
+                next = farthest(at, may_lead);
+            }
+            if (!next) {
+                break;
+            }
+            append(*next);
+            at = next->node;
+        }
+        return at;
     }
 
     /// False if the body falls out of the world.
@@ -246,7 +337,7 @@ private:
         bool exact = true;  // the body is in the very state of the chain's node
         while (at < chain_.size()) {
             const bool last = at + 1 == chain_.size();
-            auto next = pull || last ? farthest(at) : std::nullopt;
+            auto next = pull || last ? farthest(at, [](std::size_t) { return true; }) : std::nullopt;
             if (next) {
                 append(*next);
                 at = next->node;
@@ -261,14 +352,19 @@ private:
     }
 
     /// The farthest node of the chain that a straight piece leads to, found by ever larger leaps and then by
-    /// halving the last one; `chain_.size()` stands for the target.
-    std::optional<Pull> farthest(std::size_t at) {
+    /// halving the last one; `chain_.size()` stands for the target. Pieces over several nodes are only tried
+    /// where they may lead.
+    template <typename MayLead>
+    std::optional<Pull> farthest(std::size_t at, const MayLead& may_lead) {
+        const auto try_piece = [&](std::size_t node) {
+            return node <= at + 1 || may_lead(node) ? piece_to(at, node) : std::nullopt;
+        };
         std::optional<Pull> best;
         const std::size_t end = chain_.size();
         std::size_t fails = end + 1;
         for (std::size_t leap = 1; best ? best->node < end : leap <= 4; leap *= 2) {
             const std::size_t node = std::min(at + leap, end);
-            if (auto pull = piece_to(at, node)) {
+            if (auto pull = try_piece(node)) {
                 best = std::move(pull);
             } else if (best || node == end) {
                 fails = node;
@@ -277,7 +373,7 @@ private:
         }
         while (best && best->node + 1 < fails) {
             const std::size_t middle = best->node + (fails - best->node) / 2;
-            if (auto pull = piece_to(at, middle)) {
+            if (auto pull = try_piece(middle)) {
                 best = std::move(pull);
             } else {
                 fails = middle;
@@ -296,7 +392,8 @@ private:
         const Tick most = goal.ticks - chain_[at].ticks + kSlack + (last ? last_ticks() : 0);
         const auto end = trial_.walk(state_, pull.piece, most);
         if (!end || (end->touched && node > at + 1) ||
-            (!last && std::abs(end->state.foot.y() - goal.at.foot.y()) > kSameGround) ||
+            (!last &&
+             (!end->state.grounded || std::abs(end->state.foot.y() - goal.at.foot.y()) > kSameGround)) ||
             end->falls > std::max(kHarmlessFall, falls_of_chain(at, node)) + kSameFall) {
             return std::nullopt;
         }
@@ -351,6 +448,8 @@ private:
     const RouteSettings& settings_;
     Strider strider_;
     TrialWalk trial_;
+    GroundMaps own_maps_;
+    GroundMap& map_;
     MoverState state_;  ///< at the end of the route so far
     Route route_;
     Target target_;

@@ -9,6 +9,7 @@
 #include "collision/world/world.h"
 #include "engine/script/route.h"
 #include "engine/walkspace/explore.h"
+#include "engine/walkspace/ground_map.h"
 #include "engine/walkspace/walk_space.h"
 
 namespace campuswalk::engine {
@@ -22,6 +23,9 @@ struct RouteSettings {
     /// Where it had rather not be: a way through such places counts kTightFactor times. May be empty.
     std::function<bool(const collision::Vec3& foot)> is_tight = {};
     std::size_t max_nodes = 60'000'000;
+    /// What earlier routes found of the ground: saves time and changes no route. May be null; else it must
+    /// outlive the call, and no other thread may use it.
+    GroundMaps* ground = nullptr;
 };
 
 struct RouteRequest {
@@ -38,10 +42,11 @@ struct NoRoute {
     bool incomplete = false;  ///< the most nodes were explored, and there is more
 };
 
-/// Straight on where that leads there; else along a chain of strides through the walk space, explored no
-/// farther than it must be, which is pulled straight wherever a trial walk arrives. Each piece was walked
-/// from the very state in which the one before ended, so that the avatar's steps can't fail. Depends on its
-/// arguments alone.
+/// Straight on where that leads there. Else along a path that is guessed from the geometry, and only where
+/// that can't be walked along a chain of strides through the walk space, explored no farther than it must be;
+/// pulled straight wherever a trial walk arrives. Each piece was walked from the very state in which the one
+/// before ended, so that the avatar's steps can't fail. Depends on its arguments alone, and not on what
+/// `ground` knows.
 std::variant<Route, NoRoute> plan_route(const collision::World& world, const RouteSettings& settings,
                                         const RouteRequest& request);
 

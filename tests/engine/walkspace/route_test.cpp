@@ -3,7 +3,10 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -198,6 +201,7 @@ void expect_routes(const Ground& ground, const Vec3& start, int count) {
         auto route = plan_route(ground.campus.world, ground.settings, {state_of(from), {goal}});
         if (const auto* none = std::get_if<NoRoute>(&route)) {
             // One may not get back up: then the walk edges don't lead there either.
+            EXPECT_GT(none->reached.node_count(), 0U);
             EXPECT_FALSE(none->reached.find(space.grid.cell_at(to.foot), to.foot.y(), 0.05))
                 << from.foot.transpose() << " to " << to.foot.transpose();
             ++not_connected;
@@ -214,6 +218,35 @@ void expect_routes(const Ground& ground, const Vec3& start, int count) {
     testing::Test::RecordProperty("not_connected", not_connected);
     testing::Test::RecordProperty("with_strides", strides);
     EXPECT_GT(found, count / 2);
+}
+
+/// A floor with bottomless pits, between which one walks on ridges.
+TEST(Route, LeadsWhereverWalkedEdgesDoBetweenPits) {
+    scene::Campus campus = empty_campus();
+    for (int i = -6; i <= 6; i += 3) {
+        const std::string name = std::to_string(i);
+        add_box(campus, "row-" + name, {-7, -1, i - 0.6}, {7, 0, i + 0.6});
+        add_box(campus, "column-" + name, {i - 0.6, -1, -7}, {i + 0.6, 0, 7});
+    }
+    const Ground ground(std::move(campus));
+    expect_routes(ground, {0, 0, 0}, 60);
+}
+
+TEST(Route, DoesNotDependOnTheGroundThatIsKnown) {
+    Ground ground = block();
+    const std::vector<std::pair<Vec3, Vec3>> pairs{
+        {{-8, 0, 7}, {8, 0, -7}}, {{0, 0, 8}, {8, 0, 0}}, {{-8, 0, -7}, {8, 0, 7}}};
+    std::vector<std::vector<Vec3>> alone;
+    for (const auto& [from, to] : pairs) {
+        alone.push_back(ground.route(from, to).path);
+    }
+    GroundMaps known;
+    ground.settings.ground = &known;
+    for (std::size_t round = 0; round < 2; ++round) {
+        for (std::size_t i = pairs.size(); i-- > 0;) {
+            EXPECT_EQ(ground.route(pairs[i].first, pairs[i].second).path, alone[i]);
+        }
+    }
 }
 
 TEST(Route, LeadsWhereverWalkedEdgesDoInAVillage) {

@@ -60,7 +60,9 @@ config::SharedRun WalkLoader::read(const fs::path& walk_file, const config::Over
 LoadedWalk WalkLoader::ready(config::SharedRun run) {
     std::vector<scene::Diagnostic> warnings;
     LoadedWalk loaded;
-    loaded.campus = build(run.walk.campus, *run.campus, run.walk.sim.tree, warnings);
+    const BuiltCampus& built = build(run.walk.campus, *run.campus, run.walk.sim.tree, warnings);
+    loaded.campus = built.campus;
+    loaded.ground = built.ground;
     loaded.walk = std::move(run.walk);
     loaded.walk.origin = loaded.campus->origin;
     warn_(warnings);
@@ -75,15 +77,15 @@ std::shared_ptr<const scene::Campus> WalkLoader::load_campus(const fs::path& cam
     std::vector<scene::Diagnostic> warnings;
     const scene::CampusDescription description = config::load_campus_description(campus_file, search_);
     std::shared_ptr<const scene::Campus> campus =
-        build(campus_file, description, engine::SimSettings().tree, warnings);
+        build(campus_file, description, engine::SimSettings().tree, warnings).campus;
     warn_(warnings);
     return campus;
 }
 
-std::shared_ptr<const scene::Campus> WalkLoader::build(const fs::path& file,
-                                                       const scene::CampusDescription& description,
-                                                       collision::TreeKind tree,
-                                                       std::vector<scene::Diagnostic>& warnings) {
+const WalkLoader::BuiltCampus& WalkLoader::build(const fs::path& file,
+                                                 const scene::CampusDescription& description,
+                                                 collision::TreeKind tree,
+                                                 std::vector<scene::Diagnostic>& warnings) {
     std::error_code ignored;
     const fs::path key = fs::weakly_canonical(file, ignored);
     if (const auto known = broken_.find(key); known != broken_.end()) {
@@ -93,11 +95,11 @@ std::shared_ptr<const scene::Campus> WalkLoader::build(const fs::path& file,
     for (const scene::SceneFile& scene : description.scenes) {
         images_beside.push_back(scene.images_beside);
     }
-    std::shared_ptr<const scene::Campus>& campus = campuses_[{key, tree, images_beside}];
-    if (!campus) {
+    BuiltCampus& built = campuses_[{key, tree, images_beside}];
+    if (!built.campus) {
         try {
             const std::size_t at_once = imports_at_once(description.scenes.size());
-            campus = std::make_shared<scene::Campus>(
+            built.campus = std::make_shared<scene::Campus>(
                 scene::load_campus(description, collision::make_bullet_broad_phase(), warnings,
                                    model_importer(at_once), model_cache(), at_once, tree));
         } catch (const scene::InputError& error) {
@@ -105,7 +107,7 @@ std::shared_ptr<const scene::Campus> WalkLoader::build(const fs::path& file,
             throw;
         }
     }
-    return campus;
+    return built;
 }
 
 }  // namespace campuswalk::tools

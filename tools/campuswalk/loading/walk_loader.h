@@ -10,6 +10,7 @@
 
 #include "config/loader/load_run.h"
 #include "engine/script/walk.h"
+#include "engine/walkspace/ground_map.h"
 #include "scene/campus/campus.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/command_line/command.h"
@@ -24,6 +25,7 @@ config::SearchPaths search_paths();
 struct LoadedWalk {
     engine::Walk walk;
     std::shared_ptr<const scene::Campus> campus;
+    std::shared_ptr<engine::GroundMaps> ground;  ///< of the campus; for one thread
 };
 
 /// Reads walks; those on the same campus with the same kind of trees share it. Warnings are reported at once;
@@ -46,10 +48,13 @@ public:
     std::shared_ptr<const scene::Campus> load_campus(const std::filesystem::path& campus_file);
 
 private:
-    std::shared_ptr<const scene::Campus> build(const std::filesystem::path& file,
-                                               const scene::CampusDescription& description,
-                                               collision::TreeKind tree,
-                                               std::vector<scene::Diagnostic>& warnings);
+    struct BuiltCampus {
+        std::shared_ptr<const scene::Campus> campus;
+        std::shared_ptr<engine::GroundMaps> ground = std::make_shared<engine::GroundMaps>();
+    };
+
+    const BuiltCampus& build(const std::filesystem::path& file, const scene::CampusDescription& description,
+                             collision::TreeKind tree, std::vector<scene::Diagnostic>& warnings);
 
     Warn warn_;
     config::SearchPaths search_;
@@ -57,7 +62,7 @@ private:
     /// The campus' file, the kind of trees, and of each scene whether images may come from beside its folder:
     /// that depends on the project.
     using CampusKey = std::tuple<std::filesystem::path, collision::TreeKind, std::vector<bool>>;
-    std::map<CampusKey, std::shared_ptr<const scene::Campus>> campuses_;
+    std::map<CampusKey, BuiltCampus> campuses_;
     std::map<std::filesystem::path, scene::InputError> broken_;  ///< why campuses can't be built
 };
 

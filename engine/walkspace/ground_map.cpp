@@ -1,0 +1,166 @@
+#include "engine/walkspace/ground_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "collision/world/placement.h"
+#include "engine/walkspace/explore.h"
+#include "engine/walkspace/unreached_surfaces.h"
+
+namespace campuswalk::engine {
+
+using collision::Vec3;
+
+namespace {
+
+/// Where in a cell the body is tried, in thirds of it from the middle: a passage that is 10 cm wider than the
+/// body has room for one of them in each of its cells.
+constexpr std::array<std::array<int, 2>, 9> kPoints{
+    {{0, 0}, {1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
+
+/// The first cell, along one axis, of the tile of `size` cells that has this one.
+int first_of_tile(int cell, int size) {
+    return (cell >= 0 ? cell / size : (cell + 1) / size - 1) * size;
+}
+
+/// A walk has a body that stands and one that crouches, and rarely more than one door.
+constexpr std::size_t kMostMaps = 8;
+
+std::uint64_t key_of(const GridCell& cell) {
+    return static_cast<std::uint64_t>(static_cast<std::uint32_t>(cell.x)) << 32U |
+           static_cast<std::uint32_t>(cell.z);
+}
+
+}  // namespace
+
+GroundMap::GroundMap(const collision::World& world, const collision::MoverSettings& body,
+                     const collision::QueryFilter& filter)
+    : world_(world), body_(body), filter_(filter) {
+    if (filter.disabled != nullptr) {
+        disabled_ = *filter.disabled;
+        filter_.disabled = &disabled_;
+    }
+}
+
+bool GroundMap::is_for(const collision::World& world, const collision::MoverSettings& body,
+                       const collision::QueryFilter& filter) const {
+    return &world_ == &world && body_ == body && filter_.detection == filter.detection &&
+           filter_.ignored_layers == filter.ignored_layers &&
+           (filter.disabled == nullptr ? disabled_.empty() : disabled_ == *filter.disabled);
+}
+
+GroundMap::Spots GroundMap::spots_in(const GridCell& cell) {
+    const auto is_in = [&](const GridCell& first) {
+        return cell.x >= first.x && cell.x < first.x + kCells && cell.z >= first.z &&
+               cell.z < first.z + kCells;
+    };
+    if (tiles_.empty() || !is_in(tiles_[latest_]->first_cell)) {
+        latest_ = tile_of({first_of_tile(cell.x, kCells), first_of_tile(cell.z, kCells)});
+    }
+    const Tile& tile = *tiles_[latest_];
+    const auto at =
+        static_cast<std::size_t>(cell.x - tile.first_cell.x + kCells * (cell.z - tile.first_cell.z));
+    return {latest_, tile.first[at], tile.first[at + 1]};
+}
+
+std::uint32_t GroundMap::tile_of(const GridCell& first_cell) {
+    const auto next = static_cast<std::uint32_t>(tiles_.size());
+    const auto [at, is_new] = numbers_.try_emplace(key_of(first_cell), next);
+    if (is_new) {
+        auto tile = std::make_unique<Tile>();
+        tile->first_cell = first_cell;
+        fill(*tile);
+        tiles_.push_back(std::move(tile));
+    }
+    return at->second;
+}
+
+void GroundMap::fill(Tile& tile) const {
+    ExploreSettings settings;
+    settings.strides.body = body_;
+    settings.solids = filter_;
+    const collision::Aabb all = world_.bounds();
+    const double size = kCells * grid_.cell;
+    const Vec3 low(tile.first_cell.x * grid_.cell, all.min.y(), tile.first_cell.z * grid_.cell);
+    const auto index_of = [&](const GridCell& cell) {
+        return static_cast<std::uint16_t>(cell.x - tile.first_cell.x + kCells * (cell.z - tile.first_cell.z));
+    };
+    const auto surfaces = unreached_surfaces(world_, settings, WalkSpace(grid_),
+                                             {low, {low.x() + size, all.max.y(), low.z() + size}});
+    for (const Surface& surface : surfaces) {
+        const GridCell past{surface.cell.x - tile.first_cell.x, surface.cell.z - tile.first_cell.z};
+        if (past.x >= 0 && past.x < kCells && past.z >= 0 && past.z < kCells) {
+            tile.levels.push_back({static_cast<float>(surface.y), Room::unknown, 0, index_of(surface.cell)});
+        }
+    }
+    std::ranges::stable_sort(tile.levels, {}, &Level::cell);
+    for (const Level& level : tile.levels) {
+        ++tile.first[level.cell + 1U];
+    }
+    for (std::size_t i = 1; i < tile.first.size(); ++i) {
+        tile.first[i] += tile.first[i - 1];
+    }
+}
+
+Vec3 GroundMap::point_at(const Tile& tile, const Level& level, std::uint8_t offset) const {
+    Vec3 point =
+        grid_.center({tile.first_cell.x + level.cell % kCells, tile.first_cell.z + level.cell / kCells});
+    point += Vec3(kPoints[offset][0], 0.0, kPoints[offset][1]) * (grid_.cell / 3.0);
+    point.y() = level.y;
+    return point;
+}
+
+Vec3 GroundMap::foot(const Spot& spot) const {
+    return point_at(*tiles_[spot.tile], level(spot), level(spot).offset);
+}
+
+bool GroundMap::has_room(const Spot& spot) {
+    const Tile& tile = *tiles_[spot.tile];
+    Level& level = tiles_[spot.tile]->levels[spot.number];
+    if (level.room == Room::unknown) {
+        const auto offset = free_point(tile, level);
+        level.room = offset ? Room::here : Room::none;
+        level.offset = offset.value_or(0);
+    }
+    return level.room == Room::here;
+}
+
+std::optional<std::uint8_t> GroundMap::free_point(const Tile& tile, const Level& level) const {
+    const double lift = std::min(body_.step_height, body_.height - 2.0 * body_.radius);
+    const auto is_free = [&](std::uint8_t offset, double slimmer) {
+        const Vec3 foot = point_at(tile, level, offset) + Vec3(0.0, lift + slimmer, 0.0);
+        return !collision::obstruction(world_, filter_, foot, body_.radius - slimmer,
+                                       body_.height - lift - 2.0 * slimmer);
+    };
+    if (is_free(0, 0.0)) {
+        return 0;
+    }
+    // What a body slimmer by the way to the farthest point touches in the middle, the body touches at each.
+    const double farthest = grid_.cell / 3.0 / kDiagonal;
+    if (farthest < body_.radius && !is_free(0, farthest)) {
+        return std::nullopt;
+    }
+    for (std::uint8_t i = 1; i < kPoints.size(); ++i) {
+        if (is_free(i, 0.0)) {
+            return i;
+        }
+    }
+    return std::nullopt;
+}
+
+GroundMap& GroundMaps::of(const collision::World& world, const collision::MoverSettings& body,
+                          const collision::QueryFilter& filter) {
+    const auto known = std::ranges::find_if(
+        maps_, [&](const std::unique_ptr<GroundMap>& map) { return map->is_for(world, body, filter); });
+    if (known != maps_.end()) {
+        std::rotate(known, known + 1, maps_.end());
+        return *maps_.back();
+    }
+    if (maps_.size() == kMostMaps) {
+        maps_.erase(maps_.begin());
+    }
+    maps_.push_back(std::make_unique<GroundMap>(world, body, filter));
+    return *maps_.back();
+}
+
+}  // namespace campuswalk::engine

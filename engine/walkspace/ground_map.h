@@ -1,0 +1,98 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "collision/mover/mover_settings.h"
+#include "collision/world/world.h"
+#include "engine/walkspace/walk_grid.h"
+
+namespace campuswalk::engine {
+
+/// Where a body has room to stand, by geometry alone: what ways are guessed by before they are walked. Spots
+/// are found as they are asked for, and kept, which changes no answer.
+class GroundMap {
+public:
+    /// A surface within a cell. Numbered in its tile, cell by cell from low to high.
+    struct Spot {
+        std::uint32_t tile = 0;
+        std::uint32_t number = 0;
+
+        friend bool operator==(const Spot&, const Spot&) = default;
+    };
+    /// Of one cell.
+    struct Spots {
+        std::uint32_t tile = 0;
+        std::uint32_t first = 0;
+        std::uint32_t end = 0;
+    };
+
+    /// The world must outlive it.
+    GroundMap(const collision::World& world, const collision::MoverSettings& body,
+              const collision::QueryFilter& filter);
+
+    /// Whether it was made for exactly these.
+    bool is_for(const collision::World& world, const collision::MoverSettings& body,
+                const collision::QueryFilter& filter) const;
+
+    const WalkGrid& grid() const { return grid_; }
+    Spots spots_in(const GridCell& cell);
+    /// All of them, in this tile.
+    std::size_t count(std::uint32_t tile) const { return tiles_[tile]->levels.size(); }
+    /// The height of the surface.
+    double height(const Spot& spot) const { return level(spot).y; }
+    /// The middle of the cell or, where the body has no room there, a point beside it that it has room at.
+    collision::Vec3 foot(const Spot& spot) const;
+    /// Whether the body has room on the surface, or above what it could climb from there.
+    bool has_room(const Spot& spot);
+
+private:
+    static constexpr int kCells = 32;  ///< along a tile
+
+    enum class Room : std::uint8_t { unknown, none, here };
+    struct Level {
+        float y = 0.0F;
+        Room room = Room::unknown;
+        std::uint8_t offset = 0;  ///< number of the point in the cell
+        std::uint16_t cell = 0;   ///< x + kCells * z in the tile
+    };
+    struct Tile {
+        GridCell first_cell;
+        std::array<std::uint32_t, kCells* kCells + 1> first = {};  ///< level of each cell
+        std::vector<Level> levels;
+    };
+
+    std::uint32_t tile_of(const GridCell& first_cell);
+    void fill(Tile& tile) const;
+    const Level& level(const Spot& spot) const { return tiles_[spot.tile]->levels[spot.number]; }
+    /// Number of the first point at which the body has room.
+    std::optional<std::uint8_t> free_point(const Tile& tile, const Level& level) const;
+    collision::Vec3 point_at(const Tile& tile, const Level& level, std::uint8_t offset) const;
+
+    const collision::World& world_;
+    collision::MoverSettings body_;
+    std::vector<bool> disabled_;
+    collision::QueryFilter filter_;
+    WalkGrid grid_;
+    std::vector<std::unique_ptr<Tile>> tiles_;
+    std::uint32_t latest_ = 0;  ///< number of the tile that was asked for last: likely to be asked for next
+    std::unordered_map<std::uint64_t, std::uint32_t> numbers_;  ///< of tiles, by their first cells
+};
+
+/// The maps of a few bodies among some solids, for routes that are planned one after another.
+class GroundMaps {
+public:
+    /// Valid until the next call.
+    GroundMap& of(const collision::World& world, const collision::MoverSettings& body,
+                  const collision::QueryFilter& filter);
+
+private:
+    std::vector<std::unique_ptr<GroundMap>> maps_;  ///< the one that was asked for last comes last
+};
+
+}  // namespace campuswalk::engine

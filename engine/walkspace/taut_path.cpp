@@ -1,0 +1,139 @@
+#include "engine/walkspace/taut_path.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/script/travel.h"
+
+namespace campuswalk::engine {
+
+using collision::Vec3;
+using Spot = GroundMap::Spot;
+using Path = std::vector<Spot>;
+
+namespace {
+
+/// A line may cut so many cells in a row that have no room at the points that the map looks at.
+constexpr int kMostMissed = 1;
+/// How far apart a line is looked at, in cells.
+constexpr double kSample = 0.5;
+/// How often a path is pulled, from one end and then from the other: its vertices move to what it goes round.
+constexpr int kPulls = 4;
+
+bool is_allowed(GroundMap& map, const Spot& spot, const GuessRules& rules) {
+    return map.has_room(spot) && std::ranges::find(rules.blocked, spot) == rules.blocked.end() &&
+           !(rules.keep_out && rules.keep_out(map.foot(spot)));
+}
+
+/// The highest of the cell's spots that is within a step from there.
+std::optional<Spot> spot_within_a_step(GroundMap& map, const GridCell& cell, double height, double most_up,
+                                       const GuessRules& rules) {
+    const GroundMap::Spots spots = map.spots_in(cell);
+    for (std::uint32_t i = spots.end; i > spots.first; --i) {
+        const Spot spot{spots.tile, i - 1};
+        if (is_step(height, map.height(spot), most_up) && is_allowed(map, spot, rules)) {
+            return spot;
+        }
+    }
+    return std::nullopt;
+}
+
+/// From one end to the other, each piece as long as it can be.
+class Puller {
+public:
+    Puller(GroundMap& map, const Path& path, const GuessRules& rules)
+        : map_(map), path_(path), rules_(rules) {}
+
+    Path from_the_front() {
+        Path taut{path_.front()};
+        std::size_t at = 0;
+        while (at + 1 < path_.size()) {
+            const std::size_t most = path_.size() - 1 - at;
+            const std::size_t length = longest(most, [&](std::size_t n) { return line(at, at + n); });
+            taut.insert(taut.end(), best_.begin(), best_.end());
+            at += length;
+        }
+        return taut;
+    }
+
+    Path from_the_back() {
+        Path backwards;
+        std::size_t at = path_.size() - 1;
+        while (at > 0) {
+            const std::size_t length = longest(at, [&](std::size_t n) { return line(at - n, at); });
+            backwards.insert(backwards.end(), best_.rbegin(), best_.rend());
+            at -= length;
+        }
+        backwards.push_back(path_.front());
+        std::ranges::reverse(backwards);
+        return backwards;
+    }
+
+private:
+    /// Without its first spot.
+    std::optional<Path> line(std::size_t from, std::size_t to) {
+        if (to == from + 1) {
+            return Path{path_[to]};
+        }
+        auto spots = straight_path(map_, map_.foot(path_[from]), map_.foot(path_[to]), rules_);
+        if (spots && (spots->empty() || spots->back() != path_[to])) {
+            return std::nullopt;  // it ends on another level
+        }
+        return spots;
+    }
+
+    template <typename Line>
+    std::size_t longest(std::size_t most, const Line& line_of) {
+        best_ = *line_of(1);
+        return farthest_by_leaps(most, [&](std::size_t length) {
+            auto spots = line_of(length);
+            if (spots) {
+                best_ = std::move(*spots);
+            }
+            return spots.has_value();
+        });
+    }
+
+    GroundMap& map_;
+    const Path& path_;
+    const GuessRules& rules_;
+    Path best_;  ///< the line of the longest piece
+};
+
+}  // namespace
+
+std::optional<Path> straight_path(GroundMap& map, const Vec3& from, const Vec3& to, const GuessRules& rules) {
+    const Vec3 apart = flat(to - from);
+    const int samples = static_cast<int>(std::ceil(apart.norm() / (kSample * map.grid().cell)));
+    GridCell cell = map.grid().cell_at(from);
+    double height = from.y();
+    double most_up = std::max(rules.most_up, kFootLevel);  // it may stand higher than the surface below it
+    int missed = 0;
+    Path spots;
+    for (int i = 1; i <= samples; ++i) {
+        const GridCell next = map.grid().cell_at(from + apart * (static_cast<double>(i) / samples));
+        if (next == cell) {
+            continue;
+        }
+        cell = next;
+        if (const auto spot = spot_within_a_step(map, cell, height, most_up, rules)) {
+            height = map.height(*spot);
+            spots.push_back(*spot);
+            missed = 0;
+        } else if (++missed > kMostMissed) {
+            return std::nullopt;
+        }
+        most_up = rules.most_up;
+    }
+    return spots;
+}
+
+Path pulled_taut(GroundMap& map, Path path, const GuessRules& rules) {
+    for (int i = 0; i < kPulls && path.size() > 2; ++i) {
+        Puller puller(map, path, rules);
+        path = i % 2 == 0 ? puller.from_the_front() : puller.from_the_back();
+    }
+    return path;
+}
+
+}  // namespace campuswalk::engine

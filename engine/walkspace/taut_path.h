@@ -1,0 +1,40 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "engine/walkspace/guessed_path.h"
+
+namespace campuswalk::engine {
+
+/// The spots on a straight line, from a body's feet on: of all cells that it crosses but those that it just
+/// cuts, from one to the next no farther up or down than guessed paths go. None if there is none in two cells
+/// in a row, or where the rules forbid one.
+std::optional<std::vector<GroundMap::Spot>> straight_path(GroundMap& map, const collision::Vec3& from,
+                                                          const collision::Vec3& to, const GuessRules& rules);
+
+/// The largest number up to `most` for which something works, found by ever larger leaps and then by halving
+/// the last one: as if what works for a number worked for all below. It does for 1, which isn't asked.
+template <typename Works>
+std::size_t farthest_by_leaps(std::size_t most, const Works& works) {
+    std::size_t good = 1;
+    std::size_t bad = most + 1;
+    while (bad > most && good < most) {
+        const std::size_t next = std::min(2 * good, most);
+        (works(next) ? good : bad) = next;
+    }
+    while (good + 1 < bad) {
+        const std::size_t middle = good + (bad - good) / 2;
+        (works(middle) ? good : bad) = middle;
+    }
+    return good;
+}
+
+/// A path over the map as a string would lie that is pulled at both ends: straight wherever straight_path
+/// leads on. Tight places aren't cared for.
+std::vector<GroundMap::Spot> pulled_taut(GroundMap& map, std::vector<GroundMap::Spot> path,
+                                         const GuessRules& rules);
+
+}  // namespace campuswalk::engine
