@@ -115,6 +115,9 @@ bool explore(const BenchOptions& options) {
     if (options.steered_walks) {
         bench.steered_walks = static_cast<std::size_t>(*options.steered_walks);
     }
+    if (options.routes) {
+        bench.routes = static_cast<std::size_t>(*options.routes);
+    }
     return run_explore_bench(bench);
 }
 

@@ -20,6 +20,7 @@ struct BenchOptions {
     std::vector<std::string> campuses;  ///< of explore: only these; empty: all
     std::optional<int> walks;           ///< of explore: random walks on each campus
     std::optional<int> steered_walks;   ///< of explore: likewise, steering in falls
+    std::optional<int> routes;          ///< of explore: between random pairs of places
     bool mixed = false;                 ///< of table1: include the paper's mixed reading
     bool quick = false;                 ///< small scenes, one round: to see that it works
 };

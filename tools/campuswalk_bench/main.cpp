@@ -63,6 +63,9 @@ void add_explore_options(Command& command, BenchOptions& options) {
     command.option({.names = "--steered-walks",
                     .help = "Random walks that steer in falls, on `dungeon`; 100000 by default"},
                    options.steered_walks, {0, 10000000});
+    command.option({.names = "--routes",
+                    .help = "Routes between random pairs of places on each campus; 1000 by default"},
+                   options.routes, {0, 10000000});
 }
 
 /// The options of `import` alone.

@@ -126,6 +126,12 @@ public:
     /// Replaces `out` with the polygons, as triangles, that are linked to the one nearest to `foot`, directly
     /// or by others; with none if there is no polygon within a metre along each axis.
     virtual void reachable_from(const collision::Vec3& foot, std::vector<collision::Triangle>& out) = 0;
+
+    /// Replaces `out` with the vertices of the way between two feet, taut within its polygons, from the first
+    /// to the last point. False, and none, if there is no polygon within a metre along each axis of one of
+    /// them, or if they aren't linked.
+    virtual bool path(const collision::Vec3& from, const collision::Vec3& to,
+                      std::vector<collision::Vec3>& out) = 0;
 };
 
 using MakeNavMeshEngine = NavMeshEngine*(const collision::TriangleMesh& mesh,

@@ -35,12 +35,12 @@ bool run_explore_bench(const ExploreBench& bench) {
         if (!is_wanted(bench, source.name)) {
             continue;
         }
-        ExploreCaseSettings settings{bench.rounds, bench.walks, 0};
+        ExploreCaseSettings settings{bench.rounds, bench.walks, 0, bench.routes};
         if (source.name == kSteeredIn) {
             settings.steered_walks = bench.steered_walks;
         }
         if (bench.quick) {
-            settings.walks = settings.steered_walks = kQuickWalks;
+            settings.walks = settings.steered_walks = settings.routes = kQuickWalks;
         }
         try {
             const ExploredCampus campus = source.load();

@@ -15,6 +15,7 @@ struct ExploreBench {
     std::vector<std::string> campuses;    ///< only these; empty: all
     std::size_t walks = 10'000;           ///< of the adversary on each campus
     std::size_t steered_walks = 100'000;  ///< likewise, steering in falls, on `dungeon`
+    std::size_t routes = 1'000;           ///< between random pairs of places on each campus
 };
 
 /// Explores campuses beside Recast, sends random walkers out, and prints scores and verdicts. False if ours

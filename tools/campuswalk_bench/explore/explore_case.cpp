@@ -142,9 +142,6 @@ void print_time(const ExploreTime& time, const ExploreTime* peer) {
 void print_score(const ExploreScore& score) {
     std::printf("  ours: %.1f m2, %zu nodes, %llu ticks", score.area, score.nodes,
                 static_cast<unsigned long long>(score.ticks));
-    if (score.bytes_per_area) {
-        std::printf(", %.0f bytes/m2 at the peak", *score.bytes_per_area);
-    }
     std::printf("%s\n", score.is_same_by_threads ? "" : "; DIFFERS with the number of threads");
     if (score.disagreement) {
         std::printf("  recast: %.1f m2\n", score.disagreement->polygon_area);
@@ -159,6 +156,12 @@ void print_score(const ExploreScore& score) {
     print_escapes("", score.adversary);
     print_escapes(" that steer in falls", score.steered);
     std::fflush(stdout);
+}
+
+void print_memory(const ExploreScore& score) {
+    if (score.bytes_per_area) {
+        std::printf("  %.0f bytes/m2 at the peak\n", *score.bytes_per_area);
+    }
 }
 
 void attack_all(const ExploredCampus& campus, const WalkSpace& space, const ExploreCaseSettings& settings,
@@ -216,8 +219,13 @@ ExploreScore explore_campus(const ExploredCampus& campus, const ExploreCaseSetti
     }
     attack_all(campus, space, settings, score);
     spaces.back().reset();
-    score.bytes_per_area = bytes_per_area(campus);
     print_score(score);
+    if (settings.routes > 0) {
+        score.routes =
+            route_pairs(campus, space, peers.empty() ? nullptr : peers.front().get(), settings.routes);
+    }
+    score.bytes_per_area = bytes_per_area(campus);
+    print_memory(score);
     return score;
 }
 

@@ -9,6 +9,7 @@
 #include "tools/campuswalk_bench/explore/adversary.h"
 #include "tools/campuswalk_bench/explore/disagreement.h"
 #include "tools/campuswalk_bench/explore/explored_campus.h"
+#include "tools/campuswalk_bench/explore/route_case.h"
 
 namespace campuswalk::tools::bench {
 
@@ -17,6 +18,7 @@ struct ExploreCaseSettings {
     int rounds = 5;
     std::size_t walks = 0;          ///< of the adversary
     std::size_t steered_walks = 0;  ///< likewise, steering in falls; only where that is asked for
+    std::size_t routes = 0;         ///< between random pairs of places
 };
 
 /// How long one of the two took on so many threads, seconds.
@@ -41,6 +43,7 @@ struct ExploreScore {
     std::optional<Disagreement> disagreement;
     AdversaryResult adversary;
     AdversaryResult steered;
+    std::optional<RouteScore> routes;
 
     /// Null for an engine that isn't here.
     const ExploreTime* time(const std::string& engine, std::size_t threads) const;

@@ -47,6 +47,42 @@ std::optional<double> share_outside(const std::vector<ExploreScore>& scores,
                       : std::optional(1e4 * static_cast<double>(outside) / static_cast<double>(walks));
 }
 
+/// Of what `value` says of the campuses where there is something to say.
+template <typename Value>
+std::optional<double> mean_of_routes(const std::vector<ExploreScore>& scores, const Value& value) {
+    std::vector<double> values;
+    for (const ExploreScore& score : scores) {
+        if (const std::optional<double> one = score.routes ? value(*score.routes) : std::nullopt) {
+            values.push_back(*one);
+        }
+    }
+    return values.empty() ? std::nullopt : std::optional(geometric_mean(values));
+}
+
+/// Of ours over Detour's, microseconds.
+std::optional<double> mean_query_ratio(const std::vector<ExploreScore>& scores, double QueryTimes::*time) {
+    return mean_of_routes(scores, [time](const RouteScore& routes) {
+        return routes.peer ? std::optional(routes.ours.*time / ((*routes.peer).*time)) : std::nullopt;
+    });
+}
+
+/// Per cent of the pairs between which walked strides lead; those that aren't walked as planned don't count.
+std::optional<double> share_found(const std::vector<ExploreScore>& scores) {
+    std::size_t joined = 0;
+    std::size_t found = 0;
+    std::size_t blocked = 0;
+    for (const ExploreScore& score : scores) {
+        if (score.routes) {
+            joined += score.routes->joined;
+            found += score.routes->found;
+            blocked += score.routes->blocked;
+        }
+    }
+    return joined == 0 ? std::nullopt
+                       : std::optional(100.0 * (static_cast<double>(found) - static_cast<double>(blocked)) /
+                                       static_cast<double>(joined));
+}
+
 }  // namespace
 
 std::vector<Verdict> explore_verdicts(const std::vector<ExploreScore>& scores) {
@@ -55,11 +91,21 @@ std::vector<Verdict> explore_verdicts(const std::vector<ExploreScore>& scores) {
             at_most("most memory at the peak", most_bytes(scores), " bytes/m2", 400.0, 150.0),
             at_most("walks outside, of 10,000", share_outside(scores, &ExploreScore::adversary), "", 0.0),
             at_most("walks outside that steer in falls, of 10,000",
-                    share_outside(scores, &ExploreScore::steered), "", 1.0, 0.0)};
+                    share_outside(scores, &ExploreScore::steered), "", 1.0, 0.0),
+            at_least("routes found and walked as planned", share_found(scores), "%", 100.0, 100.0),
+            at_most("length of routes",
+                    mean_of_routes(scores, [](const RouteScore& routes) { return routes.length_ratio; }),
+                    "x Detour's", 1.0, 0.97),
+            at_most("time of a route on known ground, median", mean_query_ratio(scores, &QueryTimes::median),
+                    "x Detour's", 40.0, 5.0),
+            at_most("time of a route on known ground, p99", mean_query_ratio(scores, &QueryTimes::p99),
+                    "x Detour's", 40.0, 5.0)};
 }
 
 bool is_correct(const ExploreScore& score) {
-    return score.is_same_by_threads && score.adversary.escapes.empty();
+    const bool routes_lead_there =
+        !score.routes || (score.routes->found == score.routes->joined && score.routes->blocked == 0);
+    return score.is_same_by_threads && score.adversary.escapes.empty() && routes_lead_there;
 }
 
 }  // namespace campuswalk::tools::bench

@@ -20,6 +20,7 @@ public:
         : body_(settings.body), tiles_(mesh, settings) {}
 
     void build() override {
+        query_.reset();
         links_.reset();
         tiles_.build();
     }
@@ -27,20 +28,53 @@ public:
     void reachable_from(const Vec3& foot, std::vector<Triangle>& out) override {
         out.clear();
         link();
-        const Owned<dtNavMeshQuery> query(dtAllocNavMeshQuery());
-        require(query && dtStatusSucceed(query->init(links_.get(), 2048)));
-        const float at[3] = {static_cast<float>(foot.x()), static_cast<float>(foot.y()),
-                             static_cast<float>(foot.z())};
-        const float reach[3] = {1.0F, 1.0F, 1.0F};
-        dtPolyRef nearest = 0;
-        float point[3];
-        query->findNearestPoly(at, reach, &filter_, &nearest, point);
-        for (const dtPolyRef polygon : linked_to(nearest)) {
+        for (const dtPolyRef polygon : linked_to(nearest(foot).polygon)) {
             add_triangles(polygon, out);
         }
     }
 
+    bool path(const Vec3& from, const Vec3& to, std::vector<Vec3>& out) override {
+        out.clear();
+        link();
+        const Nearest first = nearest(from);
+        const Nearest last = nearest(to);
+        if (first.polygon == 0 || last.polygon == 0) {
+            return false;
+        }
+        constexpr int kMost = 4096;
+        polygons_.resize(kMost);
+        int count = 0;
+        query_->findPath(first.polygon, last.polygon, first.point, last.point, &filter_, polygons_.data(),
+                         &count, kMost);
+        if (count == 0 || polygons_[static_cast<std::size_t>(count) - 1] != last.polygon) {
+            return false;
+        }
+        vertices_.resize(3 * kMost);
+        int vertices = 0;
+        query_->findStraightPath(first.point, last.point, polygons_.data(), count, vertices_.data(), nullptr,
+                                 nullptr, &vertices, kMost);
+        for (int i = 0; i < vertices; ++i) {
+            out.push_back(Eigen::Map<const Eigen::Vector3f>(&vertices_[3 * static_cast<std::size_t>(i)])
+                              .cast<double>());
+        }
+        return !out.empty();
+    }
+
 private:
+    struct Nearest {
+        dtPolyRef polygon = 0;  ///< 0: none
+        float point[3] = {};
+    };
+
+    Nearest nearest(const Vec3& foot) const {
+        const float at[3] = {static_cast<float>(foot.x()), static_cast<float>(foot.y()),
+                             static_cast<float>(foot.z())};
+        const float reach[3] = {1.0F, 1.0F, 1.0F};
+        Nearest found;
+        query_->findNearestPoly(at, reach, &filter_, &found.polygon, found.point);
+        return found;
+    }
+
     /// Makes Detour's mesh from the tiles, unless that was done since they were built.
     void link() {
         if (links_) {
@@ -67,6 +101,9 @@ private:
                 add(tile);
             }
         }
+        constexpr int kMostSearchNodes = 65535;
+        query_.reset(dtAllocNavMeshQuery());
+        require(query_ && dtStatusSucceed(query_->init(links_.get(), kMostSearchNodes)));
     }
 
     void add(const NavTile& tile) {
@@ -146,7 +183,10 @@ private:
     WalkBody body_;
     NavTiles tiles_;
     Owned<dtNavMesh> links_;
+    Owned<dtNavMeshQuery> query_;
     dtQueryFilter filter_;
+    std::vector<dtPolyRef> polygons_;
+    std::vector<float> vertices_;
 };
 
 }  // namespace

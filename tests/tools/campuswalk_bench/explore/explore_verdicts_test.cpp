@@ -15,7 +15,7 @@ ExploreScore score_of(double ours, double peer, double bytes) {
 
 TEST(ExploreVerdicts, CompareScoresWithTargets) {
     const std::vector<Verdict> verdicts = explore_verdicts({score_of(8, 1, 100), score_of(1, 2, 390)});
-    ASSERT_EQ(verdicts.size(), 5U);
+    ASSERT_EQ(verdicts.size(), 9U);
     EXPECT_DOUBLE_EQ(verdicts[0].value.value(), 2.0) << "the geometric mean of 8 and 0.5";
     EXPECT_TRUE(verdicts[0].holds);
     EXPECT_FALSE(verdicts[1].value) << "two threads weren't measured";
@@ -35,6 +35,30 @@ TEST(ExploreVerdicts, CountWalksThatGotOutside) {
     const std::vector<Verdict> verdicts = explore_verdicts({score});
     EXPECT_DOUBLE_EQ(verdicts[3].value.value(), 10.0) << "of 10,000";
     EXPECT_FALSE(verdicts[3].holds);
+}
+
+TEST(ExploreVerdicts, CompareRoutesWithThePeers) {
+    ExploreScore one = score_of(1, 1, 1);
+    RouteScore& routes = one.routes.emplace();
+    routes.pairs = routes.joined = routes.found = 100;
+    routes.length_ratio = 0.9;
+    routes.ours = {80.0, 600.0};
+    routes.peer = QueryTimes{10.0, 20.0};
+    ExploreScore other = one;
+    other.routes->ours.median = 20.0;
+    EXPECT_TRUE(is_correct(one));
+    const std::vector<Verdict> verdicts = explore_verdicts({one, other, score_of(1, 1, 1)});
+    EXPECT_DOUBLE_EQ(verdicts[5].value.value(), 100.0);
+    EXPECT_TRUE(verdicts[5].holds);
+    EXPECT_NEAR(verdicts[6].value.value(), 0.9, 1e-12);
+    EXPECT_NEAR(verdicts[7].value.value(), 4.0, 1e-12) << "the geometric mean of 8 and 2";
+    EXPECT_NEAR(verdicts[8].value.value(), 30.0, 1e-12);
+
+    other.routes->found = 99;
+    EXPECT_FALSE(is_correct(other));
+    EXPECT_FALSE(explore_verdicts({other})[5].holds);
+    one.routes->blocked = 1;
+    EXPECT_FALSE(is_correct(one));
 }
 
 TEST(ExploreVerdicts, WantTheSameForAnyNumberOfThreads) {
