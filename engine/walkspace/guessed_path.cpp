@@ -19,6 +19,9 @@ namespace {
 /// Costs are of whole thousandths of a cell, so that sums don't depend on their order.
 constexpr std::uint32_t kAcross = 1000;
 constexpr std::uint32_t kDiagonally = 1414;
+/// Farther from the origin, or apart, the numbers of cells and costs don't fit, metres.
+constexpr double kFarthest = 1e8;
+constexpr double kFarthestApart = 1e5;
 /// Spots that are looked at before it is left to walking, which sees more.
 constexpr std::size_t kMostSpots = 400'000;
 
@@ -208,6 +211,10 @@ bool is_step(double from, double to, double most_up) {
 
 std::optional<std::vector<Spot>> guess_path(GroundMap& map, const Vec3& from, const Target& to,
                                             const GuessRules& rules) {
+    const double from_middle = std::max(from.cwiseAbs().maxCoeff(), to.point.cwiseAbs().maxCoeff());
+    if (!(from_middle <= kFarthest) || !(flat(to.point - from).norm() <= kFarthestApart)) {
+        return std::nullopt;
+    }
     return Search(map, to, rules).run(from);
 }
 

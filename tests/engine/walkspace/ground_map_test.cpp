@@ -117,6 +117,15 @@ TEST(GuessedPath, GoesAlongAxesAndDiagonals) {
     EXPECT_NEAR(length_of(map, *path), 3.0 + 4.0 * std::sqrt(2.0), 2.0 * map.grid().cell);
 }
 
+TEST(GuessedPath, DoesNotLookForWhatIsTooFar) {
+    const scene::Campus campus = level_campus(10.0);
+    GroundMap map(campus.world, {}, {});
+    for (const double far : {1e6, 1e10, 1e300}) {
+        EXPECT_FALSE(guess_path(map, {0, 0, 0}, {"", {far, 0, 0}, true}, {}));
+        EXPECT_FALSE(guess_path(map, {far, 0, 0}, {"", {0, 0, far}, true}, {}));
+    }
+}
+
 TEST(GuessedPath, DoesNotClimbWhatIsTooHigh) {
     for (const double height : {0.28, 0.34}) {
         scene::Campus campus = level_campus(10.0);
