@@ -189,7 +189,7 @@ class Bench(ProgramCase):
             self.assertLessEqual(float(row["reachable_m2"]), int(row["nodes"]) / 16)  # some nodes hang over edges
             self.assertEqual((row["walks_outside"], row["steered_walks_outside"]), ("0", "0"))
         verdicts = outcome.out[outcome.out.index("Compared with the targets"):].splitlines()[1:]
-        self.assertEqual(len(verdicts), 5)
+        self.assertEqual(len(verdicts), 9)
 
     def test_models_that_are_missing_are_named(self):
         out = self.passes_bench("explore", "--campus", "dungeon", "--campus", "nav_test", "--data", self.path("")).out
