@@ -220,9 +220,11 @@ void expect_routes(const Ground& ground, const Vec3& start, int count) {
     EXPECT_GT(found, count / 2);
 }
 
-/// A floor with bottomless pits, between which one walks on ridges.
+/// A floor with bottomless pits, between which one walks on ridges. To the terrace below one leaps farther
+/// than guesses do, so that strides must be walked.
 TEST(Route, LeadsWhereverWalkedEdgesDoBetweenPits) {
     scene::Campus campus = empty_campus();
+    add_box(campus, "terrace", {7, -2, -7}, {12, -1, 7});
     for (int i = -6; i <= 6; i += 3) {
         const std::string name = std::to_string(i);
         add_box(campus, "row-" + name, {-7, -1, i - 0.6}, {7, 0, i + 0.6});
