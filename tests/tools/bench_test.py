@@ -15,7 +15,8 @@ COLUMNS = "case,pairs,engine,query,us_min,us_median,nv,np,set_equal".split(",")
 WALK_COLUMNS = ("triangles,controller,us_mean,us_p50,us_p99,us_max,goals,reached,forbidden,max_penetration_mm,"
                 "crossings").split(",")
 EXPLORE_COLUMNS = ("campus,triangles,engine,threads,s_least,s_median,s_processor,reachable_m2,nodes,ticks,bytes_per_m2,"
-                   "m2_of_it_alone,walks_outside,steered_walks_outside").split(",")
+                   "m2_of_it_alone,walks_outside,steered_walks_outside,routes,us_route_median,us_route_p99,"
+                   "route_length_ratio").split(",")
 DRAWN_LOOKS = ["no-aa", "fxaa", "msaa4", "shadows+fxaa", "shadows+msaa4", "default"]
 OF_THE_PAPER = ["paper", "obb", "sphere"]
 CASES = ["table1", "million", "nested", "build", "memory", "rays", "probes", "avatars", "points", "import"]
@@ -188,6 +189,8 @@ class Bench(ProgramCase):
         for row in rows[:2]:
             self.assertLessEqual(float(row["reachable_m2"]), int(row["nodes"]) / 16)  # some nodes hang over edges
             self.assertEqual((row["walks_outside"], row["steered_walks_outside"]), ("0", "0"))
+            self.assertEqual(row["routes"], "20")
+            self.assertLessEqual(float(row["us_route_median"]), float(row["us_route_p99"]))
         verdicts = outcome.out[outcome.out.index("Compared with the targets"):].splitlines()[1:]
         self.assertEqual(len(verdicts), 9)
 

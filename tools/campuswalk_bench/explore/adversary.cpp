@@ -8,6 +8,7 @@
 #include "collision/geometry/trigonometry.h"
 #include "collision/mover/mover.h"
 #include "engine/walkspace/worker_threads.h"
+#include "tools/campuswalk_bench/explore/explored_campus.h"
 #include "tools/campuswalk_bench/procedural/split_mix.h"
 
 namespace campuswalk::tools::bench {
@@ -163,16 +164,6 @@ private:
     collision::MoverCache cache_;
     collision::MoveTrace trace_;
 };
-
-std::vector<WalkNodeId> nodes_of(const WalkSpace& space) {
-    std::vector<WalkNodeId> nodes;
-    for (std::uint32_t tile = 0; tile < space.tiles.size(); ++tile) {
-        for (std::size_t i = 0; i < space.tiles[tile].nodes.size(); ++i) {
-            nodes.push_back({tile, static_cast<std::uint16_t>(i)});
-        }
-    }
-    return nodes;
-}
 
 }  // namespace
 

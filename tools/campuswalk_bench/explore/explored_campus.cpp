@@ -105,6 +105,16 @@ engine::WorkerWorlds ExploredCampus::worlds(std::size_t workers) const {
     return {world(), workers, collision::make_bullet_broad_phase};
 }
 
+std::vector<engine::WalkNodeId> nodes_of(const engine::WalkSpace& space) {
+    std::vector<engine::WalkNodeId> nodes;
+    for (std::uint32_t tile = 0; tile < space.tiles.size(); ++tile) {
+        for (std::size_t i = 0; i < space.tiles[tile].nodes.size(); ++i) {
+            nodes.push_back({tile, static_cast<std::uint16_t>(i)});
+        }
+    }
+    return nodes;
+}
+
 std::vector<ExploredCampusSource> explored_campuses(const fs::path& data) {
     std::vector<ExploredCampusSource> all{{"demo", load_demo}};
     for (const SharedModel& model : kModels) {

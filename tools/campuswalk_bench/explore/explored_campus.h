@@ -26,6 +26,9 @@ struct ExploredCampus {
     engine::WorkerWorlds worlds(std::size_t workers) const;
 };
 
+/// All nodes, by tile and number.
+std::vector<engine::WalkNodeId> nodes_of(const engine::WalkSpace& space);
+
 /// Where a campus comes from.
 struct ExploredCampusSource {
     std::string name;

@@ -9,7 +9,7 @@
 
 namespace campuswalk::tools::bench {
 
-/// Microseconds of all queries.
+/// Microseconds of all queries, each of which follows an untimed one.
 struct QueryTimes {
     double median = 0.0;
     double p99 = 0.0;
