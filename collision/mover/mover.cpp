@@ -290,8 +290,7 @@ MoveContext CapsuleMover::context_with(MoverCache& cache) const {
         cache.clear();
         cache.contacts.prepare(*world_, settings_, filter_);
     }
-    const double steepest = std::sqrt(1.0 - settings_.min_up * settings_.min_up) / settings_.min_up;
-    return {settings_, steepest, cache.contacts, cache.buffers, {}};
+    return {settings_, settings_.steepest_rise(), cache.contacts, cache.buffers, {}};
 }
 
 void CapsuleMover::move(MoverState& state, const Vec3& desired, double seconds, MoverCache& cache,

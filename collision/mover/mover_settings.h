@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "collision/geometry/shapes.h"
 
 namespace campuswalk::collision {
@@ -15,6 +17,8 @@ struct MoverSettings {
 
     friend bool operator==(const MoverSettings&, const MoverSettings&) = default;
 
+    /// Metres up per metre ahead, on the steepest slope.
+    double steepest_rise() const { return std::sqrt(1.0 - min_up * min_up) / min_up; }
     /// The capsule is all points within `radius` of this segment.
     Segment core(const Vec3& foot) const { return upright_axis(foot, radius, height); }
 };

@@ -18,18 +18,8 @@ namespace {
 constexpr std::array<std::array<int, 2>, 9> kPoints{
     {{0, 0}, {1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
 
-/// The first cell, along one axis, of the tile of `size` cells that has this one.
-int first_of_tile(int cell, int size) {
-    return (cell >= 0 ? cell / size : (cell + 1) / size - 1) * size;
-}
-
 /// A walk has a body that stands and one that crouches, and rarely more than one door.
 constexpr std::size_t kMostMaps = 8;
-
-std::uint64_t key_of(const GridCell& cell) {
-    return static_cast<std::uint64_t>(static_cast<std::uint32_t>(cell.x)) << 32U |
-           static_cast<std::uint32_t>(cell.z);
-}
 
 }  // namespace
 
@@ -50,12 +40,9 @@ bool GroundMap::is_for(const collision::World& world, const collision::MoverSett
 }
 
 GroundMap::Spots GroundMap::spots_in(const GridCell& cell) {
-    const auto is_in = [&](const GridCell& first) {
-        return cell.x >= first.x && cell.x < first.x + kCells && cell.z >= first.z &&
-               cell.z < first.z + kCells;
-    };
-    if (tiles_.empty() || !is_in(tiles_[latest_]->first_cell)) {
-        latest_ = tile_of({first_of_tile(cell.x, kCells), first_of_tile(cell.z, kCells)});
+    const GridCell first = first_of_square(cell, kCells);
+    if (tiles_.empty() || tiles_[latest_]->first_cell != first) {
+        latest_ = tile_of(first);
     }
     const Tile& tile = *tiles_[latest_];
     const auto at =
@@ -64,15 +51,16 @@ GroundMap::Spots GroundMap::spots_in(const GridCell& cell) {
 }
 
 std::uint32_t GroundMap::tile_of(const GridCell& first_cell) {
-    const auto next = static_cast<std::uint32_t>(tiles_.size());
-    const auto [at, is_new] = numbers_.try_emplace(key_of(first_cell), next);
-    if (is_new) {
-        auto tile = std::make_unique<Tile>();
-        tile->first_cell = first_cell;
-        fill(*tile);
-        tiles_.push_back(std::move(tile));
+    if (const auto known = numbers_.find(first_cell); known != numbers_.end()) {
+        return known->second;
     }
-    return at->second;
+    auto tile = std::make_unique<Tile>();
+    tile->first_cell = first_cell;
+    fill(*tile);
+    tiles_.push_back(std::move(tile));
+    const auto number = static_cast<std::uint32_t>(tiles_.size() - 1);
+    numbers_.emplace(first_cell, number);
+    return number;
 }
 
 void GroundMap::fill(Tile& tile) const {
@@ -85,11 +73,9 @@ void GroundMap::fill(Tile& tile) const {
     const auto index_of = [&](const GridCell& cell) {
         return static_cast<std::uint16_t>(cell.x - tile.first_cell.x + kCells * (cell.z - tile.first_cell.z));
     };
-    const auto surfaces = unreached_surfaces(world_, settings, WalkSpace(grid_),
-                                             {low, {low.x() + size, all.max.y(), low.z() + size}});
-    for (const Surface& surface : surfaces) {
-        const GridCell past{surface.cell.x - tile.first_cell.x, surface.cell.z - tile.first_cell.z};
-        if (past.x >= 0 && past.x < kCells && past.z >= 0 && past.z < kCells) {
+    for (const Surface& surface :
+         walkable_surfaces(world_, settings, grid_, {low, {low.x() + size, all.max.y(), low.z() + size}})) {
+        if (first_of_square(surface.cell, kCells) == tile.first_cell) {
             tile.levels.push_back({static_cast<float>(surface.y), Room::unknown, 0, index_of(surface.cell)});
         }
     }

@@ -81,7 +81,7 @@ private:
     WalkGrid grid_;
     std::vector<std::unique_ptr<Tile>> tiles_;
     std::uint32_t latest_ = 0;  ///< number of the tile that was asked for last: likely to be asked for next
-    std::unordered_map<std::uint64_t, std::uint32_t> numbers_;  ///< of tiles, by their first cells
+    std::unordered_map<GridCell, std::uint32_t, GridCellHash> numbers_;  ///< of tiles, by their first cells
 };
 
 /// The maps of a few bodies among some solids, for routes that are planned one after another.

@@ -22,11 +22,6 @@ constexpr double kBeside = 0.5;
 /// A surface and a node this near in height are one, metres.
 constexpr double kSameLevel = 0.3;
 
-std::uint64_t key_of(const GridCell& block) {
-    return static_cast<std::uint64_t>(static_cast<std::uint32_t>(block.x)) << 32U |
-           static_cast<std::uint32_t>(block.z);
-}
-
 bool is_round(const collision::Shape& shape) {
     return !std::holds_alternative<std::shared_ptr<const collision::MeshCollider>>(shape) &&
            !std::holds_alternative<collision::Box>(shape);
@@ -70,7 +65,7 @@ void LandingPlaces::add_round_solids(const collision::World& world, const collis
 }
 
 void LandingPlaces::add(const Vec3& at) {
-    blocks_[key_of(kBlocks.cell_at(at))].push_back(at);
+    blocks_[kBlocks.cell_at(at)].push_back(at);
 }
 
 /// The exploration doesn't go there.
@@ -94,7 +89,7 @@ bool LandingPlaces::has_any_below(const FallEdge& edge) const {
     const GridCell last = kBlocks.cell_at(region.max);
     for (int z = first.z; z <= last.z; ++z) {
         for (int x = first.x; x <= last.x; ++x) {
-            const auto block = blocks_.find(key_of({x, z}));
+            const auto block = blocks_.find({x, z});
             if (block != blocks_.end() && std::ranges::any_of(block->second, is_below)) {
                 return true;
             }

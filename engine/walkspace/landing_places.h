@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <unordered_map>
 #include <vector>
 
@@ -38,7 +37,7 @@ private:
 
     const ExploreSettings& settings_;
     double bottom_;
-    std::unordered_map<std::uint64_t, std::vector<collision::Vec3>> blocks_;  ///< of 2 m
+    std::unordered_map<GridCell, std::vector<collision::Vec3>, GridCellHash> blocks_;  ///< of 2 m
     std::vector<collision::Aabb> round_solids_;
 };
 

@@ -194,8 +194,9 @@ private:
     bool follow_guess() {
         const Mark start = mark();
         const collision::MoverSettings& body = settings_.strides.body;
-        const double steepest = std::sqrt(1.0 - body.min_up * body.min_up) / body.min_up;
-        GuessRules rules{{}, settings_.is_tight, std::max(body.step_height, steepest * map_.grid().cell), {}};
+        GuessRules rules;
+        rules.is_tight = settings_.is_tight;
+        rules.most_up = std::max(body.step_height, body.steepest_rise() * map_.grid().cell);
         if (settings_.keep_out) {
             rules.keep_out = [this](const Vec3& foot) { return is_close_to_what_is_avoided(foot); };
         }

@@ -46,7 +46,7 @@ Strider::Strider(const collision::World& world, const StrideSettings& settings,
       settings_(settings),
       filter_(filter),
       bottom_(world.bounds().min.y()),
-      steepest_rise_(std::sqrt(1.0 - settings.body.min_up * settings.body.min_up) / settings.body.min_up),
+      steepest_rise_(settings.body.steepest_rise()),
       mover_(world, settings.body, filter),
       touched_(world.size(), false) {}
 

@@ -77,8 +77,7 @@ public:
           sets_(spots.size()),
           strider_(worlds[0], settings.strides, settings.solids),
           step_(settings.strides.body.step_height + collision::kHeightSlack) {
-        const double min_up = settings.strides.body.min_up;
-        slope_ = std::max(step_, std::sqrt(1.0 - min_up * min_up) / min_up * grid.cell);
+        slope_ = std::max(step_, settings.strides.body.steepest_rise() * grid.cell);
         join_neighbours();
         join_by_steps();
     }

@@ -23,9 +23,10 @@ constexpr double kOneSurface = 0.02;
 /// Finds the surfaces of one triangle after another.
 class SurfaceCollector {
 public:
-    SurfaceCollector(const ExploreSettings& settings, const WalkSpace& reached, const collision::Aabb& region,
-                     std::vector<Surface>& out)
-        : settings_(settings), reached_(reached), region_(region), out_(out) {}
+    /// `reached`: whose ground is left out; may be null.
+    SurfaceCollector(const ExploreSettings& settings, const WalkGrid& grid, const WalkSpace* reached,
+                     const collision::Aabb& region, std::vector<Surface>& out)
+        : settings_(settings), grid_(grid), reached_(reached), region_(region), out_(out) {}
 
     void add(ObjectId object, std::uint32_t index, const std::array<Vec3, 3>& t) {
         const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
@@ -33,14 +34,13 @@ public:
         if (!(std::abs(normal.y()) >= settings_.strides.body.min_up * length) || length <= 0.0) {
             return;
         }
-        const WalkGrid& grid = reached_.grid;
         const Vec3 low = t[0].cwiseMin(t[1]).cwiseMin(t[2]).cwiseMax(region_.min);
         const Vec3 high = t[0].cwiseMax(t[1]).cwiseMax(t[2]).cwiseMin(region_.max);
-        const GridCell first = grid.cell_at(low.x() - 0.5 * grid.cell, low.z() - 0.5 * grid.cell);
-        const GridCell last = grid.cell_at(high);
+        const GridCell first = grid_.cell_at(low.x() - 0.5 * grid_.cell, low.z() - 0.5 * grid_.cell);
+        const GridCell last = grid_.cell_at(high);
         for (int z = first.z; z <= last.z; ++z) {
             for (int x = first.x; x <= last.x; ++x) {
-                const Vec3 p = grid.center({x, z});
+                const Vec3 p = grid_.center({x, z});
                 if (is_below(t, p)) {
                     const double y =
                         t[0].y() -
@@ -66,13 +66,14 @@ private:
 
     void offer(const Surface& surface) {
         if (surface.y >= region_.min.y() && surface.y <= region_.max.y() &&
-            !reached_.find(surface.cell, surface.y, kSameGround)) {
+            (reached_ == nullptr || !reached_->find(surface.cell, surface.y, kSameGround))) {
             out_.push_back(surface);
         }
     }
 
     const ExploreSettings& settings_;
-    const WalkSpace& reached_;
+    const WalkGrid& grid_;
+    const WalkSpace* reached_;
     const collision::Aabb& region_;
     std::vector<Surface>& out_;
 };
@@ -103,12 +104,11 @@ void collect(SurfaceCollector& collector, const collision::World& world, ObjectI
     }
 }
 
-}  // namespace
-
-std::vector<Surface> unreached_surfaces(const collision::World& world, const ExploreSettings& settings,
-                                        const WalkSpace& reached, const collision::Aabb& region) {
+std::vector<Surface> surfaces_in(const collision::World& world, const ExploreSettings& settings,
+                                 const WalkGrid& grid, const WalkSpace* reached,
+                                 const collision::Aabb& region) {
     std::vector<Surface> surfaces;
-    SurfaceCollector collector(settings, reached, region, surfaces);
+    SurfaceCollector collector(settings, grid, reached, region, surfaces);
     std::vector<ObjectId> solids;
     world.candidates(region, settings.solids, solids);
     for (const ObjectId id : solids) {
@@ -121,6 +121,18 @@ std::vector<Surface> unreached_surfaces(const collision::World& world, const Exp
     };
     surfaces.erase(std::unique(surfaces.begin(), surfaces.end(), same), surfaces.end());
     return surfaces;
+}
+
+}  // namespace
+
+std::vector<Surface> walkable_surfaces(const collision::World& world, const ExploreSettings& settings,
+                                       const WalkGrid& grid, const collision::Aabb& region) {
+    return surfaces_in(world, settings, grid, nullptr, region);
+}
+
+std::vector<Surface> unreached_surfaces(const collision::World& world, const ExploreSettings& settings,
+                                        const WalkSpace& reached, const collision::Aabb& region) {
+    return surfaces_in(world, settings, reached.grid, &reached, region);
 }
 
 }  // namespace campuswalk::engine

@@ -16,8 +16,12 @@ struct Surface {
     std::uint32_t triangle = 0;  ///< of the object's mesh; 0 for a box
 };
 
-/// All surfaces in the region that aren't too steep and have no reached node, by cell from low to high,
-/// without those on one another. Those of round solids aren't found.
+/// All surfaces in the region that aren't too steep, by cell from low to high, without those on one another.
+/// Those of round solids aren't found.
+std::vector<Surface> walkable_surfaces(const collision::World& world, const ExploreSettings& settings,
+                                       const WalkGrid& grid, const collision::Aabb& region);
+
+/// Likewise, those that have no reached node.
 std::vector<Surface> unreached_surfaces(const collision::World& world, const ExploreSettings& settings,
                                         const WalkSpace& reached, const collision::Aabb& region);
 

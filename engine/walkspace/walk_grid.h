@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 
 #include "collision/geometry/shapes.h"
 
@@ -16,6 +18,25 @@ struct GridCell {
     friend bool operator==(const GridCell&, const GridCell&) = default;
     friend auto operator<=>(const GridCell&, const GridCell&) = default;
 };
+
+/// For hash maps by cell.
+struct GridCellHash {
+    std::size_t operator()(const GridCell& cell) const {
+        const std::uint64_t key = static_cast<std::uint64_t>(static_cast<std::uint32_t>(cell.x)) << 32U |
+                                  static_cast<std::uint32_t>(cell.z);
+        return std::hash<std::uint64_t>()(key);
+    }
+};
+
+/// The cell with the lowest x and z of the square of `size` x `size` cells that this one is in; such squares
+/// tile the world from its origin on.
+inline GridCell first_of_square(const GridCell& cell, int size) {
+    const auto first = [size](int at) {
+        const int rest = at % size;
+        return at - (rest < 0 ? rest + size : rest);
+    };
+    return {first(cell.x), first(cell.z)};
+}
 
 /// The directions that a cell is left in: first to the cells beside it, then to those across its corners.
 struct GridDirection {

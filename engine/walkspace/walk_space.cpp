@@ -7,15 +7,8 @@ namespace campuswalk::engine {
 
 namespace {
 
-/// The lowest cell of the tile that holds `x`.
-int tile_start(int x) {
-    constexpr int kCells = WalkTile::kCells;
-    const int rest = x % kCells;
-    return x - (rest < 0 ? rest + kCells : rest);
-}
-
 GridCell first_cell_of(const GridCell& cell) {
-    return {tile_start(cell.x), tile_start(cell.z)};
+    return first_of_square(cell, WalkTile::kCells);
 }
 
 }  // namespace
