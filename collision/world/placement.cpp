@@ -36,6 +36,27 @@ constexpr double kRounding = 2e-3;   // metres
 constexpr double kClearance = 1e-3;  // metres left between a body and what it is pushed out of
 constexpr int kHalvings = 16;        // of an offset, down to a few micrometres
 
+/// Whether a capsule, given in the world, touches the shape during a move.
+struct IsSweptOver {
+    const World& world;
+    ObjectId id;
+    const Segment& axis;
+    double radius;
+    const Vec3& move;
+    QueryStatistics* statistics;
+
+    bool operator()(const std::shared_ptr<const MeshCollider>& mesh) const {
+        const Pose& X = world.object(id).X_world_shape;
+        const Segment local{X.inverse_apply(axis.a), X.inverse_apply(axis.b)};
+        return sweep(*mesh, local, radius, X.rotation.transpose() * move, statistics).has_value();
+    }
+    template <typename Solid>
+    bool operator()(const Solid&) const {
+        add_to(statistics, {.primitive_tests = 1});
+        return sweep(axis, radius, move, solid_obstacle(world, id)).has_value();
+    }
+};
+
 /// The first object that a point is inside of.
 std::optional<ObjectId> object_around(const World& world, const QueryFilter& filter, const Vec3& point,
                                       QueryStatistics* statistics) {
@@ -202,6 +223,21 @@ std::optional<Vec3> free_place(const World& world, const QueryFilter& filter, co
         }
     }
     return std::nullopt;
+}
+
+bool is_way_free(const World& world, const QueryFilter& filter, const Vec3& foot, double radius,
+                 double height, const Vec3& move, QueryStatistics* statistics) {
+    const Segment axis = upright_axis(foot, radius, height);
+    Aabb swept;
+    for (const Vec3& end : {axis.a, axis.b}) {
+        swept.extend(end);
+        swept.extend(end + move);
+    }
+    std::vector<ObjectId> candidates;
+    world.candidates(swept.grown(radius), filter, candidates);
+    return std::ranges::none_of(candidates, [&](ObjectId id) {
+        return std::visit(IsSweptOver{world, id, axis, radius, move, statistics}, world.object(id).shape);
+    });
 }
 
 std::optional<FreePlacement> nearest_free_placement(const World& world, const QueryFilter& filter,

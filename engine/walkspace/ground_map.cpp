@@ -18,6 +18,9 @@ namespace {
 constexpr std::array<std::array<int, 2>, 9> kPoints{
     {{0, 0}, {1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
 
+/// Points with so much more room than the body takes are preferred, metres: lines between them touch nothing.
+constexpr double kRoomAround = 0.07;
+
 /// A walk has a body that stands and one that crouches, and rarely more than one door.
 constexpr std::size_t kMostMaps = 8;
 
@@ -25,7 +28,10 @@ constexpr std::size_t kMostMaps = 8;
 
 GroundMap::GroundMap(const collision::World& world, const collision::MoverSettings& body,
                      const collision::QueryFilter& filter)
-    : world_(world), body_(body), filter_(filter) {
+    : world_(world),
+      body_(body),
+      lift_(std::min(body.step_height, body.height - 2.0 * body.radius)),
+      filter_(filter) {
     if (filter.disabled != nullptr) {
         disabled_ = *filter.disabled;
         filter_.disabled = &disabled_;
@@ -112,13 +118,12 @@ bool GroundMap::has_room(const Spot& spot) {
 }
 
 std::optional<std::uint8_t> GroundMap::free_point(const Tile& tile, const Level& level) const {
-    const double lift = std::min(body_.step_height, body_.height - 2.0 * body_.radius);
     const auto is_free = [&](std::uint8_t offset, double slimmer) {
-        const Vec3 foot = point_at(tile, level, offset) + Vec3(0.0, lift + slimmer, 0.0);
+        const Vec3 foot = point_at(tile, level, offset) + Vec3(0.0, lift_ + slimmer, 0.0);
         return !collision::obstruction(world_, filter_, foot, body_.radius - slimmer,
-                                       body_.height - lift - 2.0 * slimmer);
+                                       body_.height - lift_ - 2.0 * slimmer);
     };
-    if (is_free(0, 0.0)) {
+    if (is_free(0, -kRoomAround)) {
         return 0;
     }
     // What a body slimmer by the way to the farthest point touches in the middle, the body touches at each.
@@ -126,12 +131,20 @@ std::optional<std::uint8_t> GroundMap::free_point(const Tile& tile, const Level&
     if (farthest < body_.radius && !is_free(0, farthest)) {
         return std::nullopt;
     }
-    for (std::uint8_t i = 1; i < kPoints.size(); ++i) {
-        if (is_free(i, 0.0)) {
-            return i;
+    for (const double slimmer : {-kRoomAround, 0.0}) {
+        for (std::uint8_t i = 0; i < kPoints.size(); ++i) {
+            if (is_free(i, slimmer)) {
+                return i;
+            }
         }
     }
     return std::nullopt;
+}
+
+bool GroundMap::is_way_free(const Vec3& from, const Vec3& to, double beside) const {
+    const Vec3 foot = from + Vec3(0.0, lift_, 0.0);
+    const double height = std::max(body_.height - lift_, 2.0 * (body_.radius + beside));
+    return collision::is_way_free(world_, filter_, foot, body_.radius + beside, height, to - from);
 }
 
 GroundMap& GroundMaps::of(const collision::World& world, const collision::MoverSettings& body,

@@ -50,6 +50,9 @@ public:
     collision::Vec3 foot(const Spot& spot) const;
     /// Whether the body has room on the surface, or above what it could climb from there.
     bool has_room(const Spot& spot);
+    /// Whether it has room all the way from one foot to another, `beside` metres more than itself. Only above
+    /// what it could climb.
+    bool is_way_free(const collision::Vec3& from, const collision::Vec3& to, double beside) const;
 
 private:
     static constexpr int kCells = 32;  ///< along a tile
@@ -76,6 +79,7 @@ private:
 
     const collision::World& world_;
     collision::MoverSettings body_;
+    double lift_;  ///< of the feet above the ground, for a body that climbs what is lower
     std::vector<bool> disabled_;
     collision::QueryFilter filter_;
     WalkGrid grid_;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "engine/script/avatar_body.h"
 #include "engine/script/travel.h"
 #include "engine/walkspace/taut_path.h"
 #include "engine/walkspace/trial_walk.h"
@@ -22,6 +23,8 @@ namespace {
 /// A way that is straight but for this share isn't worth a search, and neither are these ticks.
 constexpr double kNearlyStraight = 1.02;
 constexpr Tick kFewTicks = 5;
+/// A way that is straight may slide along things that it would overlap by less, metres.
+constexpr double kSlide = 0.1;
 /// A straight piece may end this far above or below the node that it is headed for, metres: less than the
 /// way between two floors, more than a step.
 constexpr double kSameGround = 0.35;
@@ -83,14 +86,29 @@ public:
     std::optional<NoRoute> go_to(const Target& target, double within) {
         target_ = target;
         within_ = within;
+        if (!land()) {
+            return NoRoute{target_, WalkSpace(WalkGrid{}), false};
+        }
         const Mark start = mark();
-        const std::optional<Pull> straight = walk_straight();
-        if (straight && is_nearly_straight(*straight)) {
+        std::optional<Pull> straight;
+        const auto goes_straight = [&] {
+            straight = walk_straight();
+            return straight && is_nearly_straight(*straight);
+        };
+        const bool looks_free =
+            straight_path(map_, state_.foot, target_.point, guess_rules(), -kSlide).has_value();
+        if (looks_free && goes_straight()) {
             append(*straight);
             return std::nullopt;
         }
-        if (auto none = search()) {
-            return none;
+        if (!follow_guess()) {
+            if (!looks_free && goes_straight()) {  // the map is wrong
+                append(*straight);
+                return std::nullopt;
+            }
+            if (auto none = search()) {
+                return none;
+            }
         }
         if (straight && cost_of(*straight) <= ticks_since(start.points)) {
             go_back_to(start);
@@ -113,7 +131,7 @@ private:
 
     std::optional<Pull> walk_straight() {
         Pull pull{0, last_piece(), {}, {}};
-        const auto end = trial_.walk(state_, pull.piece, std::numeric_limits<Tick>::max());
+        const auto end = trial_.walk(state_, pull.piece, std::numeric_limits<Tick>::max(), true);
         if (!end) {
             return std::nullopt;
         }
@@ -149,15 +167,9 @@ private:
                static_cast<Tick>(round / settings_.strides.seconds);
     }
 
-    /// What is guessed is walked; only where that fails, all around is, until the target is reached.
+    /// Walks everywhere until the target is reached; wherever that way can't be followed, another is guessed.
     std::optional<NoRoute> search() {
         for (int searches = 1;; ++searches) {
-            if (!land()) {
-                return NoRoute{target_, WalkSpace(WalkGrid{}), false};
-            }
-            if (follow_guess()) {
-                return std::nullopt;
-            }
             WalkSpace space = explore(worlds_, explore_settings());
             if (!space.goal) {
                 const bool cut = std::ranges::find(space.bounds, Bound::nodes) != space.bounds.end();
@@ -170,6 +182,12 @@ private:
             assert(searches < kMostSearches && "a chain can be followed stride by stride");
             if (searches >= kMostSearches) {
                 return NoRoute{target_, std::move(space), true};
+            }
+            if (!land()) {
+                return NoRoute{target_, WalkSpace(WalkGrid{}), false};
+            }
+            if (follow_guess()) {
+                return std::nullopt;
             }
         }
     }
@@ -189,10 +207,7 @@ private:
         route_.path.resize(mark.points);
     }
 
-    /// By straight pieces along a way over the map; where they lead no farther, the map is wrong. Whether
-    /// that leads to the target: if not, the body is where it was.
-    bool follow_guess() {
-        const Mark start = mark();
+    GuessRules guess_rules() const {
         const collision::MoverSettings& body = settings_.strides.body;
         GuessRules rules;
         rules.is_tight = settings_.is_tight;
@@ -200,6 +215,14 @@ private:
         if (settings_.keep_out) {
             rules.keep_out = [this](const Vec3& foot) { return is_close_to_what_is_avoided(foot); };
         }
+        return rules;
+    }
+
+    /// By straight pieces along a way over the map; where they lead no farther, the map is wrong. Whether
+    /// that leads to the target: if not, the body is where it was.
+    bool follow_guess() {
+        const Mark start = mark();
+        GuessRules rules = guess_rules();
         for (int guesses = 0; guesses < kMostGuesses; ++guesses) {
             auto guess = guess_path(map_, state_.foot, target_, rules);
             if (!guess) {
@@ -241,9 +264,10 @@ private:
     /// The node of the chain from which none leads on; its size at the target.
     std::size_t follow_pieces(const GuessRules& rules) {
         std::size_t at = 0;
+        const double room_beside = settings_.strides.body.skin + kTouchSlack;
         const auto may_lead = [&](std::size_t node) {
             const ChainNode& goal = chain_[std::min(node, chain_.size() - 1)];
-            return straight_path(map_, state_.foot, goal.at.foot, rules).has_value();
+            return straight_path(map_, state_.foot, goal.at.foot, rules, room_beside).has_value();
         };
         while (at < chain_.size()) {
             const std::size_t most = chain_.size() - at;
@@ -293,7 +317,7 @@ private:
             if (!is_near_target(at.foot)) {
                 return false;
             }
-            const auto end = trial_.walk(state_of(at), piece, last_ticks());
+            const auto end = trial_.walk(state_of(at), piece, last_ticks(), true);
             return end && end->falls <= kHarmlessFall;
         };
         return settings;
@@ -391,8 +415,9 @@ private:
             pull.piece = {{"", written(goal.at.foot), false}};
         }
         const Tick most = goal.ticks - chain_[at].ticks + kSlack + (last ? last_ticks() : 0);
-        const auto end = trial_.walk(state_, pull.piece, most);
-        if (!end || (end->touched && node > at + 1) ||
+        const bool may_touch = node <= at + 1;
+        const auto end = trial_.walk(state_, pull.piece, most, may_touch);
+        if (!end ||
             (!last &&
              (!end->state.grounded || std::abs(end->state.foot.y() - goal.at.foot.y()) > kSameGround)) ||
             end->falls > std::max(kHarmlessFall, falls_of_chain(at, node)) + kSameFall) {

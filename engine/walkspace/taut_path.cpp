@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/script/travel.h"
 
@@ -19,6 +20,69 @@ constexpr int kMostMissed = 1;
 constexpr double kSample = 0.5;
 /// How often a path is pulled, from one end and then from the other: its vertices move to what it goes round.
 constexpr int kPulls = 4;
+/// Lines pass things by so much: the body comes to each vertex but for a few centimetres, and a line from
+/// there must not touch what it goes round, metres.
+constexpr double kCornerRoom = 0.06;
+
+/// The ground below a line may be so far from the line that the body is swept along, metres.
+constexpr double kUneven = 0.05;
+
+/// The ground along a straight line from above, point by point.
+class GroundProfile {
+public:
+    GroundProfile(const Vec3& from, const Vec3& to) : from_(from), apart_(flat(to - from)) {
+        points_.push_back({0.0, from.y()});
+    }
+
+    /// `share`: of the whole line, more than that of the point before.
+    void add(double share, double height) { points_.push_back({share, height}); }
+
+    /// By sweeps over as much of the ground as is even.
+    bool is_way_free(const GroundMap& map, double beside) const {
+        std::size_t at = 0;
+        while (at + 1 < points_.size()) {
+            const std::size_t next = end_of_even(at);
+            if (!map.is_way_free(foot(at), foot(next), beside)) {
+                return false;
+            }
+            at = next;
+        }
+        return true;
+    }
+
+private:
+    struct Point {
+        double share = 0.0;
+        double height = 0.0;
+    };
+
+    Vec3 foot(std::size_t i) const {
+        Vec3 foot = from_ + points_[i].share * apart_;
+        foot.y() = points_[i].height;
+        return foot;
+    }
+
+    /// The last point that a line leads to which all points between are near.
+    std::size_t end_of_even(std::size_t first) const {
+        double lowest = -std::numeric_limits<double>::infinity();  // rise of lines that are near all of them
+        double highest = std::numeric_limits<double>::infinity();
+        std::size_t end = first + 1;
+        for (std::size_t i = first + 1; i < points_.size() && lowest <= highest; ++i) {
+            const double ahead = points_[i].share - points_[first].share;
+            const double rise = points_[i].height - points_[first].height;
+            if (lowest * ahead <= rise && rise <= highest * ahead) {
+                end = i;
+            }
+            lowest = std::max(lowest, (rise - kUneven) / ahead);
+            highest = std::min(highest, (rise + kUneven) / ahead);
+        }
+        return end;
+    }
+
+    Vec3 from_;
+    Vec3 apart_;
+    std::vector<Point> points_;
+};
 
 bool is_allowed(GroundMap& map, const Spot& spot, const GuessRules& rules) {
     return map.has_room(spot) && std::ranges::find(rules.blocked, spot) == rules.blocked.end() &&
@@ -75,7 +139,7 @@ private:
         if (to == from + 1) {
             return Path{path_[to]};
         }
-        auto spots = straight_path(map_, map_.foot(path_[from]), map_.foot(path_[to]), rules_);
+        auto spots = straight_path(map_, map_.foot(path_[from]), map_.foot(path_[to]), rules_, kCornerRoom);
         if (spots && (spots->empty() || spots->back() != path_[to])) {
             return std::nullopt;  // it ends on another level
         }
@@ -102,7 +166,8 @@ private:
 
 }  // namespace
 
-std::optional<Path> straight_path(GroundMap& map, const Vec3& from, const Vec3& to, const GuessRules& rules) {
+std::optional<Path> straight_path(GroundMap& map, const Vec3& from, const Vec3& to, const GuessRules& rules,
+                                  double beside) {
     const Vec3 apart = flat(to - from);
     const int samples = static_cast<int>(std::ceil(apart.norm() / (kSample * map.grid().cell)));
     GridCell cell = map.grid().cell_at(from);
@@ -110,8 +175,10 @@ std::optional<Path> straight_path(GroundMap& map, const Vec3& from, const Vec3& 
     double most_up = std::max(rules.most_up, kFootLevel);  // it may stand higher than the surface below it
     int missed = 0;
     Path spots;
+    GroundProfile profile(from, to);
     for (int i = 1; i <= samples; ++i) {
-        const GridCell next = map.grid().cell_at(from + apart * (static_cast<double>(i) / samples));
+        const double share = static_cast<double>(i) / samples;
+        const GridCell next = map.grid().cell_at(from + apart * share);
         if (next == cell) {
             continue;
         }
@@ -119,13 +186,14 @@ std::optional<Path> straight_path(GroundMap& map, const Vec3& from, const Vec3& 
         if (const auto spot = spot_within_a_step(map, cell, height, most_up, rules)) {
             height = map.height(*spot);
             spots.push_back(*spot);
+            profile.add(share, height);
             missed = 0;
         } else if (++missed > kMostMissed) {
             return std::nullopt;
         }
         most_up = rules.most_up;
     }
-    return spots;
+    return profile.is_way_free(map, beside) ? std::optional(spots) : std::nullopt;
 }
 
 Path pulled_taut(GroundMap& map, Path path, const GuessRules& rules) {

@@ -11,9 +11,11 @@ namespace campuswalk::engine {
 
 /// The spots on a straight line, from a body's feet on: of all cells that it crosses but those that it just
 /// cuts, from one to the next no farther up or down than guessed paths go. None if there is none in two cells
-/// in a row, or where the rules forbid one.
+/// in a row, where the rules forbid one, or if the body would touch something on its way or pass it by less
+/// than `beside`, metres.
 std::optional<std::vector<GroundMap::Spot>> straight_path(GroundMap& map, const collision::Vec3& from,
-                                                          const collision::Vec3& to, const GuessRules& rules);
+                                                          const collision::Vec3& to, const GuessRules& rules,
+                                                          double beside = 0.0);
 
 /// The largest number up to `most` for which something works, found by ever larger leaps and then by halving
 /// the last one: as if what works for a number worked for all below. It does for 1, which isn't asked.

@@ -32,7 +32,8 @@ std::optional<MoverState> TrialWalk::put_down(const Vec3& foot) {
     return state;
 }
 
-std::optional<TrialWalk::End> TrialWalk::walk(const MoverState& from, RoutePiece& piece, Tick most) {
+std::optional<TrialWalk::End> TrialWalk::walk(const MoverState& from, RoutePiece& piece, Tick most,
+                                              bool may_touch) {
     begin(from);
     const Target& target = piece.target;
     const auto remaining = [&] { return flat(target.point - state_.foot).norm(); };
@@ -42,7 +43,7 @@ std::optional<TrialWalk::End> TrialWalk::walk(const MoverState& from, RoutePiece
         const Vec3 before = state_.foot;
         if (!tick(
                 displacement_towards(target.point, state_.foot, settings_.walk_speed * settings_.seconds)) ||
-            (keep_out_ && keep_out_(state_.foot))) {
+            (keep_out_ && keep_out_(state_.foot)) || (touched_ && !may_touch)) {
             return std::nullopt;
         }
         ++progress.ticks;

@@ -27,8 +27,9 @@ public:
 
     /// As a spawn puts the body down; it may be in the air. None if there is no free place.
     std::optional<collision::MoverState> put_down(const collision::Vec3& foot);
-    /// None if it doesn't arrive within `most` ticks. Sets the piece's ticks.
-    std::optional<End> walk(const collision::MoverState& from, RoutePiece& piece, Tick most);
+    /// None if it doesn't arrive within `most` ticks, or touches something that it may not touch. Sets the
+    /// piece's ticks.
+    std::optional<End> walk(const collision::MoverState& from, RoutePiece& piece, Tick most, bool may_touch);
     /// The piece's displacement, for its ticks; without any, until the body has landed. None if it falls out
     /// of the world.
     std::optional<End> stride(const collision::MoverState& from, RoutePiece& piece);

@@ -121,6 +121,50 @@ TEST(Obstruction, RespectsTheFilter) {
     EXPECT_FALSE(obstruction_at(world, {0, 0, 0}, {Detection::trigger, 1U << 4U}));
 }
 
+TEST(IsWayFree, AgreesWithThePenetrationOracleAlongTheWay) {
+    Dice dice(106);
+    int free = 0;
+    int blocked = 0;
+    const int worlds = support::repeats(15);
+    for (int w = 0; w < worlds; ++w) {
+        const auto world = support::make_soup(dice);
+        const support::PenetrationOracle oracle(*world);
+        for (int i = 0; i < 30; ++i) {
+            const Vec3 foot = dice.in_cube(5.0).cwiseAbs() - Vec3(2, 0.5, 2);
+            const Vec3 move = dice.in_cube(1.0);
+            double deepest = oracle.worst_penetration(foot, kRadius, kHeight).depth;
+            if (deepest > -1e-3) {
+                continue;  // what is touched at the start may be moved away from
+            }
+            for (int k = 1; k <= 100; ++k) {
+                const Vec3 at = foot + k / 100.0 * move;
+                deepest = std::max(deepest, oracle.worst_penetration(at, kRadius, kHeight).depth);
+            }
+            const bool is_free = is_way_free(*world, {}, foot, kRadius, kHeight, move);
+            // Between two samples it may come nearer by half of what it moves by.
+            if (deepest > 1e-8) {
+                ASSERT_FALSE(is_free) << w << ' ' << i;
+            } else if (deepest < -0.006 * move.norm()) {
+                ASSERT_TRUE(is_free) << w << ' ' << i;
+            }
+            (is_free ? free : blocked) += 1;
+        }
+    }
+    EXPECT_GT(free, worlds);
+    EXPECT_GT(blocked, worlds);
+}
+
+TEST(IsWayFree, MayMoveAwayFromWhatItTouches) {
+    World world(std::make_unique<LinearBroadPhase>());
+    add_object(world, Box{{1, 1, 1}}, {-1.25, 1, 0});  // overlaps the body by 5 cm
+    EXPECT_TRUE(is_way_free(world, {}, {0, 0.1, 0}, kRadius, kHeight, {2, 0, 0}));
+    EXPECT_TRUE(is_way_free(world, {}, {0, 0.1, 0}, kRadius, kHeight, {0, 0, 2}));
+    EXPECT_FALSE(is_way_free(world, {}, {0, 0.1, 0}, kRadius, kHeight, {-0.01, 0, 0}));
+    QueryFilter filter;
+    filter.ignored_layers = 1;
+    EXPECT_TRUE(is_way_free(world, filter, {0, 0.1, 0}, kRadius, kHeight, {-2, 0, 0}));
+}
+
 TEST(FreePlace, IsTheRequestedPlaceIfThatIsFree) {
     World world(std::make_unique<LinearBroadPhase>());
     add_object(world, Box{{1, 1, 1}}, {0, -1, 0});

@@ -62,6 +62,22 @@ TEST(GroundMap, HasRoomWhereTheBodyFits) {
     }
 }
 
+TEST(GroundMap, PrefersPointsWithMoreRoom) {
+    const Block block;
+    GroundMap map = block.map();
+    for (int z = -12; z < 12; ++z) {
+        for (int x = -12; x < 12; ++x) {
+            for (const GroundMap::Spot& spot : ground_in(map, {x, z})) {
+                const double apart = distance_to_square(map.grid().center({x, z}), 1.0);
+                const double third = map.grid().cell / 3.0;
+                if (map.has_room(spot) && apart > block.body.radius + 0.07 - third && apart < 1.0) {
+                    EXPECT_GT(distance_to_square(map.foot(spot), 1.0), block.body.radius + 0.07 - 1e-9);
+                }
+            }
+        }
+    }
+}
+
 TEST(GroundMap, DoesNotDependOnWhatWasAskedBefore) {
     const Block block;
     GroundMap forwards = block.map();
@@ -174,6 +190,36 @@ TEST(TautPath, LiesRoundABlock) {
     }
     EXPECT_LT(length, around + 0.2) << "along axes and diagonals it would be 0.5 more";
     EXPECT_GT(length, around - map.grid().cell) << "its ends are in the cells of those asked for";
+}
+
+TEST(TautPath, TouchesNothing) {
+    const Block block;
+    GroundMap map = block.map();
+    for (int i = 0; i < 40; ++i) {  // from (-3, -1.6) past the block's vertex at (-1, -1), ever nearer
+        const Vec3 to(3, 0, -2.2 + 0.05 * i);
+        const Vec3 from(-3, 0, -1.6);
+        double nearest = 1e300;
+        for (int k = 0; k <= 1000; ++k) {
+            nearest = std::min(nearest, distance_to_square(from + k / 1000.0 * (to - from), 1.0));
+        }
+        for (const double beside : {0.0, 0.1}) {
+            const double needed = block.body.radius + beside;
+            if (std::abs(nearest - needed) > 0.005) {
+                EXPECT_EQ(straight_path(map, from, to, {}, beside).has_value(), nearest > needed)
+                    << nearest << ' ' << beside;
+            }
+        }
+    }
+}
+
+TEST(TautPath, LeadsUpStairsAndOverKerbs) {
+    scene::Campus campus = level_campus(10.0);
+    for (int i = 0; i < 10; ++i) {
+        add_box(campus, "step", {1.0 + 0.3 * i, 0, -2}, {1.3 + 0.3 * i, 0.17 * (i + 1), 2});
+    }
+    add_box(campus, "kerb", {-2, 0, -9}, {-1.5, 0.15, 9});
+    GroundMap map(campus.world, {}, {});
+    EXPECT_TRUE(straight_path(map, {-4, 0, 0.1}, {3.9, 1.7, 0.3}, {}, 0.05));
 }
 
 TEST(TautPath, IsBlockedByAWall) {
