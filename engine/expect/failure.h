@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,9 +16,12 @@ struct FailureScene {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< foot point, metres
     double yaw = 0.0;                                    ///< radians
     double pitch = 0.0;                                  ///< radians
-    std::string building;                  ///< the one with an open window or the nearest; may be empty
-    std::string nearest;                   ///< the nearest object's id; empty if none is near
-    double nearest_distance = 0.0;         ///< metres, from the body
+    std::string building;           ///< the one with an open window or the nearest; may be empty
+    std::string nearest;            ///< the nearest object's id; empty if none is near
+    double nearest_distance = 0.0;  ///< metres, from the body
+    /// What to look at: where the reason was measured, or what the body touches or nearly touches. Not
+    /// reported; for pictures.
+    std::optional<Eigen::Vector3d> contact = {};
     std::vector<std::string> last_events;  ///< as the text log prints them, oldest first
 };
 

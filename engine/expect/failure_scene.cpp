@@ -18,10 +18,13 @@ namespace {
 constexpr double kReach = 10.0;  // metres
 /// Contacts at most this far above the feet are the ground that the avatar walks on, metres.
 constexpr double kUnderfoot = 0.1;
+/// Nothing farther from the body is what a failure is about, metres.
+constexpr double kNearlyTouching = 0.5;
 
 struct Nearest {
     std::optional<std::size_t> object;
     double distance = kReach;  ///< metres, from the body
+    Vector3d at = Vector3d::Zero();
 };
 
 Nearest nearest_solid(const StateSnapshot& state, const scene::Campus& campus, const AvatarProfile& avatar) {
@@ -39,7 +42,7 @@ Nearest nearest_solid(const StateSnapshot& state, const scene::Campus& campus, c
             const double distance = std::max(0.0, closest.distance - avatar.radius);
             if (closest.on_shape.y() > state.avatar.position.y() + kUnderfoot &&
                 distance < nearest.distance) {
-                nearest = {index_of(obstacle.object), distance};
+                nearest = {index_of(obstacle.object), distance, closest.on_shape};
             }
         }
         if (nearest.object && nearest.distance <= reach) {
@@ -83,6 +86,9 @@ FailureScene scene_of(const StateSnapshot& state, const scene::Campus& campus, c
     if (const Nearest nearest = nearest_solid(state, campus, avatar); nearest.object) {
         scene.nearest = campus.objects[*nearest.object].id;
         scene.nearest_distance = nearest.distance;
+        if (nearest.distance <= kNearlyTouching) {
+            scene.contact = nearest.at;
+        }
     }
     for (const auto& timed : state.events) {
         if (timed) {

@@ -8,7 +8,8 @@
 namespace campuswalk::engine {
 
 /// What a failure report says about a state: where the avatar was, the solid object nearest to its body (at
-/// most 10 m away, and not the ground that it stood on), the building, and the last events.
+/// most 10 m away, and not the ground that it stood on) and where that is nearly touched, the building, and
+/// the last events.
 FailureScene scene_of(const StateSnapshot& state, const scene::Campus& campus, const AvatarProfile& avatar);
 
 }  // namespace campuswalk::engine

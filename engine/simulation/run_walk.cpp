@@ -78,10 +78,13 @@ void summarize(const Simulation& simulation, const scene::Campus& campus, const 
     if (const auto& stop = simulation.stop()) {
         ExpectationSet::StoppedVerdicts verdicts = expectations.verdicts_when_stopped();
         summary.failures = std::move(verdicts.failures);
-        summary.failures.insert(
-            summary.failures.begin(),
-            {stop->mark, stop->code, stop->message + describe_undecided(verdicts.undecided),
-             stop->scene ? *stop->scene : scene_of(expectations.now(), campus, walk.avatar)});
+        FailureScene scene = stop->scene ? *stop->scene : scene_of(expectations.now(), campus, walk.avatar);
+        if (stop->at) {
+            scene.contact = stop->at;
+        }
+        summary.failures.insert(summary.failures.begin(),
+                                {stop->mark, stop->code,
+                                 stop->message + describe_undecided(verdicts.undecided), std::move(scene)});
     } else {
         summary.failures = expectations.verdicts();
     }

@@ -91,16 +91,19 @@ void Simulation::report_motion(const Intent& intent, const Motion& motion) {
     }
     if (state_.body.has_fallen_out_of_the_world()) {
         state_.events.add(EventKind::avatar_fell, name, {pos});
-        stop_ = Stop{state_.walk.mark, "fell",
-                     "the avatar fell out of the world; it last stood at " + fixed(state_.body.last_stood())};
+        stop_ = Stop{state_.walk.mark,
+                     "fell",
+                     "the avatar fell out of the world; it last stood at " + fixed(state_.body.last_stood()),
+                     {},
+                     state_.body.last_stood()};
     }
     if (motion.stuck) {
         Event& event = state_.events.add(EventKind::avatar_stuck, name, {pos});
         if (std::string by = obstacle(); !by.empty()) {
             event.fields.push_back({"by", std::move(by)});
         }
-        if (std::string why = reason(intent.move); !why.empty()) {
-            event.fields.push_back({kWhy, Text{std::move(why)}});
+        if (const std::string& why = reason(intent.move).text; !why.empty()) {
+            event.fields.push_back({kWhy, Text{why}});
         }
     }
 }
@@ -132,19 +135,20 @@ void Simulation::settle_steps() {
 void Simulation::report_step_end(const StepEnd& end) {
     const bool blocked = end.kind == EventKind::avatar_blocked;
     const std::string by = blocked ? obstacle() : "";
-    const std::string why = blocked && end.heading ? reason(*end.heading) : "";
+    const StopReason why = blocked && end.heading ? reason(*end.heading) : StopReason();
     if (end.kind) {
         Event& event = state_.events.add(*end.kind, *end.label, {{"pos", state_.body.foot()}});
         if (!by.empty()) {
             event.fields.push_back({"by", by});
         }
-        if (!why.empty()) {
-            event.fields.push_back({kWhy, Text{why}});
+        if (!why.text.empty()) {
+            event.fields.push_back({kWhy, Text{why.text}});
         }
     }
     if (end.fatal) {
-        const std::string because = why.empty() ? (by.empty() ? "" : ": blocked by " + by) : ": " + why;
-        stop_ = Stop{*end.mark, end.code, end.message + because};
+        const std::string because =
+            why.text.empty() ? (by.empty() ? "" : ": blocked by " + by) : ": " + why.text;
+        stop_ = Stop{*end.mark, end.code, end.message + because, {}, why.at};
     }
 }
 
@@ -174,10 +178,12 @@ void Simulation::end_tick() {
     finished_ = stop_ || intents_.finished();
 }
 
-std::string Simulation::reason(const Eigen::Vector3d& heading) {
+const StopReason& Simulation::reason(const Eigen::Vector3d& heading) {
     const auto body = state_.body.stopped(heading);
     if (!body) {
-        return "";
+        stopped_.reset();
+        stop_reason_ = {};
+        return stop_reason_;
     }
     constexpr double kSamePlace = 0.01;      // metres
     constexpr double kSameDirection = 0.99;  // cosine

@@ -50,8 +50,8 @@ private:
     void end_tick();
     /// The id of the object that blocks the avatar; empty if none does.
     std::string obstacle() const;
-    /// Why the avatar doesn't get on towards `heading`, measured; empty if nothing is in the way.
-    std::string reason(const Eigen::Vector3d& heading);
+    /// Why the avatar doesn't get on towards `heading`.
+    const StopReason& reason(const Eigen::Vector3d& heading);
 
     SimulationState state_;
     BodyRoutes routes_;
@@ -61,7 +61,7 @@ private:
     TickRecord record_;
     /// Where the avatar was last stopped, and why: it is often stuck first and then gives up.
     std::optional<StoppedBody> stopped_;
-    std::string stop_reason_;
+    StopReason stop_reason_;
     bool finished_ = false;
     std::optional<Stop> stop_;
     StateHash hash_;

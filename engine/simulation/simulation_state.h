@@ -21,6 +21,7 @@ struct Stop {
     std::string code;  ///< "blocked", "enclosed", "fell", "timeout", "unreachable" or an expectation's
     std::string message;
     std::optional<FailureScene> scene = {};  ///< none: the end of the walk
+    std::optional<Eigen::Vector3d> at = {};  ///< where the reason was measured
 };
 
 /// All state that a walk changes, and what has happened in the current tick so far.

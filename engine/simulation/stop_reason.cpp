@@ -24,30 +24,33 @@ constexpr double kAround = 3.0;
 constexpr double kHeight = 3.2;
 constexpr std::size_t kMostNodes = 1'500;
 
-class StopReason {
+class StopQuery {
 public:
-    StopReason(const scene::Campus& campus, const StoppedBody& body)
+    StopQuery(const scene::Campus& campus, const StoppedBody& body)
         : campus_(campus), body_(body), worlds_(campus.world, 1, {}), ahead_(body.heading.normalized()) {
         settings_.strides = body.strides;
         settings_.solids = body.solids;
         settings_.max_nodes = kMostNodes;
     }
 
-    std::string text() {
+    StopReason reason() {
         PassageQuery query;
         query.from = {body_.at};
         query.is_beyond = [this](const GridCell& cell, double y) { return is_beyond(cell, y); };
         const Vec3 around(kAround, kHeight, kAround);
         query.within = {body_.at.foot - around, body_.at.foot + around};
-        const std::string contact = contact_text();
+        StopReason contact = contact_reason();
         if (const auto round = path_round(query)) {
-            return contact.empty() ? "" : contact + "; " + fixed(*round, 1) + " m lead round it";
+            contact.text += contact.text.empty() ? "" : "; " + fixed(*round, 1) + " m lead round it";
+            return contact;
         }
         const scene::NodeTriangles nodes(campus_, query.within);
         query.nodes = &nodes;
         query.single_change = true;
         const auto barrier = why_not(worlds_, settings_, query);
-        return !barrier || barrier->kind == BarrierKind::solid ? contact : barrier_text(campus_, *barrier);
+        return !barrier || barrier->kind == BarrierKind::solid
+                   ? contact
+                   : StopReason{barrier_text(campus_, *barrier), barrier->at};
     }
 
 private:
@@ -74,13 +77,16 @@ private:
         return length_of(space.chain(*space.goal, strider));
     }
 
-    std::string contact_text() const {
+    StopReason contact_reason() const {
         const auto contact =
             opposing_contact(campus_.world, body_.solids, body_.strides.body, body_.at.foot, ahead_);
-        return contact ? object_text(campus_, contact->object, contact->at) + " is in the way at " +
-                             fixed(contact->at.x(), 2) + ", " + fixed(contact->at.y(), 2) + ", " +
-                             fixed(contact->at.z(), 2)
-                       : "";
+        if (!contact) {
+            return {};
+        }
+        return {object_text(campus_, contact->object, contact->at) + " is in the way at " +
+                    fixed(contact->at.x(), 2) + ", " + fixed(contact->at.y(), 2) + ", " +
+                    fixed(contact->at.z(), 2),
+                contact->at};
     }
 
     const scene::Campus& campus_;
@@ -93,8 +99,8 @@ private:
 
 }  // namespace
 
-std::string reason_of_stop(const scene::Campus& campus, const StoppedBody& body) {
-    return body.heading.isZero(0.0) ? "" : StopReason(campus, body).text();
+StopReason reason_of_stop(const scene::Campus& campus, const StoppedBody& body) {
+    return body.heading.isZero(0.0) ? StopReason() : StopQuery(campus, body).reason();
 }
 
 }  // namespace campuswalk::engine

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "engine/walkspace/stride.h"
@@ -15,8 +16,14 @@ struct StoppedBody {
     collision::Vec3 heading = collision::Vec3::Zero();  ///< horizontal, of any length
 };
 
-/// Why it doesn't get on, measured by walking near the place: what is in the way and how far one walks round
-/// it, or else what of the body would have to change. Empty if nothing is in the way.
-std::string reason_of_stop(const scene::Campus& campus, const StoppedBody& body);
+/// Why a body doesn't get on.
+struct StopReason {
+    std::string text;                        ///< without a full stop; empty if nothing is in the way
+    std::optional<collision::Vec3> at = {};  ///< on what is in the way
+};
+
+/// Measured by walking near the place: what is in the way and how far one walks round it, or else what of the
+/// body would have to change.
+StopReason reason_of_stop(const scene::Campus& campus, const StoppedBody& body);
 
 }  // namespace campuswalk::engine

@@ -89,7 +89,8 @@ class Run(ProgramCase):
         self.assertEqual(starts[:2], [["short.walk.yaml:9:12", "error never"], ["short.walk.yaml:10:12", "error count"]])
         self.assertRegex(outcome.err_lines[-1], r"^short: FAIL after ")
         pictures = [line.partition(": ")[2] for line in outcome.err_lines[2:-1]]
-        self.assertIn(pictures, ([], [f"out/short/failure-{name}.png" for name in ("eyes", "above", "2-eyes", "2-above")]))
+        names = [f"{number}{view}" for number in ("", "2-") for view in ("eyes", "beside", "above")]
+        self.assertIn(pictures, ([], [f"out/short/failure-{name}.png" for name in names]))
         for name in pictures:  # none where nothing can be drawn
             self.assertTrue(self.read(name).startswith(b"\x89PNG"))
         self.assertRegex(outcome.err_lines[1], "'trigger.enter' .* 3")

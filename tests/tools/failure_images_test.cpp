@@ -116,15 +116,17 @@ protected:
     std::vector<engine::Failure> failures_;
 };
 
-TEST_F(DrawnFailures, AreTwoPerTickWithFailures) {
+TEST_F(DrawnFailures, AreThreePerTickWithFailures) {
     ASSERT_EQ(failures_.size(), 1U);
     failures_.clear();
     fail_at(30);
     fail_at(30);
     fail_at(60);
     EXPECT_THAT(drawn(), testing::ElementsAre("failure at 0.50 s from the eyes: stroll/failure-eyes.png",
+                                              "failure at 0.50 s from beside: stroll/failure-beside.png",
                                               "failure at 0.50 s from above: stroll/failure-above.png",
                                               "failure at 1.00 s from the eyes: stroll/failure-2-eyes.png",
+                                              "failure at 1.00 s from beside: stroll/failure-2-beside.png",
                                               "failure at 1.00 s from above: stroll/failure-2-above.png"));
 }
 
@@ -138,7 +140,7 @@ TEST_F(DrawnFailures, DoNotDependOnFailuresOfOtherWalks) {
     drawn("between");
     failures_[0].scene.tick = 60;
     drawn("again");
-    for (const std::string name : {"/failure-eyes.png", "/failure-above.png"}) {
+    for (const std::string name : {"/failure-eyes.png", "/failure-beside.png", "/failure-above.png"}) {
         EXPECT_FALSE(bytes("first" + name).empty());
         EXPECT_EQ(bytes("again" + name), bytes("first" + name)) << name;
         EXPECT_NE(bytes("between" + name), bytes("first" + name)) << name;
@@ -156,7 +158,7 @@ TEST_F(DrawnFailures, AfterTheLastTickShowTheLastTick) {
     failures_.clear();
     fail_at(1000000);
     const std::vector<std::string> last = drawn();
-    ASSERT_EQ(last.size(), 2U);
+    ASSERT_EQ(last.size(), 3U);
     EXPECT_THAT(last[0], testing::EndsWith("stroll/failure-eyes.png"));
 }
 

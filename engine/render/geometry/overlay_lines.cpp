@@ -14,6 +14,7 @@
 namespace campuswalk::engine::render {
 namespace {
 
+using collision::Aabb;
 using collision::Detection;
 using collision::Pose;
 using Eigen::Vector3d;
@@ -34,8 +35,9 @@ constexpr double kContactRadius = 0.35;  // metres, slightly wider than a person
 
 class Outliner {
 public:
-    Outliner(const Pose& pose, const LineColor& color, std::vector<OverlayLine>& lines)
-        : pose_(pose), color_(color), lines_(lines) {}
+    Outliner(const Pose& pose, const LineColor& color, std::vector<OverlayLine>& lines,
+             const std::optional<Aabb>& within = {})
+        : pose_(pose), color_(color), lines_(lines), within_(within) {}
 
     void line(const Vector3d& a, const Vector3d& b) { lines_.push_back({pose_ * a, pose_ * b, color_}); }
 
@@ -111,9 +113,18 @@ public:
     void mesh(const collision::TriangleMesh& mesh);
 
 private:
+    bool is_within(const collision::Triangle& t) const {
+        Aabb box;
+        for (const Vector3d& vertex : {t.a, t.b, t.c}) {
+            box.extend(pose_ * vertex);
+        }
+        return !within_ || within_->overlaps(box);
+    }
+
     const Pose& pose_;
     LineColor color_;
     std::vector<OverlayLine>& lines_;
+    std::optional<Aabb> within_;
 };
 
 // A triangle's edge with its ends in canonical order.
@@ -132,9 +143,11 @@ Edge edge_of(const Vector3d& a, const Vector3d& b, const Vector3d& normal) {
 
 void Outliner::mesh(const collision::TriangleMesh& mesh) {
     std::vector<Edge> edges;
-    edges.reserve(3 * mesh.triangles.size());
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const collision::Triangle t = collision::vertices(mesh, i);
+        if (!is_within(t)) {
+            continue;
+        }
         const Vector3d normal = (t.b - t.a).cross(t.c - t.a).normalized();
         edges.push_back(edge_of(t.a, t.b, normal));
         edges.push_back(edge_of(t.b, t.c, normal));
@@ -156,15 +169,18 @@ void Outliner::mesh(const collision::TriangleMesh& mesh) {
 }
 
 void add_objects(const scene::Campus& campus, bool colliders, bool triggers,
-                 std::vector<OverlayLine>& lines) {
+                 const std::optional<Aabb>& within, std::vector<OverlayLine>& lines) {
     for (std::uint32_t i = 0; i < campus.world.size(); ++i) {
+        if (within && !within->overlaps(campus.world.bounds(collision::ObjectId{i}))) {
+            continue;
+        }
         const collision::Object& object = campus.world.object(collision::ObjectId{i});
         const bool solid = any_of(object.detection, Detection::solid);
         if (colliders && (solid || any_of(object.detection, Detection::ray))) {
-            add_outline(object.shape, object.X_world_shape, solid ? kSolid : kRayTarget, lines);
+            add_outline(object.shape, object.X_world_shape, solid ? kSolid : kRayTarget, lines, within);
         }
         if (triggers && any_of(object.detection, Detection::trigger)) {
-            add_outline(object.shape, object.X_world_shape, kTrigger, lines);
+            add_outline(object.shape, object.X_world_shape, kTrigger, lines, within);
         }
     }
 }
@@ -181,8 +197,8 @@ void add_contact(const Vector3d& foot, std::vector<OverlayLine>& lines) {
 }  // namespace
 
 void add_outline(const collision::Shape& shape, const Pose& X_world_shape, const LineColor& color,
-                 std::vector<OverlayLine>& lines) {
-    Outliner outliner(X_world_shape, color, lines);
+                 std::vector<OverlayLine>& lines, const std::optional<Aabb>& within) {
+    Outliner outliner(X_world_shape, color, lines, within);
     std::visit(outliner, shape);
 }
 
@@ -203,9 +219,10 @@ void add_tree_boxes(const scene::Campus& campus, int level, std::vector<OverlayL
 }
 
 std::vector<OverlayLine> overlay_lines(const scene::Campus& campus, const ImageOverlays& overlays,
-                                       std::span<const Vector3d> path, std::span<const Vector3d> contacts) {
+                                       std::span<const Vector3d> path, std::span<const Vector3d> contacts,
+                                       const std::optional<Aabb>& within) {
     std::vector<OverlayLine> lines;
-    add_objects(campus, overlays.colliders, overlays.triggers, lines);
+    add_objects(campus, overlays.colliders, overlays.triggers, within, lines);
     if (overlays.tree_level) {
         add_tree_boxes(campus, *overlays.tree_level, lines);
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,16 +21,19 @@ struct OverlayLine {
 };
 
 /// Adds the outline of a shape: the edges of a box, circles and lines of round shapes, and of a mesh its
-/// border edges and creases of more than 20 degrees.
+/// border edges and creases of more than 20 degrees, of its triangles those that overlap `within`.
 void add_outline(const collision::Shape& shape, const collision::Pose& X_world_shape,
-                 const std::array<float, 3>& color, std::vector<OverlayLine>& lines);
+                 const std::array<float, 3>& color, std::vector<OverlayLine>& lines,
+                 const std::optional<collision::Aabb>& within = {});
 
 /// Adds the boxes at a level of the hybrid tree of each mesh collider, or of leaves above that level.
 void add_tree_boxes(const scene::Campus& campus, int level, std::vector<OverlayLine>& lines);
 
-/// All lines that `overlays` selects. `path` and `contacts` are positions of the foot point.
+/// All lines that `overlays` selects. `path` and `contacts` are positions of the foot point. `within`: of
+/// colliders and triggers, and of their meshes, only what overlaps this box.
 std::vector<OverlayLine> overlay_lines(const scene::Campus& campus, const ImageOverlays& overlays,
                                        std::span<const Eigen::Vector3d> path,
-                                       std::span<const Eigen::Vector3d> contacts);
+                                       std::span<const Eigen::Vector3d> contacts,
+                                       const std::optional<collision::Aabb>& within = {});
 
 }  // namespace campuswalk::engine::render

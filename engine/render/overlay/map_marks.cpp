@@ -174,6 +174,12 @@ void draw_path(const Canvas& canvas, const Viewpoint& view, std::span<const Eige
     stroke_outlined(canvas, kPathColor, 2.6 * canvas.scale(), 2.2 * canvas.scale());
 }
 
+void draw_ring(const Canvas& canvas, double x, double y) {
+    const double s = canvas.scale();
+    cairo_arc(canvas.cairo(), x, y, 15.0 * s, 0.0, 2.0 * std::numbers::pi);
+    stroke_outlined(canvas, kArrow, 2.6 * s, 2.2 * s);
+}
+
 void draw_heading_arrow(const Canvas& canvas, double x, double y, double yaw, double size) {
     cairo_t* cr = canvas.cairo();
     cairo_save(cr);

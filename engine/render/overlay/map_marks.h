@@ -44,6 +44,8 @@ void draw_labels(const Canvas& canvas, std::span<const PixelLabel> labels,
 void draw_compass(const Canvas& canvas, double yaw, std::span<const WindowRect> windows = {});
 /// `path` is in the world frame.
 void draw_path(const Canvas& canvas, const Viewpoint& view, std::span<const Eigen::Vector3d> path);
+/// A ring around a point of the image.
+void draw_ring(const Canvas& canvas, double x, double y);
 /// An arrow of `size` pixels at (x, y) along the heading `yaw` on a north-up map.
 void draw_heading_arrow(const Canvas& canvas, double x, double y, double yaw, double size);
 

@@ -56,7 +56,8 @@ Image SnapshotRenderer::draw(const SnapshotRequest& request) {
 }
 
 std::vector<OverlayLine> SnapshotRenderer::lines_of(const SnapshotRequest& request) const {
-    std::vector<OverlayLine> lines = overlay_lines(campus_, request.overlays, request.path, request.contacts);
+    std::vector<OverlayLine> lines =
+        overlay_lines(campus_, request.overlays, request.path, request.contacts, request.outlined);
     if (request.overlays.walkspace) {
         WalkSpaceRequest walk_space{
             request.profile, {request.avatar.position}, kWalkSpaceRadius, request.disabled};

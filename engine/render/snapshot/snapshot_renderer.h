@@ -47,8 +47,10 @@ struct SnapshotRequest {
     std::span<const Eigen::Vector3d> path;        ///< walked so far, shown in TopView
     ImageOverlays overlays;
     std::span<const Eigen::Vector3d> contacts;  ///< foot points, for the overlay
-    std::string caption;                        ///< in the upper left corner, if any
-    bool minimap = true;                        ///< in views from the avatar
+    /// Of the colliders and triggers, the overlays show what overlaps this box; none: all.
+    std::optional<collision::Aabb> outlined = {};
+    std::string caption;  ///< in the upper left corner, if any
+    bool minimap = true;  ///< in views from the avatar
 };
 
 /// The building and object that each pixel shows (see Channels), regardless of overlays.

@@ -40,6 +40,27 @@ TEST(FailureScene, NamesNoObjectThatIsFarAway) {
     EXPECT_EQ(scene.nearest_distance, 0.0);
 }
 
+TEST(FailureScene, ShowsWhatTheBodyNearlyTouches) {
+    const FailureScene scene = scene_at({1.3, 0, 0});
+    ASSERT_TRUE(scene.contact.has_value());
+    EXPECT_DOUBLE_EQ(scene.contact->x(), 1.9);
+    EXPECT_FALSE(scene_at({0.5, 0, 0}).contact.has_value()) << "1.1 m away";
+}
+
+TEST(FailureScene, ShowsWhereTheReasonWasMeasured) {
+    scene::Campus campus = level_campus();
+    add_box(campus, "stage", {-20, -0.1, -14}, {20, 0.45, -4});
+    const RecordedRun result = run(campus, walk_of({spawn_at({0, 0, 0}), walk_to(0, -10)}));
+    ASSERT_EQ(result.summary.failures.size(), 1U);
+    ASSERT_TRUE(result.summary.failures[0].scene.contact.has_value());
+    const Eigen::Vector3d contact = *result.summary.failures[0].scene.contact;
+    EXPECT_NEAR(contact.z(), -4.0, 1e-3);
+    EXPECT_NEAR(contact.x(), 0.0, 0.3);
+    const RecordedRun fallen = run(level_campus(5.0), walk_of({spawn_at({0, 0, 0}), walk_to(0, -10)}));
+    ASSERT_TRUE(fallen.summary.failures.at(0).scene.contact.has_value());
+    EXPECT_NEAR(fallen.summary.failures[0].scene.contact->z(), -5.0, 0.35) << "where it last stood";
+}
+
 TEST(FailureScene, NamesTheNearestBuilding) {
     EXPECT_EQ(scene_at({0, 0, 9}).building, "hall") << "29 m against 31 m";
     EXPECT_EQ(scene_at({0, 0, 11}).building, "lab");

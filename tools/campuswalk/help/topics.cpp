@@ -184,8 +184,9 @@ gives what a single run would have reported, and exit code 1 if a shard's report
 there twice or of another run. 'campuswalk replay 1.jsonl --verify' repeats the walks of a
 report, with the same projects and timeouts, and compares hashes.
 
-Pictures go to DIR of '--output DIR' (out): WALK/SNAPSHOT.png, and for a failure WALK/failure-eyes.png and
-failure-above.png. 'expect: [log: {golden: true}]' compares a walk's log with its golden log,
+Pictures go to DIR of '--output DIR' (out): WALK/SNAPSHOT.png, and for a failure WALK/failure-eyes.png,
+failure-beside.png (what is in the way, ringed) and failure-above.png.
+'expect: [log: {golden: true}]' compares a walk's log with its golden log,
 NAME.walk.yaml-snapshots/log.jsonl. 'run -u' writes it, except for a walk that fails for another reason, and
 except where CI is set; without it the walk fails.
 )";

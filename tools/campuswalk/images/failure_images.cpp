@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -6,9 +7,12 @@
 
 #include "engine/events/decimals.h"
 #include "engine/render/image/png.h"
+#include "engine/render/overlay/canvas.h"
+#include "engine/render/overlay/map_marks.h"
 #include "engine/render/overlay/walk_trail.h"
 #include "engine/render/snapshot/renderer_store.h"
 #include "engine/simulation/simulation.h"
+#include "tools/campuswalk/images/contact_camera.h"
 #include "tools/campuswalk/images/images.h"
 #include "tools/campuswalk/images/map_image.h"
 
@@ -16,12 +20,15 @@ namespace campuswalk::tools {
 
 namespace fs = std::filesystem;
 namespace render = engine::render;
+using Eigen::Vector3d;
 
 namespace {
 
 constexpr std::size_t kMaxMoments = 4;
 constexpr int kWidth = 1280;  // pixels
 constexpr int kHeight = 720;  // pixels
+/// As far around what is in the way colliders are outlined, metres: all of them would hide it.
+constexpr double kOutlined = 4.0;
 
 /// The first failures' ticks, in order.
 std::vector<engine::Tick> moments_of(std::span<const engine::Failure> failures) {
@@ -32,6 +39,16 @@ std::vector<engine::Tick> moments_of(std::span<const engine::Failure> failures) 
         }
     }
     return {ticks.begin(), ticks.end()};
+}
+
+/// What the failures of a moment are about.
+std::optional<Vector3d> contact_of(std::span<const engine::Failure> failures, engine::Tick tick) {
+    for (const engine::Failure& failure : failures) {
+        if (failure.scene.tick == tick && failure.scene.contact) {
+            return failure.scene.contact;
+        }
+    }
+    return std::nullopt;
 }
 
 std::string caption_of(std::span<const engine::Failure> failures, engine::Tick tick, double time) {
@@ -55,9 +72,20 @@ public:
           output_(std::move(output)),
           folder_(std::move(folder)) {}
 
-    void draw(const engine::TickRecord& record, const render::WalkTrail& trail, const std::string& caption) {
+    /// Of every tick.
+    void follow(const engine::TickRecord& record) {
+        trail_.follow(record.avatar);
+        for (const engine::Event& event : record.events) {
+            if (event.kind == engine::EventKind::collision_enter) {
+                touched_at_.push_back(record.avatar.position);
+            }
+        }
+    }
+
+    void draw(const engine::TickRecord& record, const std::optional<Vector3d>& contact,
+              const std::string& caption) {
         ++moments_;
-        const std::vector<Eigen::Vector3d> path = trail.path();
+        const std::vector<Vector3d> path = trail_.path();
         render::SnapshotRequest request;
         request.camera = walk_.camera;
         request.camera.view = engine::FirstPersonView{};
@@ -69,6 +97,9 @@ public:
         request.caption = caption;
         request.minimap = false;  // the image from above says more
         save(snapshot_renderer_.draw(request), "eyes", "from the eyes", record.time);
+        request.stride = trail_.stride();
+        request.path = path;
+        save(draw_beside(std::move(request), contact), "beside", "from beside", record.time);
         save(draw_map(campus_, snapshot_renderer_, {record.avatar, walk_.avatar, path, caption}, kWidth,
                       kHeight),
              "above", "from above", record.time);
@@ -77,6 +108,26 @@ public:
     const std::vector<engine::Artifact>& artifacts() const { return artifacts_; }
 
 private:
+    /// Third person, with what is in the way in the middle if anything is.
+    render::Image draw_beside(render::SnapshotRequest request, const std::optional<Vector3d>& contact) {
+        request.camera.view = engine::ThirdPersonView{};
+        request.open_popups = {};  // their windows would cover half of it
+        request.overlays.path = request.overlays.contacts = request.overlays.colliders = true;
+        request.contacts = touched_at_;
+        const Vector3d around = contact.value_or(request.avatar.position);
+        request.outlined = collision::Aabb{around, around}.grown(kOutlined);
+        if (!contact) {
+            return snapshot_renderer_.draw(request);
+        }
+        const render::Viewpoint view = aim_at_contact(campus_, snapshot_renderer_, *contact, request);
+        const render::Fonts fonts;
+        const render::Canvas canvas(snapshot_renderer_.draw(request), fonts);
+        if (const auto pixel = render::pixel_of(view, kWidth, kHeight, *contact)) {
+            render::draw_ring(canvas, pixel->x(), pixel->y());
+        }
+        return canvas.image();
+    }
+
     void save(const render::Image& image, const std::string& view, const std::string& from, double time) {
         const std::string number = moments_ == 1 ? "" : std::to_string(moments_) + "-";
         const fs::path file = folder_ / ("failure-" + number + view + ".png");
@@ -91,6 +142,8 @@ private:
     fs::path output_;
     fs::path folder_;
     std::size_t moments_ = 0;
+    render::WalkTrail trail_;
+    std::vector<Vector3d> touched_at_;  ///< foot points
     std::vector<engine::Artifact> artifacts_;
 };
 
@@ -105,14 +158,13 @@ std::vector<engine::Artifact> draw_failures(const scene::Campus& campus, const e
     }
     FailureImageRenderer images(campus, walk, renderers.of(campus, walk.light), output, folder);
     engine::Simulation simulation(campus, walk);
-    render::WalkTrail trail;
     auto next = moments.begin();
     while (next != moments.end() && !simulation.finished()) {
         const engine::TickRecord& record = simulation.step();
-        trail.follow(record.avatar);
+        images.follow(record);
         // A failure that only the walk's end shows counts for its last tick, even if its own is later.
         if (record.tick == *next || (simulation.finished() && record.tick < *next)) {
-            images.draw(record, trail, caption_of(failures, *next, record.time));
+            images.draw(record, contact_of(failures, *next), caption_of(failures, *next, record.time));
             ++next;
         }
     }

@@ -80,11 +80,12 @@ void share_processors(std::size_t processes);
 /// Whether a video can be made: that needs ffmpeg.
 bool can_make_videos();
 
-/// Draws the moments of a walk's failures, each from the avatar's eyes and from above with the path walked so
-/// far: `failure[-N]-eyes.png` and `failure[-N]-above.png` in OUTPUT/FOLDER, N counting from the second
-/// moment on. Failures of one tick share their images, and those after the fourth moment get none. Plays the
-/// walk again up to the last one. Returns what was written, with paths relative to `output`. `campus` must
-/// outlive `renderers`. Throws std::runtime_error when an image can't be drawn or written.
+/// Draws the moments of a walk's failures, each from the avatar's eyes, from beside with what is in its way
+/// in the middle, and from above with the path walked so far: `failure[-N]-eyes.png`, `-beside.png` and
+/// `-above.png` in OUTPUT/FOLDER, N counting from the second moment on. Failures of one tick share their
+/// images, and those after the fourth moment get none. Plays the walk again up to the last one. Returns what
+/// was written, with paths relative to `output`. `campus` must outlive `renderers`. Throws std::runtime_error
+/// when an image can't be drawn or written.
 std::vector<engine::Artifact> draw_failures(const scene::Campus& campus, const engine::Walk& walk,
                                             std::span<const engine::Failure> failures,
                                             const std::filesystem::path& output,

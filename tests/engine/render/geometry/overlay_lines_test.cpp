@@ -91,6 +91,23 @@ TEST(OverlayLines, FollowTheSelectedOverlays) {
     EXPECT_GT(count({.contacts = true}), 24U);
 }
 
+TEST(OverlayLines, ShowOfCollidersAndTheirMeshesWhatIsWithinABox) {
+    scene::Campus campus = campus_of(tower_scene());
+    collision::TriangleMesh mesh;
+    campuswalk::support::add_box(mesh, {0, 0, 0}, {1, 1, 1});
+    campuswalk::support::add_box(mesh, {8, 0, 0}, {9, 1, 1});
+    campus.world.add({.shape = std::make_shared<const collision::MeshCollider>(mesh),
+                      .X_world_shape = {.translation = {0, 20, 0}},
+                      .detection = Detection::solid});
+    campus.world.add({.shape = collision::Box{}, .X_world_shape = {}, .detection = Detection::solid});
+    const auto count = [&](const collision::Aabb& within) {
+        return overlay_lines(campus, {.colliders = true}, {}, {}, within).size();
+    };
+    EXPECT_EQ(count({{-2, 19, -2}, {2, 22, 2}}), 12U) << "one box of the mesh, which is moved up";
+    EXPECT_EQ(count({{-2, -1, -2}, {20, 22, 2}}), 36U);
+    EXPECT_EQ(count({{3, 3, 3}, {4, 4, 4}}), 0U);
+}
+
 TEST(OverlayLines, TreeBoxesShrinkByLevelAndEncloseTheMesh) {
     scene::Campus campus = campus_of(tower_scene());
     collision::TriangleMesh mesh;

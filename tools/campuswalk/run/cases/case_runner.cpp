@@ -122,7 +122,9 @@ void remove_failure_images(const std::filesystem::path& folder) {
     std::error_code ignored;
     for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
         const std::string name = entry.path().filename().string();
-        if (name.starts_with("failure-") && (name.ends_with("-eyes.png") || name.ends_with("-above.png"))) {
+        const bool is_ours =
+            name.ends_with("-eyes.png") || name.ends_with("-beside.png") || name.ends_with("-above.png");
+        if (name.starts_with("failure-") && is_ours) {
             std::filesystem::remove(entry.path(), ignored);
         }
     }
