@@ -33,10 +33,11 @@ struct StepEnd {
     std::optional<EventKind> kind;  ///< avatar_arrive or avatar_blocked, about the label; none: not logged
     const std::string* label = nullptr;
     const SourceMark* mark = nullptr;
-    std::optional<Eigen::Vector3d> heading = {};  ///< avatar_blocked: to where the avatar didn't get on
-    bool fatal = false;                           ///< the walk ends here
-    std::string code = {};                        ///< fatal: of the failure
-    std::string message = {};  ///< fatal: what went wrong; the simulation adds the obstacle
+    const Target* target = nullptr;  ///< avatar_blocked: what the avatar didn't get to,
+    double within = 0.0;             ///< within so many metres, horizontal
+    bool fatal = false;              ///< the walk ends here
+    std::string code = {};           ///< fatal: of the failure
+    std::string message = {};        ///< fatal: what went wrong; the simulation adds the obstacle
 };
 
 /// Where a simulation gets the avatar's intent from: the walk's script, a recording, another program. A

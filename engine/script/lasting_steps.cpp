@@ -192,8 +192,8 @@ void ScriptPlayer::intend(const GoToStep& step, const AvatarState& avatar, Inten
 template <>
 std::optional<StepEnd> ScriptPlayer::end_of(const GoToStep& step, const AvatarState& avatar) {
     const auto fatal = [&](const char* code, const std::string& why) {
-        return StepEnd{
-            std::nullopt, nullptr, &step.mark, std::nullopt, true, code, "go_to " + step.target.label + why};
+        return StepEnd{std::nullopt, nullptr, &step.mark, nullptr,
+                       0.0,          true,    code,       "go_to " + step.target.label + why};
     };
     if (!route_.why_not.empty()) {
         return fatal("unreachable", " can't be reached: " + route_.why_not);
@@ -257,7 +257,7 @@ std::optional<StepEnd> ScriptPlayer::end_of(const WaitUntilStep& step, const Ava
     }
     const std::string message =
         "'" + to_string(step.event) + "' did not occur within " + fixed(step.timeout, 1) + " s";
-    return StepEnd{std::nullopt, nullptr, &step.mark, std::nullopt, true, "timeout", message};
+    return StepEnd{std::nullopt, nullptr, &step.mark, nullptr, 0.0, true, "timeout", message};
 }
 
 // ---- turn and look_at -----------------------------------------------------------------------------------
@@ -337,12 +337,12 @@ bool ScriptPlayer::gives_up(double remaining, double speed) {
 template <typename Travel>
 std::optional<StepEnd> ScriptPlayer::blocked(const char* verb, const Travel& step, const Target& target,
                                              const AvatarState& avatar) const {
-    const Vector3d heading = flat(target.point - avatar.position);
     return StepEnd{
         EventKind::avatar_blocked,
         &target.label,
         &step.mark,
-        heading.norm() > step.within ? std::optional(heading) : std::nullopt,
+        &target,
+        step.within,
         step.if_blocked == IfBlocked::fail,
         "blocked",
         verb + (" " + target.label) + " was not reached" + why_not_reached(target, step.within, avatar)};

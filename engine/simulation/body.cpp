@@ -53,16 +53,21 @@ bool Body::has_fallen_out_of_the_world() const {
     return foot().y() < campus_.world.bounds().min.y() - kAbyss;
 }
 
-std::optional<StoppedBody> Body::stopped(const Vector3d& heading) const {
-    if (!mover_state_.grounded) {
-        return std::nullopt;
-    }
+StoppedBody Body::in_place() const {
     StoppedBody body;
     body.strides.body = mover_settings();
     body.strides.seconds = dt_;
     body.strides.walk_speed = profile_.speed;
     body.solids = solids_;
     body.at = {foot(), mover_state_.support_y};
+    return body;
+}
+
+std::optional<StoppedBody> Body::stopped(const Vector3d& heading) const {
+    if (!mover_state_.grounded) {
+        return std::nullopt;
+    }
+    StoppedBody body = in_place();
     body.heading = Vector3d(heading.x(), 0.0, heading.z());
     return body;
 }

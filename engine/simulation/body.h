@@ -44,6 +44,7 @@ public:
     /// All that its next move depends on, besides the objects.
     const collision::MoverState& mover_state() const { return mover_state_; }
     collision::MoverSettings mover_settings() const;
+    const AvatarProfile& profile() const { return profile_; }
     const collision::QueryFilter& solids() const { return solids_; }
     double height() const { return mover_.height(); }
     double distance() const { return distance_; }  ///< metres so far, along the path of the foot point
@@ -52,7 +53,9 @@ public:
     /// The nearest of the objects that the body touches.
     std::optional<collision::ObjectId> obstacle() const;
     bool has_fallen_out_of_the_world() const;
-    /// As the walk space sees it, on its way to `heading`; none in the air.
+    /// As the walk space sees it.
+    StoppedBody in_place() const;
+    /// Likewise on its way to `heading`; none in the air.
     std::optional<StoppedBody> stopped(const Eigen::Vector3d& heading) const;
     /// Where it last stood on the ground, feet.
     const Eigen::Vector3d& last_stood() const { return last_stood_; }

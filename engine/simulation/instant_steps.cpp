@@ -6,6 +6,7 @@
 
 #include "engine/events/decimals.h"
 #include "engine/script/event_pattern.h"
+#include "engine/simulation/enclosure.h"
 
 namespace campuswalk::engine {
 
@@ -22,10 +23,18 @@ std::optional<Stop> execute_step(const CrouchStep& step, SimulationState& state)
         return std::nullopt;
     }
     if (!state.body.resize(step.height, state.statistics)) {
+        StoppedBody body = state.body.in_place();
+        body.strides.body.height = step.height;
+        const StopReason why = reason_of_low_headroom(state.campus, body);
         const auto by = state.body.obstruction(step.height, state.statistics);
-        return Stop{step.mark, "blocked",
+        return Stop{step.mark,
+                    "blocked",
                     "there is no headroom for " + fixed(step.height, 2) + " m" +
-                        (by ? ": blocked by " + state.name_of(*by) : "")};
+                        (!why.text.empty() ? ": " + why.text
+                         : by              ? ": blocked by " + state.name_of(*by)
+                                           : ""),
+                    {},
+                    why.at};
     }
     const bool down = step.height < state.walk.avatar.height;
     state.events.add(down ? EventKind::avatar_crouch : EventKind::avatar_stand, state.walk.name,
@@ -61,9 +70,10 @@ std::optional<Stop> execute_step(const EnableStep& step, SimulationState& state)
     if (step.enabled) {
         const Body::Adjustment adjustment = state.body.adjust_to_enabled(state.statistics);
         if (adjustment.enclosed_by) {
-            stop = Stop{step.mark, "enclosed",
-                        state.name_of(*adjustment.enclosed_by) +
-                            " encloses the avatar; move it away before 'enable'"};
+            const StopReason why =
+                reason_of_enclosure(state.campus, state.body.in_place(), *adjustment.enclosed_by);
+            stop =
+                Stop{step.mark, "enclosed", why.text + "; move the avatar away before 'enable'", {}, why.at};
         }
         if (adjustment.push) {
             state.report_push(*adjustment.push, state.walk.name);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/events/decimals.h"
+#include "engine/script/travel.h"
 #include "engine/simulation/instant_steps.h"
 
 namespace campuswalk::engine {
@@ -135,7 +136,11 @@ void Simulation::settle_steps() {
 void Simulation::report_step_end(const StepEnd& end) {
     const bool blocked = end.kind == EventKind::avatar_blocked;
     const std::string by = blocked ? obstacle() : "";
-    const StopReason why = blocked && end.heading ? reason(*end.heading) : StopReason();
+    StopReason why;
+    if (blocked && end.target != nullptr) {
+        const Eigen::Vector3d heading = flat(end.target->point - state_.body.foot());
+        why = heading.norm() > end.within ? reason(heading) : StopReason();
+    }
     if (end.kind) {
         Event& event = state_.events.add(*end.kind, *end.label, {{"pos", state_.body.foot()}});
         if (!by.empty()) {
@@ -146,9 +151,12 @@ void Simulation::report_step_end(const StepEnd& end) {
         }
     }
     if (end.fatal) {
-        const std::string because =
-            why.text.empty() ? (by.empty() ? "" : ": blocked by " + by) : ": " + why.text;
-        stop_ = Stop{*end.mark, end.code, end.message + because, {}, why.at};
+        std::string message = end.message;
+        message += !why.text.empty() ? ": " + why.text : by.empty() ? "" : ": blocked by " + by;
+        if (blocked && end.target != nullptr) {
+            message += routes_.describe_route_round(*end.target, end.within);
+        }
+        stop_ = Stop{*end.mark, end.code, std::move(message), {}, why.at};
     }
 }
 

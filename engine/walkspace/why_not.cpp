@@ -390,8 +390,7 @@ std::optional<OpposingContact> opposing_contact(const collision::World& world,
     double strongest = kLeast;
     for (const Obstacle& piece : near) {
         const collision::Closest c = collision::closest(core, piece);
-        Vec3 towards = c.on_shape - c.on_segment;
-        towards.y() = 0.0;
+        const Vec3 towards = c.on_shape - c.on_segment;  // down to the ground, which is in no one's way
         const double lengths = towards.norm() * ahead.norm();
         const double against = lengths > 0.0 ? towards.dot(ahead) / lengths : 0.0;
         if (against > strongest) {

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include "tests/engine/short_walk.h"
 #include "tests/engine/small_campus.h"
@@ -13,6 +14,7 @@ namespace {
 
 using testing::HasSubstr;
 using testing::MatchesRegex;
+using testing::Not;
 
 std::string why_blocked(const scene::Campus& campus) {
     WalkToStep step = walk_to(0, -10);
@@ -51,6 +53,49 @@ TEST(StopReason, AWallWithoutEnd) {
     scene::Campus campus = level_campus();
     add_box(campus, "wall", {-20, 0, -4}, {20, 6, -3.8});
     EXPECT_THAT(why_blocked(campus), MatchesRegex("wall .*at 0\\.00, [0-9.]+, -3\\.80"));
+}
+
+TEST(StopReason, TheFailureNamesARouteToTheTarget) {
+    scene::Campus campus = level_campus();
+    add_box(campus, "wall", {-20, 0, -4}, {6, 6, -3.8});
+    const RecordedRun result = run(campus, walk_of({spawn_at({0, 0, 0}), walk_to(0, -10)}));
+    ASSERT_EQ(result.summary.failures.size(), 1U);
+    // To the corner at 6.3, -4 and back: 6.3 + 8.7 m.
+    EXPECT_THAT(result.summary.failures[0].message,
+                MatchesRegex(".*wall .*; a route of 1[45]\\.[0-9] m leads there by \\[[2-6]\\.[0-9]+, "
+                             "-3\\.[0-9]+\\].*: use go_to"));
+    const std::vector<Event> blocked = result.recorder.events("avatar.blocked");
+    ASSERT_EQ(blocked.size(), 1U);
+    EXPECT_THAT(field<Text>(blocked[0], "why").value, Not(HasSubstr("route of")))
+        << "only what is in the way";
+}
+
+TEST(StopReason, TheFailureNamesARouteToAnotherLevel) {
+    scene::Campus campus = level_campus();
+    add_box(campus, "deck", {-2, 2.0, -10}, {2, 2.4, -4});
+    for (int i = 0; i < 10; ++i) {  // stairs up to it from the west
+        add_box(campus, "stair", {-5.0 + 0.3 * i, 0, -8}, {-4.7 + 0.3 * i, 0.24 * (i + 1), -6});
+    }
+    WalkToStep up = walk_to(0, -7);
+    up.target.point.y() = 2.4;
+    up.target.has_height = true;
+    const RecordedRun result = run(campus, walk_of({spawn_at({0, 0, 0}), up}));
+    ASSERT_EQ(result.summary.failures.size(), 1U);
+    EXPECT_THAT(result.summary.failures[0].message,
+                MatchesRegex(".*2\\.40. m above the avatar's feet; a route of [0-9.]+ m leads there by .*"));
+}
+
+TEST(StopReason, TheGroundIsNoObstacle) {
+    scene::Campus campus = level_campus();
+    collision::Object ramp;  // which rises by 2 degrees towards the south
+    ramp.shape = collision::Box{{10, 0.1, 10}};
+    ramp.X_world_shape.rotation = Eigen::AngleAxisd(-0.035, Eigen::Vector3d::UnitX()).toRotationMatrix();
+    campus.objects.push_back({"ramp", {}, {}});
+    campus.world.add(ramp);
+    StoppedBody body{{}, {collision::Detection::solid, 0}, {{0, 0.1, 0}, 0.1}, {0, 0, 1}};
+    EXPECT_EQ(reason_of_stop(campus, body).text, "");
+    body.heading = {0, 0, -1};
+    EXPECT_EQ(reason_of_stop(campus, body).text, "");
 }
 
 TEST(StopReason, IsPartOfTheFailureButNotOfTheHash) {
