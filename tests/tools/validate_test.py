@@ -84,6 +84,20 @@ class Validate(ProgramCase):
         self.assertEqual([line.split(":")[0] for line in outcome.err_lines], ["broken.walk.yaml"] * 2)
         self.assertEqual(outcome.code, 2)
 
+    def test_places_that_a_walk_cannot_get_to(self):
+        walk = WALK.replace("expect:", "  - go_to: [0, 2]\n  - go_to: [0, 60]\nexpect:")
+        self.assertIn("go_to", walk)
+        self.write("lost.walk.yaml", walk)
+        line = 1 + walk.splitlines().index("  - go_to: [0, 60]")
+        outcome = self.run_program("validate", "lost.walk.yaml")
+        self.assertEqual(outcome.code, 0, outcome.err)
+        self.assertEqual(len(outcome.out.splitlines()), 1)
+        self.assert_diagnostics(outcome.err_lines, f"lost.walk.yaml:{line}:12: warning unreachable-place: go_to 0,60 "
+                                                   "reached ground")
+        self.write("walks.config.yaml", "walks: [lost.walk.yaml]\nprojects:\n  a:\n  b: {spawn: {at: [0, 0, 3]}}\n")
+        outcome = self.run_program("validate", "walks.config.yaml")
+        self.assertEqual((outcome.code, len(outcome.err_lines)), (0, 1), "once, as both projects have it")
+
     def test_a_folder_without_files_is_refused(self):
         self.write("empty/notes.txt", "")
         outcome = self.run_program("validate", "empty")

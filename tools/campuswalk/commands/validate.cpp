@@ -130,6 +130,7 @@ std::string check(WalkLoader& loader, const fs::path& file) {
             break;
     }
     const LoadedWalk loaded = loader.load_walk(file);
+    loader.check_go_to(loaded);
     return plural(loaded.walk.steps.size(), "step") + ", " +
            plural(loaded.walk.expectations.size(), "expectation") + ", on " + loaded.walk.campus_name + " (" +
            summary_of(*loaded.campus) + ")";
@@ -174,7 +175,7 @@ private:
     WalkLoader loader_{[this](const std::vector<Diagnostic>& warnings) { report(warnings); }};
 };
 
-/// Reads and checks YAML files as `run` would, without running anything. Returns the exit code.
+/// Reads and checks YAML files as `run` would, and where walks go to; writes nothing. Returns the exit code.
 int validate_files(const ValidateOptions& options) {
     Validation validation(options.format == nullptr);
     for (const fs::path& path : options.paths) {
@@ -202,8 +203,7 @@ int validate_files(const ValidateOptions& options) {
 void add_validate(Command program, CommandAction& chosen) {
     const auto options = std::make_shared<ValidateOptions>();
     Command command = program.add(
-        "validate",
-        "Check walks, campuses, steps, avatars, lights and walks.config.yaml without running anything");
+        "validate", "Check walks, with the ways of their go_to, campuses and the other YAML files");
     command.option({.names = "PATH",
                     .help = "*.walk.yaml, *.campus.yaml, *.steps.yaml, *.avatar.yaml, *.light.yaml, or "
                             "folders with such files",

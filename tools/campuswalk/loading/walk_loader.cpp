@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "collision/world/bullet_broad_phase.h"
+#include "engine/simulation/check_go_to.h"
 #include "engine/simulation/check_walk.h"
 #include "tools/campuswalk/loading/cache_choice.h"
 #include "tools/campuswalk/loading/model_importer.h"
@@ -71,6 +72,10 @@ LoadedWalk WalkLoader::ready(config::SharedRun run) {
         throw scene::InputError(std::move(errors));
     }
     return loaded;
+}
+
+void WalkLoader::check_go_to(const LoadedWalk& loaded) {
+    warn_(engine::check_go_to(*loaded.campus, loaded.walk, loaded.ground.get()));
 }
 
 std::shared_ptr<const scene::Campus> WalkLoader::load_campus(const fs::path& campus_file) {

@@ -45,6 +45,9 @@ public:
     /// Builds the campus unless that was done before, and checks the walk against it.
     LoadedWalk ready(config::SharedRun run);
 
+    /// Warns of the places that the walk's steps can't get to. Takes as long as playing them.
+    void check_go_to(const LoadedWalk& loaded);
+
     std::shared_ptr<const scene::Campus> load_campus(const std::filesystem::path& campus_file);
 
 private:

@@ -79,11 +79,11 @@ private:
         }
     }
 
-    /// Everything but playing it: a walk may name what the project's campus lacks.
+    /// A walk may name what the project's campus lacks.
     void check_walk(const ProjectConfig& project, const Selector& selector, const fs::path& file) {
         config::SharedRun run = loader_.read(file, project.overrides);
         if (selector.takes(file.generic_string(), run.walk.name, run.walk.tags)) {
-            loader_.ready(std::move(run));
+            loader_.check_go_to(loader_.ready(std::move(run)));
         }
     }
 
