@@ -7,11 +7,11 @@
 
 #include "config/loader/campus/read_campus.h"
 #include "config/loader/profile/profile_search.h"
-#include "config/loader/profile/read_avatar.h"
 #include "config/loader/profile/read_light.h"
 #include "config/loader/values/checked_map.h"
 #include "config/loader/values/names.h"
 #include "config/loader/values/yaml_file.h"
+#include "config/loader/walk/avatar_reader.h"
 #include "config/loader/walk/campus_names.h"
 #include "config/loader/walk/read_camera.h"
 #include "config/loader/walk/read_steps.h"
@@ -47,52 +47,6 @@ std::optional<CampusDescription> open_campus(const fs::path& path, const ReadRoo
     campus.name = file->name();
     campus.mark = file->mark();
     return campus;
-}
-
-AvatarProfile open_avatar(const fs::path& path, const ReadRoots& roots, const SourceMark& named_at,
-                          DiagnosticList& diagnostics) {
-    AvatarProfile profile;
-    if (const auto file = YamlFile::open(path, ".avatar.yaml", roots, named_at, diagnostics)) {
-        CheckedMap map(file->root(), "an avatar");
-        read_avatar_fields(map, profile);
-        map.refuse_other_keys();
-    }
-    return profile;
-}
-
-/// Adds the profile's file to `profiles`.
-AvatarProfile named_avatar(const CheckedNode& node, const fs::path& folder, const SearchPaths& search,
-                           const ReadRoots& roots, std::vector<fs::path>& profiles) {
-    const std::optional<std::string> name = kebab_name(node);
-    const auto file =
-        name ? find_profile(kAvatars, node, *name, profile_folders(kAvatars, folder, search.avatars))
-             : std::nullopt;
-    if (!file) {
-        return {};
-    }
-    profiles.push_back(*file);
-    return open_avatar(*file, roots, node.mark(), node.diagnostics());
-}
-
-/// A profile's name, or a map that overrides keys of a profile.
-AvatarProfile read_avatar_of(const CheckedNode& node, const fs::path& folder, const SearchPaths& search,
-                             const ReadRoots& roots, const CampusNames& names,
-                             std::vector<fs::path>& profiles) {
-    if (node.is_scalar()) {
-        return named_avatar(node, folder, search, roots, profiles);
-    }
-    if (!node.is_map()) {
-        node.diagnose("wrong-type", "'avatar' must be a profile's name or {profile: NAME, …}");
-        return {};
-    }
-    CheckedMap map(node, "'avatar'");
-    const auto name = map.require("profile");
-    AvatarProfile profile = name ? named_avatar(*name, folder, search, roots, profiles) : AvatarProfile{};
-    for (const CheckedNode& layer : read_avatar_fields(map, profile)) {
-        names.check_layer(layer, layer.text().value_or(""));
-    }
-    map.refuse_other_keys();
-    return profile;
 }
 
 engine::LightSettings open_light(const fs::path& path, const ReadRoots& roots, const SourceMark& named_at,
@@ -169,17 +123,18 @@ public:
         SharedRun run;
         run.campus = read_campus_of(map, run.walk);
         const CampusNames names(run.campus.get());
+        const AvatarReader avatars = avatars_near(folder_, names);
         const auto avatar = map.find("avatar");
         if (overrides_.avatar) {
-            run.walk.avatar = read_avatar_of(node_of(overrides_.avatar, "'avatar'"), overrides_.avatar.folder,
-                                             search_, roots_, names, profiles_);
+            run.walk.avatar =
+                avatars_near(overrides_.avatar.folder, names).read(node_of(overrides_.avatar, "'avatar'"));
         } else if (avatar) {
-            run.walk.avatar = read_avatar_of(*avatar, folder_, search_, roots_, names, profiles_);
+            run.walk.avatar = avatars.read(*avatar);
         }
         if (const auto light = map.find("light")) {
             run.walk.light = read_light_of(*light, folder_, search_, roots_, profiles_);
         }
-        read_walk(map, names, walk_file_, roots_, run.walk);
+        read_walk(map, {names, avatars}, walk_file_, roots_, run.walk);
         map.refuse_other_keys();
         replace_spawn(names, run.walk);
         run.profiles = std::move(profiles_);
@@ -194,8 +149,7 @@ public:
         }
         const CampusNames names(campus.get());
         if (overrides_.avatar) {
-            read_avatar_of(node_of(overrides_.avatar, "'avatar'"), overrides_.avatar.folder, search_, roots_,
-                           names, profiles_);
+            avatars_near(overrides_.avatar.folder, names).read(node_of(overrides_.avatar, "'avatar'"));
         }
         if (overrides_.spawn) {
             names.placement(node_of(overrides_.spawn, "'spawn'"));
@@ -203,6 +157,10 @@ public:
     }
 
 private:
+    AvatarReader avatars_near(const fs::path& folder, const CampusNames& names) {
+        return {folder, search_.avatars, roots_, names, profiles_};
+    }
+
     CheckedNode node_of(const Override& override_value, std::string what) {
         return {*override_value.node, std::move(what), override_value.file, diagnostics_};
     }
@@ -326,7 +284,10 @@ std::vector<engine::Step> load_steps(const fs::path& steps_file, const SearchPat
     const SourceMark mark = whole_file(steps_file);
     const ReadRoots roots = read_roots(steps_file, search);
     if (const auto file = YamlFile::open(steps_file, ".steps.yaml", roots, mark, diagnostics)) {
-        steps = read_standalone_steps(file->root(), steps_file, roots);
+        const CampusNames unknown(nullptr);
+        std::vector<fs::path> profiles;
+        const AvatarReader avatars(steps_file.parent_path(), search.avatars, roots, unknown, profiles);
+        steps = read_standalone_steps(file->root(), {unknown, avatars}, steps_file, roots);
     }
     throw_in_order(diagnostics, mark);
     return steps;
@@ -383,8 +344,10 @@ AvatarProfile read_avatar_text(const std::string& text, const std::string& sourc
     AvatarProfile avatar;
     if (const auto root = parse_yaml(text, source, diagnostics)) {
         std::vector<fs::path> profiles;
-        avatar = read_avatar_of(CheckedNode(*root, "'avatar'", source, diagnostics), folder, search,
-                                read_roots(folder / "", search), CampusNames(&campus), profiles);
+        const ReadRoots roots = read_roots(folder / "", search);
+        const CampusNames names(&campus);
+        avatar = AvatarReader(folder, search.avatars, roots, names, profiles)
+                     .read(CheckedNode(*root, "'avatar'", source, diagnostics));
     }
     throw_in_order(diagnostics, {source, 0, 0});
     return avatar;

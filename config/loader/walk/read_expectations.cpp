@@ -20,7 +20,7 @@ namespace {
 
 /// Where an expectation is written: in the walk's `expect` or in a step's.
 struct Place {
-    const CampusNames& names;
+    const WalkNames& names;
     bool in_step = false;
 };
 
@@ -34,7 +34,7 @@ constexpr std::array kLateReaders = {LateReader{"log", read_log},
                                      LateReader{"visible", read_visible}};
 
 /// An expectation written as a bare word, read as if it were a key with an empty value.
-std::optional<PlainExpectation> read_word(const CheckedNode& node, const CampusNames& names) {
+std::optional<PlainExpectation> read_word(const CheckedNode& node, const WalkNames& names) {
     const std::string word = node.is_scalar() ? node.text().value_or("") : "";
     const ExpectationReader* reader = entry_of(expectation_readers(), word);
     if (reader == nullptr || !reader->needs_no_value) {
@@ -109,11 +109,11 @@ std::vector<Expectation> read_all(const std::vector<CheckedNode>& nodes, const P
 
 }  // namespace
 
-std::vector<Expectation> read_expectations(const CheckedNode& section, const CampusNames& names) {
+std::vector<Expectation> read_expectations(const CheckedNode& section, const WalkNames& names) {
     return read_all(section.items("an expectation"), {names, false});
 }
 
-std::vector<Expectation> read_step_expectations(const CheckedNode& node, const CampusNames& names) {
+std::vector<Expectation> read_step_expectations(const CheckedNode& node, const WalkNames& names) {
     if (!node.is_sequence() && !node.is_null()) {
         return read_all({node}, {names, true});
     }

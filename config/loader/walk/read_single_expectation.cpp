@@ -82,7 +82,7 @@ Limits<double> read_limits(const CheckedNode& node, const Range& range) {
 
 // ---- events ---------------------------------------------------------------------------------------------
 
-PlainExpectation read_sequence(const CheckedNode& node, const CampusNames& /*names*/) {
+PlainExpectation read_sequence(const CheckedNode& node, const WalkNames& /*names*/) {
     ExpectSequence sequence;
     sequence.mark = node.mark();
     for (const CheckedNode& item : node.items_or_one("an event")) {
@@ -94,11 +94,11 @@ PlainExpectation read_sequence(const CheckedNode& node, const CampusNames& /*nam
     return sequence;
 }
 
-PlainExpectation read_never(const CheckedNode& node, const CampusNames& /*names*/) {
+PlainExpectation read_never(const CheckedNode& node, const WalkNames& /*names*/) {
     return ExpectNever{node.mark(), read_pattern(node)};
 }
 
-PlainExpectation read_count(const CheckedNode& node, const CampusNames& /*names*/) {
+PlainExpectation read_count(const CheckedNode& node, const WalkNames& /*names*/) {
     ExpectCount count;
     count.mark = node.mark();
     CheckedMap map(node, "'count'");
@@ -108,7 +108,7 @@ PlainExpectation read_count(const CheckedNode& node, const CampusNames& /*names*
     return count;
 }
 
-PlainExpectation read_within(const CheckedNode& node, const CampusNames& /*names*/) {
+PlainExpectation read_within(const CheckedNode& node, const WalkNames& /*names*/) {
     ExpectWithin within;
     within.mark = node.mark();
     CheckedMap map(node, "'within'");
@@ -122,7 +122,7 @@ PlainExpectation read_within(const CheckedNode& node, const CampusNames& /*names
 
 // ---- pop-ups --------------------------------------------------------------------------------------------
 
-PlainExpectation read_popup(const CheckedNode& node, const CampusNames& /*names*/) {
+PlainExpectation read_popup(const CheckedNode& node, const WalkNames& /*names*/) {
     ExpectPopup popup;
     popup.mark = node.mark();
     if (!node.is_map()) {
@@ -143,7 +143,7 @@ PlainExpectation read_popup(const CheckedNode& node, const CampusNames& /*names*
     return popup;
 }
 
-PlainExpectation read_visits(const CheckedNode& node, const CampusNames& /*names*/) {
+PlainExpectation read_visits(const CheckedNode& node, const WalkNames& /*names*/) {
     ExpectVisits visits;
     visits.mark = node.mark();
     const auto read_buildings = [&](const CheckedNode& list) {
@@ -176,16 +176,16 @@ PlainExpectation read_visits(const CheckedNode& node, const CampusNames& /*names
 
 /// A place, or a map with `place` and `within`; `read_more` reads the map's other keys.
 template <typename Expected, typename ReadMore>
-Expected read_at_place(const CheckedNode& node, const CampusNames& names, const ReadMore& read_more) {
+Expected read_at_place(const CheckedNode& node, const WalkNames& names, const ReadMore& read_more) {
     Expected expected;
     expected.mark = node.mark();
     if (!node.is_map()) {
-        expected.target = names.target(node);
+        expected.target = names.campus.target(node);
         return expected;
     }
     CheckedMap map(node, "'" + std::string(Expected::kName) + "'");
     if (const auto place = map.require("place")) {
-        expected.target = names.target(*place);
+        expected.target = names.campus.target(*place);
     }
     map.number("within", kPositiveLength, expected.within);
     read_more(map, expected);
@@ -193,11 +193,11 @@ Expected read_at_place(const CheckedNode& node, const CampusNames& names, const 
     return expected;
 }
 
-PlainExpectation read_reaches(const CheckedNode& node, const CampusNames& names) {
+PlainExpectation read_reaches(const CheckedNode& node, const WalkNames& names) {
     return read_at_place<ExpectReaches>(node, names, [](CheckedMap&, ExpectReaches&) {});
 }
 
-PlainExpectation read_near(const CheckedNode& node, const CampusNames& names) {
+PlainExpectation read_near(const CheckedNode& node, const WalkNames& names) {
     return read_at_place<ExpectNear>(node, names, [](CheckedMap& map, ExpectNear& near) {
         const auto at = map.find("at");
         if (at && !(at->is_scalar() && at->text() == "end")) {
@@ -206,17 +206,17 @@ PlainExpectation read_near(const CheckedNode& node, const CampusNames& names) {
     });
 }
 
-PlainExpectation read_duration(const CheckedNode& node, const CampusNames& /*names*/) {
+PlainExpectation read_duration(const CheckedNode& node, const WalkNames& /*names*/) {
     return ExpectDuration{node.mark(), read_limits(node, kSeconds)};
 }
 
-PlainExpectation read_distance(const CheckedNode& node, const CampusNames& /*names*/) {
+PlainExpectation read_distance(const CheckedNode& node, const WalkNames& /*names*/) {
     return ExpectDistance{node.mark(), read_limits(node, kDistance)};
 }
 
 // ---- the body -------------------------------------------------------------------------------------------
 
-PlainExpectation read_no_penetration(const CheckedNode& node, const CampusNames& /*names*/) {
+PlainExpectation read_no_penetration(const CheckedNode& node, const WalkNames& /*names*/) {
     ExpectNoPenetration expected;
     expected.mark = node.mark();
     if (node.is_null()) {
@@ -229,7 +229,7 @@ PlainExpectation read_no_penetration(const CheckedNode& node, const CampusNames&
     return expected;
 }
 
-PlainExpectation read_grounded(const CheckedNode& node, const CampusNames& /*names*/) {
+PlainExpectation read_grounded(const CheckedNode& node, const WalkNames& /*names*/) {
     constexpr std::array kAlways = {Choice<double>{"always", 1.0}};
     ExpectGrounded grounded;
     grounded.mark = node.mark();
@@ -247,11 +247,11 @@ PlainExpectation read_grounded(const CheckedNode& node, const CampusNames& /*nam
     return grounded;
 }
 
-PlainExpectation read_blocked_by(const CheckedNode& node, const CampusNames& /*names*/) {
+PlainExpectation read_blocked_by(const CheckedNode& node, const WalkNames& /*names*/) {
     return ExpectBlockedBy{node.mark(), read_name(node)};
 }
 
-PlainExpectation read_stuck(const CheckedNode& node, const CampusNames& /*names*/) {
+PlainExpectation read_stuck(const CheckedNode& node, const WalkNames& /*names*/) {
     ExpectStuck stuck;
     stuck.mark = stuck.by.mark = node.mark();
     if (node.is_null()) {
@@ -265,7 +265,7 @@ PlainExpectation read_stuck(const CheckedNode& node, const CampusNames& /*names*
     return stuck;
 }
 
-PlainExpectation read_fell(const CheckedNode& node, const CampusNames& /*names*/) {
+PlainExpectation read_fell(const CheckedNode& node, const WalkNames& /*names*/) {
     if (!node.is_null()) {
         node.diagnose("wrong-type", "'fell' takes no value");
     }
@@ -276,29 +276,29 @@ PlainExpectation read_fell(const CheckedNode& node, const CampusNames& /*names*/
 
 /// The keys `from` and `to`.
 template <typename Expected>
-void read_ends(CheckedMap& map, const CampusNames& names, Expected& expected) {
+void read_passage(CheckedMap& map, const WalkNames& names, Expected& expected) {
     if (const auto from = map.require("from")) {
-        expected.from = names.target(*from);
+        expected.from = names.campus.target(*from);
     }
     if (const auto to = map.require("to")) {
-        expected.to = names.target(*to);
+        expected.to = names.campus.target(*to);
     }
 }
 
-PlainExpectation read_reachable(const CheckedNode& node, const CampusNames& names) {
+PlainExpectation read_reachable(const CheckedNode& node, const WalkNames& names) {
     ExpectReachable expected;
     expected.mark = node.mark();
     CheckedMap map(node, "'reachable'");
-    read_ends(map, names, expected);
+    read_passage(map, names, expected);
     map.refuse_other_keys();
     return expected;
 }
 
-PlainExpectation read_route(const CheckedNode& node, const CampusNames& names) {
+PlainExpectation read_route(const CheckedNode& node, const WalkNames& names) {
     ExpectRoute expected;
     expected.mark = node.mark();
     CheckedMap map(node, "'route'");
-    read_ends(map, names, expected);
+    read_passage(map, names, expected);
     map.number("max_length", kPositiveLength, expected.max_length);
     map.number("min_width", kRouteWidth, expected.min_width);
     map.angle("max_slope_deg", kSlope, expected.max_slope);
@@ -306,29 +306,29 @@ PlainExpectation read_route(const CheckedNode& node, const CampusNames& names) {
     return expected;
 }
 
-constexpr std::array kReaders = {ExpectationReader{"sequence", read_sequence},
-                                 ExpectationReader{"never", read_never},
-                                 ExpectationReader{"count", read_count},
-                                 ExpectationReader{"within", read_within},
-                                 ExpectationReader{"popup", read_popup},
-                                 ExpectationReader{"visits", read_visits},
-                                 ExpectationReader{"reaches", read_reaches},
-                                 ExpectationReader{"near", read_near},
-                                 ExpectationReader{"duration", read_duration},
-                                 ExpectationReader{"distance", read_distance},
-                                 ExpectationReader{"grounded", read_grounded, true},
-                                 ExpectationReader{"no_penetration", read_no_penetration, true},
-                                 ExpectationReader{"stuck", read_stuck, true},
-                                 ExpectationReader{"blocked_by", read_blocked_by},
-                                 ExpectationReader{"fell", read_fell, true},
-                                 ExpectationReader{"reachable", read_reachable},
-                                 ExpectationReader{"route", read_route}};
-static_assert(kReaders.size() == std::variant_size_v<PlainExpectation>);
+constexpr std::array kExpectationReaders = {ExpectationReader{"sequence", read_sequence},
+                                            ExpectationReader{"never", read_never},
+                                            ExpectationReader{"count", read_count},
+                                            ExpectationReader{"within", read_within},
+                                            ExpectationReader{"popup", read_popup},
+                                            ExpectationReader{"visits", read_visits},
+                                            ExpectationReader{"reaches", read_reaches},
+                                            ExpectationReader{"near", read_near},
+                                            ExpectationReader{"duration", read_duration},
+                                            ExpectationReader{"distance", read_distance},
+                                            ExpectationReader{"grounded", read_grounded, true},
+                                            ExpectationReader{"no_penetration", read_no_penetration, true},
+                                            ExpectationReader{"stuck", read_stuck, true},
+                                            ExpectationReader{"blocked_by", read_blocked_by},
+                                            ExpectationReader{"fell", read_fell, true},
+                                            ExpectationReader{"reachable", read_reachable},
+                                            ExpectationReader{"route", read_route}};
+static_assert(kExpectationReaders.size() == std::variant_size_v<PlainExpectation>);
 
 }  // namespace
 
 std::span<const ExpectationReader> expectation_readers() {
-    return kReaders;
+    return kExpectationReaders;
 }
 
 }  // namespace campuswalk::config

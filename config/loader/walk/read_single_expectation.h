@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "config/loader/values/checked_node.h"
-#include "config/loader/walk/campus_names.h"
+#include "config/loader/walk/walk_names.h"
 #include "engine/script/expectation.h"
 
 namespace campuswalk::config {
@@ -12,7 +12,7 @@ namespace campuswalk::config {
 /// Reads the value of an expectation's key and reports its errors.
 struct ExpectationReader {
     std::string_view name;
-    engine::PlainExpectation (*read)(const CheckedNode&, const CampusNames&) = nullptr;
+    engine::PlainExpectation (*read)(const CheckedNode&, const WalkNames&) = nullptr;
     bool needs_no_value = false;  ///< needs no value, as in `- stuck`, and is then read from an empty one
 };
 

@@ -38,7 +38,7 @@ void read_path_options(CheckedMap& map, StepAlongPath& step) {
 std::vector<Target> read_points(const CheckedNode& node, const StepContext& context) {
     std::vector<Target> points;
     for (const CheckedNode& item : node.items("a point")) {
-        points.push_back(context.names.target(item));
+        points.push_back(context.names.campus.target(item));
     }
     if (points.empty() && (node.is_sequence() || node.is_null())) {
         node.diagnose("bad-value", node.what() + " needs at least one point");
@@ -72,12 +72,12 @@ Step read_spawn(const CheckedNode& node, StepContext& context) {
     if (!context.first) {
         node.diagnose("bad-value", "'spawn' can only be the first step; use 'teleport' here");
     }
-    const Placement placement = context.names.placement(node);
+    const Placement placement = context.names.campus.placement(node);
     return SpawnStep{node.mark(), placement.label, placement.position, placement.yaw.value_or(0.0)};
 }
 
 Step read_teleport(const CheckedNode& node, StepContext& context) {
-    Placement placement = context.names.placement(node);
+    Placement placement = context.names.campus.placement(node);
     return TeleportStep{node.mark(), std::move(placement.label), placement.position, placement.yaw};
 }
 
@@ -85,12 +85,12 @@ Step read_walk_to(const CheckedNode& node, StepContext& context) {
     WalkToStep step;
     step.mark = node.mark();
     if (!node.is_map()) {
-        step.target = context.names.target(node);
+        step.target = context.names.campus.target(node);
         return step;
     }
     CheckedMap map(node, "'walk_to'");
     if (const auto to = map.require("to")) {
-        step.target = context.names.target(*to);
+        step.target = context.names.campus.target(*to);
     }
     read_path_options(map, step);
     return step;
@@ -107,7 +107,7 @@ std::optional<Avoided> read_avoided(const CheckedNode& node, const StepContext& 
     constexpr Range kRadius{0.0, 1e6, true, "m"};
     CheckedMap map(node, "what to avoid");
     if (const auto center = map.require("center")) {
-        avoided.center = context.names.target(*center);
+        avoided.center = context.names.campus.target(*center);
     }
     map.require("radius");
     map.number("radius", kRadius, avoided.radius);
@@ -138,12 +138,12 @@ Step read_go_to(const CheckedNode& node, StepContext& context) {
     GoToStep step;
     step.mark = node.mark();
     if (!node.is_map()) {
-        step.target = context.names.target(node);
+        step.target = context.names.campus.target(node);
         return step;
     }
     CheckedMap map(node, "'go_to'");
     if (const auto to = map.require("to")) {
-        step.target = context.names.target(*to);
+        step.target = context.names.campus.target(*to);
     }
     if (const auto through = map.find("through")) {
         step.through = read_points(*through, context);
@@ -194,7 +194,7 @@ Step read_turn(const CheckedNode& node, StepContext& /*context*/) {
 }
 
 Step read_look_at(const CheckedNode& node, StepContext& context) {
-    return LookAtStep{node.mark(), context.names.target(node)};
+    return LookAtStep{node.mark(), context.names.campus.target(node)};
 }
 
 Step read_snapshot(const CheckedNode& node, StepContext& context) {
@@ -218,7 +218,7 @@ Step read_snapshot(const CheckedNode& node, StepContext& context) {
         take_name(*name);
     }
     CameraKeys camera = context.camera;
-    read_camera_fields(map, context.names, camera);
+    read_camera_fields(map, context.names.campus, camera);
     step.camera = camera.settings();
     const bool knows_view = map.has("view") || !context.standalone;
     if (knows_view) {
@@ -336,28 +336,28 @@ Step read_disable(const CheckedNode& node, StepContext& /*context*/) {
     return read_switched(node, false);
 }
 
-constexpr std::array kReaders = {StepReader{"spawn", read_spawn},
-                                 StepReader{"walk_to", read_walk_to},
-                                 StepReader{"go_to", read_go_to},
-                                 StepReader{"follow", read_follow},
-                                 StepReader{"run", read_run},
-                                 StepReader{"speed", read_speed},
-                                 StepReader{"jump", read_jump},
-                                 StepReader{"crouch", read_crouch},
-                                 StepReader{"expect", read_expect},
-                                 StepReader{"wait", read_wait},
-                                 StepReader{"wait_until", read_wait_until},
-                                 StepReader{"turn", read_turn},
-                                 StepReader{"look_at", read_look_at},
-                                 StepReader{"teleport", read_teleport},
-                                 StepReader{"enable", read_enable},
-                                 StepReader{"disable", read_disable},
-                                 StepReader{"snapshot", read_snapshot}};
+constexpr std::array kStepReaders = {StepReader{"spawn", read_spawn},
+                                     StepReader{"walk_to", read_walk_to},
+                                     StepReader{"go_to", read_go_to},
+                                     StepReader{"follow", read_follow},
+                                     StepReader{"run", read_run},
+                                     StepReader{"speed", read_speed},
+                                     StepReader{"jump", read_jump},
+                                     StepReader{"crouch", read_crouch},
+                                     StepReader{"expect", read_expect},
+                                     StepReader{"wait", read_wait},
+                                     StepReader{"wait_until", read_wait_until},
+                                     StepReader{"turn", read_turn},
+                                     StepReader{"look_at", read_look_at},
+                                     StepReader{"teleport", read_teleport},
+                                     StepReader{"enable", read_enable},
+                                     StepReader{"disable", read_disable},
+                                     StepReader{"snapshot", read_snapshot}};
 
 }  // namespace
 
 std::span<const StepReader> step_readers() {
-    return kReaders;
+    return kStepReaders;
 }
 
 }  // namespace campuswalk::config

@@ -8,15 +8,15 @@
 #include "config/loader/values/checked_node.h"
 #include "config/loader/values/names.h"
 #include "config/loader/values/read_roots.h"
-#include "config/loader/walk/campus_names.h"
 #include "config/loader/walk/read_camera.h"
+#include "config/loader/walk/walk_names.h"
 #include "engine/script/walk.h"
 
 namespace campuswalk::config {
 
 /// What the readers of steps share.
 struct StepContext {
-    const CampusNames& names;
+    const WalkNames& names;
     const engine::AvatarProfile& avatar;
     const CameraKeys& camera;
     const ReadRoots& roots;

@@ -149,7 +149,7 @@ void read_list(const CheckedNode& section, StepContext& context, std::vector<Ste
 
 }  // namespace
 
-std::vector<Step> read_steps(const CheckedNode& section, const CampusNames& names,
+std::vector<Step> read_steps(const CheckedNode& section, const WalkNames& names,
                              const engine::AvatarProfile& avatar, const CameraKeys& camera,
                              const fs::path& walk_file, const ReadRoots& roots) {
     std::vector<Step> steps;
@@ -158,13 +158,12 @@ std::vector<Step> read_steps(const CheckedNode& section, const CampusNames& name
     return steps;
 }
 
-std::vector<Step> read_standalone_steps(const CheckedNode& root, const fs::path& steps_file,
-                                        const ReadRoots& roots) {
-    const CampusNames unknown(nullptr);
+std::vector<Step> read_standalone_steps(const CheckedNode& root, const WalkNames& names,
+                                        const fs::path& steps_file, const ReadRoots& roots) {
     const engine::AvatarProfile avatar;
     const CameraKeys camera;
     std::vector<Step> steps;
-    StepContext context{unknown, avatar, camera, roots, {steps_file}};
+    StepContext context{names, avatar, camera, roots, {steps_file}};
     context.standalone = true;
     context.first = false;
     read_steps_file(root, context, steps);

@@ -5,8 +5,8 @@
 
 #include "config/loader/values/checked_node.h"
 #include "config/loader/values/read_roots.h"
-#include "config/loader/walk/campus_names.h"
 #include "config/loader/walk/read_camera.h"
+#include "config/loader/walk/walk_names.h"
 #include "engine/script/walk.h"
 
 namespace campuswalk::config {
@@ -18,13 +18,13 @@ namespace campuswalk::config {
 /// of where it is written, in whatever file. Reports files that include themselves (include-cycle) or are
 /// nested deeper than 16 (include-depth), and more than 100,000 steps, or
 /// 1,000 included files or 20 MB of them (too-many-steps).
-std::vector<engine::Step> read_steps(const CheckedNode& section, const CampusNames& names,
+std::vector<engine::Step> read_steps(const CheckedNode& section, const WalkNames& names,
                                      const engine::AvatarProfile& avatar, const CameraKeys& camera,
                                      const std::filesystem::path& walk_file, const ReadRoots& roots);
 
 /// Reads a `NAME.steps.yaml` by itself, without a walk: the avatar has AvatarProfile's defaults, and names of
 /// places are not checked.
-std::vector<engine::Step> read_standalone_steps(const CheckedNode& root,
+std::vector<engine::Step> read_standalone_steps(const CheckedNode& root, const WalkNames& names,
                                                 const std::filesystem::path& steps_file,
                                                 const ReadRoots& roots);
 

@@ -100,7 +100,7 @@ std::vector<std::string> read_tags(const CheckedNode& node) {
 
 }  // namespace
 
-void read_walk(CheckedMap& map, const CampusNames& names, const std::filesystem::path& walk_file,
+void read_walk(CheckedMap& map, const WalkNames& names, const std::filesystem::path& walk_file,
                const ReadRoots& roots, engine::Walk& walk) {
     if (const auto sim = map.find("sim")) {
         walk.sim = read_sim(*sim);
@@ -114,7 +114,7 @@ void read_walk(CheckedMap& map, const CampusNames& names, const std::filesystem:
     map.number("timeout", kTimeout, walk.timeout);
     CameraKeys camera;
     if (const auto node = map.find("camera")) {
-        camera = read_camera(*node, names);
+        camera = read_camera(*node, names.campus);
     }
     walk.camera = camera.settings();
     walk.views = camera.views();
