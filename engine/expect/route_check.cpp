@@ -21,15 +21,17 @@ struct FoundRoute {
     RouteSettings settings;
 };
 
-FoundRoute find_route(const Target& from, const Target& to, const EvaluatorContext& context) {
+template <typename Expected>
+FoundRoute find_route(const Expected& expected, const EvaluatorContext& context) {
     FoundRoute found;
-    found.settings = route_settings(context.campus, context.avatar, nullptr);
-    const auto body = body_at(route_start(from, context.campus.description), context.campus, found.settings);
+    found.settings = route_settings(context.campus, expected.avatar.value_or(context.avatar), nullptr);
+    const auto body =
+        body_at(route_start(expected.from, context.campus.description), context.campus, found.settings);
     if (!body) {
-        found.why_not = "the avatar doesn't fit at " + from.label;
+        found.why_not = "the avatar doesn't fit at " + expected.from.label;
         return found;
     }
-    auto answer = route_or_reason(context.campus, found.settings, {*body, {to}});
+    auto answer = route_or_reason(context.campus, found.settings, {*body, {expected.to}});
     if (auto* route = std::get_if<Route>(&answer)) {
         found.route = std::move(*route);
     } else {
@@ -62,7 +64,7 @@ std::string violation(const ExpectRoute& expected, const Route& route, const Rou
 }  // namespace
 
 Finding check_route(const ExpectReachable& expected, const EvaluatorContext& context) {
-    const FoundRoute found = find_route(expected.from, expected.to, context);
+    const FoundRoute found = find_route(expected, context);
     const std::string there = expected.to.label + " from " + expected.from.label;
     return {found.route.has_value(),
             expected.mark,
@@ -72,7 +74,7 @@ Finding check_route(const ExpectReachable& expected, const EvaluatorContext& con
 }
 
 Finding check_route(const ExpectRoute& expected, const EvaluatorContext& context) {
-    const FoundRoute found = find_route(expected.from, expected.to, context);
+    const FoundRoute found = find_route(expected, context);
     if (!found.route) {
         return {
             false,

@@ -5,7 +5,8 @@
 namespace campuswalk::engine {
 
 // Evaluators of expectations about what the campus would let a visitor walk. They are answered before the
-// first tick, with every object enabled, by a body of the walk's avatar that is put down at the first target.
+// first tick, with every object enabled, by a body of the expectation's or the walk's avatar that is put down
+// at the first target.
 
 /// Whether there is a route, and why not if there is none.
 Finding check_route(const ExpectReachable& expected, const EvaluatorContext& context);

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "engine/script/avatar.h"
 #include "engine/script/image_tolerance.h"
 #include "engine/script/mentions.h"
 
@@ -145,6 +146,7 @@ struct ExpectReachable {
     SourceMark mark;
     Target from;
     Target to;
+    std::optional<AvatarProfile> avatar = {};  ///< of that visitor; none: the walk's
 
     std::vector<Mention> mentions() const { return {}; }
 };
@@ -155,9 +157,10 @@ struct ExpectRoute {
     SourceMark mark;
     Target from;
     Target to;
-    std::optional<double> max_length;  ///< metres
-    std::optional<double> min_width;   ///< metres, less than RouteFacts::kWidest
-    std::optional<double> max_slope;   ///< radians
+    std::optional<AvatarProfile> avatar = {};  ///< as of ExpectReachable
+    std::optional<double> max_length;          ///< metres
+    std::optional<double> min_width;           ///< metres, less than RouteFacts::kWidest
+    std::optional<double> max_slope;           ///< radians
 
     std::vector<Mention> mentions() const { return {}; }
 };

@@ -189,6 +189,29 @@ TEST_F(ReadExpectations, ReadsWhereOneCanWalk) {
                     says("a.walk.yaml:5:50: error bad-value", {"'min_width'"})));
 }
 
+TEST_F(ReadExpectations, ReadsWhoCanWalkThere) {
+    folder_.write("avatars/robot.avatar.yaml", "step_height: 0.1\nheight: 0.7\neye_height: 0.5\n");
+    const auto all = read(
+        "  - reachable: {from: gate, to: square}\n"
+        "  - reachable: {from: gate, to: square, avatar: robot}\n"
+        "  - route: {from: gate, to: square, avatar: {profile: robot, step_height: 0.2}}\n"
+        "  - not: {reachable: {from: gate, to: square, avatar: robot}}\n");
+    EXPECT_FALSE(plain<ExpectReachable>(all, 0).avatar);
+    EXPECT_EQ(plain<ExpectReachable>(all, 1).avatar.value().step_height, 0.1);
+    EXPECT_EQ(plain<ExpectRoute>(all, 2).avatar.value().step_height, 0.2);
+    EXPECT_EQ(plain<ExpectRoute>(all, 2).avatar.value().height, 0.7);
+    const auto& negated = std::get<ExpectNot>(all.at(3)).what;
+    EXPECT_EQ(std::get<ExpectReachable>(negated).avatar.value().height, 0.7);
+    EXPECT_THAT(folder_.about_expectations("  - reachable: {from: gate, to: square, avatar: robbot}\n"
+                                           "  - route: {from: gate, to: square, avatar: {profile: robot, "
+                                           "radius: 1, ignore_layers: hedges}}\n"
+                                           "  - reachable: {from: gate, to: square, avatar: [robot]}\n"),
+                ElementsAre(says("a.walk.yaml:4:49: error unknown-name", {"robbot", "'robot'"}),
+                            says("a.walk.yaml:5:70: error bad-value", {"radius"}),
+                            says("a.walk.yaml:5:88: error unknown-name", {"'hedges'"}),
+                            says("a.walk.yaml:6:49: error wrong-type", {"'avatar'"})));
+}
+
 TEST_F(ReadExpectations, ReadsExpectationsWithAndWithoutAValue) {
     const auto all = read(
         "  - stuck\n  - stuck: {by: \"bench/*\"}\n  - fell\n  - fell:\n  - grounded\n  - grounded: always\n"

@@ -274,7 +274,7 @@ PlainExpectation read_fell(const CheckedNode& node, const WalkNames& /*names*/) 
 
 // ---- the campus -----------------------------------------------------------------------------------------
 
-/// The keys `from` and `to`.
+/// The keys `from`, `to` and `avatar`.
 template <typename Expected>
 void read_passage(CheckedMap& map, const WalkNames& names, Expected& expected) {
     if (const auto from = map.require("from")) {
@@ -282,6 +282,9 @@ void read_passage(CheckedMap& map, const WalkNames& names, Expected& expected) {
     }
     if (const auto to = map.require("to")) {
         expected.to = names.campus.target(*to);
+    }
+    if (const auto avatar = map.find("avatar")) {
+        expected.avatar = names.avatars.read(*avatar);
     }
 }
 

@@ -54,6 +54,26 @@ TEST(RouteCheck, SaysWhyNot) {
     EXPECT_FALSE(check_route(route_between(0), {campus, avatar}).holds);
 }
 
+TEST(RouteCheck, MayBeAboutAnotherVisitor) {
+    scene::Campus campus = divided_by_a_wall();
+    add_box(campus, "sill", {-0.6, 0, -0.1}, {0.6, 0.2, 0.1});
+    const AvatarProfile adult;
+    AvatarProfile robot;
+    robot.step_height = 0.1;
+    const EvaluatorContext context{campus, adult};
+    ExpectReachable reachable{{}, at("south", 0, 10), at("north", 0, -10)};
+    EXPECT_TRUE(check_route(reachable, context).holds);
+    reachable.avatar = robot;
+    EXPECT_THAT(check_route(reachable, context).message,
+                testing::MatchesRegex(
+                    ".*: riser of 0\\.20 m at sill, .*, 0\\.20, 0\\.10; the avatar steps 0\\.10 m"));
+    ExpectRoute route = route_between(0);
+    EXPECT_TRUE(check_route(route, context).holds);
+    route.avatar = robot;
+    EXPECT_FALSE(check_route(route, context).holds);
+    EXPECT_TRUE(check_route(reachable, {divided_by_a_wall(), adult}).holds);
+}
+
 TEST(RouteCheck, LimitsLengthAndWidth) {
     const scene::Campus campus = divided_by_a_wall();
     const AvatarProfile avatar;
