@@ -4,6 +4,7 @@
 
 #include "engine/events/decimals.h"
 #include "scene/campus/node_at.h"
+#include "scene/lint/model_report.h"
 
 namespace campuswalk::engine {
 
@@ -20,6 +21,12 @@ std::string place_text(const scene::Campus& campus, const Barrier& barrier, cons
         text += object_text(campus, *barrier.object, p) + ", ";
     }
     return text + fixed(p.x(), 2) + ", " + fixed(p.y(), 2) + ", " + fixed(p.z(), 2);
+}
+
+/// Its letters and digits: objects are often called after their nodes, "hedge/hedge-04" after "hedge_04".
+std::string letters_of(std::string name) {
+    std::erase_if(name, [](char c) { return c == '_' || c == '-' || c == '/' || c == '.' || c == ' '; });
+    return name;
 }
 
 /// The other change that would do as well, if there is one of this kind.
@@ -77,7 +84,9 @@ const char* name_of(BarrierKind kind) {
 std::string object_text(const scene::Campus& campus, collision::ObjectId object, const collision::Vec3& at) {
     const scene::CampusObject& named = campus.objects[index_of(object)];
     const std::string node = scene::node_at(campus, named, at);
-    return node.empty() || node == named.id ? named.id : named.id + " (" + node + ")";
+    const bool says_more =
+        !scene::is_generated_name(node) && !letters_of(named.id).ends_with(letters_of(node));
+    return says_more ? named.id + " (" + node + ")" : named.id;
 }
 
 std::string barrier_text(const scene::Campus& campus, const Barrier& barrier) {

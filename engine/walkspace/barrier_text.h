@@ -11,7 +11,7 @@ namespace campuswalk::engine {
 /// "solid".
 const char* name_of(BarrierKind kind);
 
-/// The object's id and, where it comes from several nodes, the one at that point: "stair (step-1)".
+/// The object's id and the node at that point that it comes from, if its name says more: "stair (step-1)".
 std::string object_text(const scene::Campus& campus, collision::ObjectId object, const collision::Vec3& at);
 
 /// As a sentence without its full stop: "riser of 0.45 m at stair (step-1), 3.20, 0.45, -1.00; the avatar

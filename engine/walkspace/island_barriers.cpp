@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "collision/world/cast.h"
+#include "engine/walkspace/hollows.h"
 #include "engine/walkspace/worker_threads.h"
 
 namespace campuswalk::engine {
@@ -25,8 +25,6 @@ constexpr std::size_t kMostStarts = 200;
 /// Those on the rim are about this far apart, metres: nearer ones lead to the same.
 constexpr double kApart = 0.5;
 constexpr double kOneLevel = 0.5;
-/// So far above a ledge there must be nothing in the way to it, metres.
-constexpr double kOverLedge = 0.5;
 /// A spot's ground, in its cell, metres.
 constexpr double kSameGround = 0.3;
 
@@ -128,16 +126,6 @@ Heights heights_of(const Island& island, const WalkGrid& grid, const collision::
     return heights;
 }
 
-/// Whether nothing but its height is in the way onto a ledge: no wall, no ceiling.
-bool is_open_above(const collision::World& world, const ExploreSettings& settings, const Barrier& ledge) {
-    const Vec3 onto = ledge.at + Vec3(0, kOverLedge, 0);
-    const Vec3 before(ledge.from.x(), onto.y(), ledge.from.z());
-    const auto is_free = [&](const Vec3& from, const Vec3& to) {
-        return !collision::cast(world, settings.solids, {from, to}, collision::Detection::solid);
-    };
-    return is_free(ledge.from + Vec3(0, kOverLedge, 0), before) && is_free(before, onto);
-}
-
 std::optional<Barrier> barrier_before(const WorkerWorlds& worlds, const ExploreSettings& settings,
                                       const WalkSpace& reached, const Island& island, const Rim& rim,
                                       const scene::NodeTriangles* nodes) {
@@ -177,9 +165,9 @@ std::optional<Barrier> barrier_before(const WorkerWorlds& worlds, const ExploreS
     query.nodes = nodes;
     std::optional<Barrier> barrier = why_not(worlds, settings, query);
     const bool is_closed_off = barrier && barrier->kind == BarrierKind::solid;
-    return is_closed_off && ledge.measured > kHighestRiser && is_open_above(worlds[0], settings, ledge)
-               ? ledge
-               : barrier;
+    const bool is_ledge =
+        is_closed_off && ledge.measured > kHighestRiser && !is_enclosed(worlds[0], settings, reached, island);
+    return is_ledge ? ledge : barrier;
 }
 
 }  // namespace

@@ -120,7 +120,7 @@ Storeys find_storeys(const WalkSpace& space) {
         const std::size_t storey = storey_of(counts[floors.root(numbers(id))]);
         storeys.of_nodes[id.tile][id.node] = static_cast<std::uint8_t>(storey);
         nodes.resize(std::max(nodes.size(), storey + 1), 0);
-        ++nodes[storey];
+        nodes[storey] += space.node(id).hangs == 0 ? 1U : 0U;
     });
     const std::vector<std::size_t> renumbered =
         numbers_without_small(nodes, space.grid.cell * space.grid.cell);

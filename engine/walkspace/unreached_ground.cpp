@@ -144,6 +144,14 @@ private:
 
 }  // namespace
 
+Vec3 Island::nearest_to(const Vec3& point) const {
+    const auto apart = [&](const UnreachedSpot& spot) {
+        const Vec3 path = spot.at.foot - point;
+        return collision::horizontal_norm(path) + 0.5 * std::abs(path.y());
+    };
+    return std::ranges::min_element(spots, {}, apart)->at.foot;
+}
+
 std::vector<Island> find_unreached_ground(const WorkerWorlds& worlds, const ExploreSettings& settings,
                                           const WalkSpace& reached, double least_area) {
     const collision::Aabb& region = settings.within.empty() ? worlds[0].bounds() : settings.within;

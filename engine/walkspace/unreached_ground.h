@@ -28,6 +28,8 @@ struct Island {
     double area(const WalkGrid& grid) const {
         return static_cast<double>(spots.size()) * grid.cell * grid.cell;
     }
+    /// The foot nearest to a point; heights count half.
+    collision::Vec3 nearest_to(const collision::Vec3& point) const;
 };
 
 /// Walkable ground that the exploration didn't get to: the middle of each cell on a triangle that isn't too

@@ -4,7 +4,9 @@
 #include <utility>
 
 #include "engine/script/avatar_body.h"
+#include "engine/walkspace/hollows.h"
 #include "engine/walkspace/island_barriers.h"
+#include "engine/walkspace/worker_threads.h"
 
 namespace campuswalk::engine {
 
@@ -21,6 +23,31 @@ std::size_t explained(const std::vector<Island>& islands, const std::vector<Subj
         count = std::max(count, subject.island ? *subject.island + 1 : 0);
     }
     return count;
+}
+
+/// Whether its barrier may be the shell of a hollow: nothing helps, or only to take away all of an object
+/// that surrounds the island. A room whose door stands in the way is none.
+bool may_be_hollow(const collision::World& world, const IslandReport& entry) {
+    const std::optional<Barrier>& barrier = entry.barrier;
+    if (!barrier || barrier->kind == BarrierKind::solid || barrier->kind == BarrierKind::ledge) {
+        return true;
+    }
+    if (barrier->kind != BarrierKind::object || barrier->is_node) {
+        return false;
+    }
+    const collision::Aabb& shell = world.bounds(*barrier->object);
+    const collision::Aabb& inside = entry.island.bounds;
+    return shell.min.x() <= inside.min.x() && shell.max.x() >= inside.max.x() &&
+           shell.min.z() <= inside.min.z() && shell.max.z() >= inside.max.z();
+}
+
+void find_hollows(const WorkerWorlds& worlds, const ExploreSettings& settings, WalkReport& report) {
+    for_each_item(report.islands.size(), worlds.size(), [&](std::size_t worker, std::size_t i) {
+        IslandReport& entry = report.islands[i];
+        entry.hollow = entry.island.area(report.space.grid) > kNotableIsland &&
+                       may_be_hollow(worlds[worker], entry) &&
+                       is_enclosed(worlds[worker], settings, report.space, entry.island);
+    });
 }
 
 }  // namespace
@@ -40,6 +67,7 @@ WalkReport report_walks(const scene::Campus& campus, const AvatarProfile& avatar
     for (std::size_t i = 0; i < islands.size(); ++i) {
         report.islands.push_back({std::move(islands[i]), std::move(barriers[i])});
     }
+    find_hollows(worlds, settings, report);
     Strider strider(worlds[0], settings.strides, settings.solids);
     for (const Subject& subject : subjects) {
         const bool has_path = subject.node && subject.kind != SubjectKind::solid;

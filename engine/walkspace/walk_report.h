@@ -22,6 +22,8 @@ namespace campuswalk::engine {
 struct IslandReport {
     Island island;
     std::optional<Barrier> barrier;  ///< none: nothing that is reached lies near it
+    /// Nobody ever gets in: closed solids surround it. Found of notable islands only.
+    bool hollow = false;
 };
 
 /// A subject, and how far one walks to it.

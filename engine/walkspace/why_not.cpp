@@ -34,6 +34,8 @@ constexpr double kAround = 1.5;
 /// Taking an object away counts as much as changing the body by this share, or climbing so much higher,
 /// metres.
 constexpr double kChangeOfObject = 0.6;
+/// A node of it is a little less.
+constexpr double kChangeOfNode = 0.59;
 
 bool is_about_height(const Barrier& barrier) {
     return barrier.kind == BarrierKind::riser || barrier.kind == BarrierKind::ledge ||
@@ -42,10 +44,11 @@ bool is_about_height(const Barrier& barrier) {
 
 /// How much would have to change: of heights, in metres; else the share of what the body has.
 double change_of(const Barrier& barrier) {
+    if (barrier.kind == BarrierKind::object) {
+        return barrier.is_node ? kChangeOfNode : kChangeOfObject;
+    }
     const bool climb = barrier.kind == BarrierKind::riser || barrier.kind == BarrierKind::ledge;
-    return barrier.kind == BarrierKind::object
-               ? kChangeOfObject
-               : std::abs(barrier.measured - barrier.allowed) / (climb ? 1.0 : barrier.allowed);
+    return std::abs(barrier.measured - barrier.allowed) / (climb ? 1.0 : barrier.allowed);
 }
 
 /// A way that a changed body found.
@@ -99,7 +102,10 @@ public:
             const std::optional<FoundPath> easiest = find_path(easiest_of(abilities), query_.from);
             return easiest ? all_at_once(abilities, *easiest) : closed_off();
         }
-        std::ranges::stable_sort(found, {}, change_of);
+        // Of objects the smallest: rather a door than the wall beside it.
+        std::ranges::stable_sort(found, {}, [&](const Barrier& barrier) {
+            return std::pair(change_of(barrier), size_of_object(barrier));
+        });
         Barrier smallest = found.front();
         smallest.parts.assign(found.begin() + 1, found.end());
         return smallest;
@@ -276,10 +282,20 @@ private:
                 }
                 barrier.object = node.object;
                 barrier.triangle = node.triangle;
+                barrier.is_node = true;
                 found.push_back(barrier);
                 return;
             }
         }
+    }
+
+    /// The diagonal of its bounds; 0 for barriers of the body alone.
+    double size_of_object(const Barrier& barrier) const {
+        if (barrier.kind != BarrierKind::object) {
+            return 0.0;
+        }
+        const collision::Aabb& box = worlds_[0].bounds(*barrier.object);
+        return (box.max - box.min).norm();
     }
 
     /// Taking away the ground is no change that helps.

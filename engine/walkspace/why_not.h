@@ -35,6 +35,7 @@ struct Barrier {
     collision::Vec3 from = collision::Vec3::Zero();  ///< where it stood then, feet
     std::optional<collision::ObjectId> object;       ///< what it touched there, or what stands in the way
     std::uint32_t triangle = 0;                      ///< of the object's mesh
+    bool is_node = false;  ///< of kind `object`: only the node that has the triangle, not all of the object
     /// Other changes, each of which would do as well, the smaller first; of `several`, all that it takes.
     std::vector<Barrier> parts = {};
 };

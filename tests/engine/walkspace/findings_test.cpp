@@ -13,6 +13,7 @@
 #include "engine/walkspace/unreached_ground.h"
 #include "engine/walkspace/walk_report.h"
 #include "tests/engine/small_campus.h"
+#include "tests/support/mesh_pieces.h"
 
 namespace campuswalk::engine {
 namespace {
@@ -85,6 +86,60 @@ TEST_F(Findings, UnreachedGroundIsAnIslandOfItsSize) {
     EXPECT_EQ(barrier->kind, BarrierKind::riser);
     EXPECT_NEAR(barrier->measured, 0.5, 0.002);
     EXPECT_EQ(campus.objects[index_of(barrier->object.value())].id, "stage");
+}
+
+/// Walls and a roof of single faces about the point, 4 m x 4 m x 3 m, without a floor. The wall in the north
+/// has a window of so many metres at the height of the eyes.
+std::shared_ptr<const collision::MeshCollider> shell(double window) {
+    collision::TriangleMesh mesh;
+    support::add_quad(mesh, {-2, 0, 2}, {2, 0, 2}, {2, 3, 2}, {-2, 3, 2});
+    support::add_quad(mesh, {-2, 0, -2}, {-2, 0, 2}, {-2, 3, 2}, {-2, 3, -2});
+    support::add_quad(mesh, {2, 0, 2}, {2, 0, -2}, {2, 3, -2}, {2, 3, 2});
+    support::add_quad(mesh, {-2, 3, 2}, {2, 3, 2}, {2, 3, -2}, {-2, 3, -2});
+    support::add_quad(mesh, {2, 0, -2}, {window, 0, -2}, {window, 3, -2}, {2, 3, -2});
+    support::add_quad(mesh, {window, 0, -2}, {-2, 0, -2}, {-2, 1.5, -2}, {window, 1.5, -2});
+    support::add_quad(mesh, {window, 1.5 + window, -2}, {-2, 1.5 + window, -2}, {-2, 3, -2}, {window, 3, -2});
+    support::add_quad(mesh, {0, 1.5, -2}, {-2, 1.5, -2}, {-2, 1.5 + window, -2}, {0, 1.5 + window, -2});
+    return std::make_shared<const collision::MeshCollider>(std::move(mesh));
+}
+
+/// What is inside of the shell, by a report on a yard with it in the middle.
+IslandReport inside_shell(scene::Campus& campus) {
+    const WorkerWorlds worlds(campus.world, 1, {});
+    ExploreSettings settings = explore_settings(campus, AvatarProfile(), 60);
+    settings.starts = {{4.5, 0, 4.5}};
+    for (IslandReport& entry : report_walks(campus, AvatarProfile(), worlds, settings).islands) {
+        if (entry.island.bounds.max.cwiseAbs().maxCoeff() < 2.0) {
+            return std::move(entry);
+        }
+    }
+    ADD_FAILURE() << "no island";
+    return {};
+}
+
+TEST_F(Findings, WhatAShellEnclosesIsAHollow) {
+    scene::Campus closed = walled_yard();
+    add_object(closed, "shell", shell(0.0), {0, 0, 0});
+    EXPECT_TRUE(inside_shell(closed).hollow);
+
+    scene::Campus with_window = walled_yard();
+    add_object(with_window, "shell", shell(0.6), {0, 0, 0});
+    EXPECT_FALSE(inside_shell(with_window).hollow);
+}
+
+TEST_F(Findings, ARoomBehindAClosedDoorIsNoHollow) {
+    scene::Campus campus = walled_yard();
+    add_box(campus, "west", {-2.2, 0, -2}, {-2, 3, 2.2});
+    add_box(campus, "east", {2, 0, -2}, {2.2, 3, 2.2});
+    add_box(campus, "north", {-2.2, 0, -2.2}, {2.2, 3, -2});
+    add_box(campus, "south/left", {-2, 0, 2}, {-0.5, 3, 2.2});
+    add_box(campus, "south/right", {0.5, 0, 2}, {2, 3, 2.2});
+    add_box(campus, "roof", {-2.2, 2.9, -2.2}, {2.2, 3.1, 2.2});
+    const collision::ObjectId door = add_box(campus, "door", {-0.5, 0, 2}, {0.5, 3, 2.2});
+    const IslandReport room = inside_shell(campus);
+    EXPECT_FALSE(room.hollow);
+    ASSERT_TRUE(room.barrier);
+    EXPECT_EQ(room.barrier->object, door);
 }
 
 TEST_F(Findings, APitThatOneCantClimbOutOfIsATrap) {
