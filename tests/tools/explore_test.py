@@ -4,7 +4,6 @@
 import json
 import os
 import re
-import unittest
 
 import jsonschema
 
@@ -13,7 +12,6 @@ from program import ProgramCase, main
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 with open(os.path.join(ROOT, "config", "schema", "explore.schema.json"), encoding="utf-8") as schema_file:
     SCHEMA = json.load(schema_file)
-UFAZ = os.path.join(ROOT, "..", "shared", "data", "ufaz")
 
 FLOOR = "o floor\nv -10 0 -10\nv 10 0 -10\nv 10 0 10\nv -10 0 10\nf 1 4 3\nf 1 3 2\n"
 
@@ -94,6 +92,17 @@ class Explore(ProgramCase):
         hole, = report["holes"]
         self.assertAlmostEqual(2 - 0.6, hole["length"], delta=0.6)
         self.assertAlmostEqual(-9.8, hole["edge"][0], delta=0.5)
+
+    def test_islands_of_one_kind_are_one_finding(self):
+        tables = "".join(box("table-%d" % i, (-8 + 3 * i, 0, 6), (-6 + 3 * i, 0.45, 7.5 + 0.1 * i)) for i in range(3))
+        self.write("yard.campus.yaml", YARD.replace("spawns:", tables + box("desk", (-3, 0, 3), (-1, 0.5, 5)) + "spawns:"))
+        report = self.report()
+        group = self.finding(report, "3 islands of 3.")
+        self.assertRegex(group["subject"], r"^3 islands of 3\.\d to 3\.\d m² on table-\*$")
+        self.assertRegex(group["text"], r"^riser of 0\.45 m at table-\d, .*; the avatar steps 0\.30 m; likewise at -?\d")
+        of_group = [island for island in report["islands"] if island["finding"] == group["number"]]
+        self.assertEqual(["table-0", "table-1", "table-2"], sorted(island["object"] for island in of_group))
+        self.assertNotEqual(group["number"], self.finding(report, "on desk: riser of 0.50 m at desk")["number"])
 
     def test_a_gate_that_is_not_there_lets_one_in(self):
         report = self.report("--disable", "shed/gate-leaf")
@@ -239,26 +248,6 @@ class Explore(ProgramCase):
         self.assertEqual([], self.report("--fail-on", "triggers")["overhangs"])
         done = self.run_program("run", "walks/" + walk, "--rendering-backend", "none")
         self.assertIn("expected to fail", done.out + done.err)
-
-    @unittest.skipUnless(os.path.isdir(UFAZ), "needs ../shared/data")
-    def test_the_known_faults_of_a_real_stair(self):
-        """Two versions of a campus game's stair; see ../shared/data/README.md."""
-        for version, step, expected in (("before128", 0.46, r"riser of 0\.50 m at floor \(platform_12\)"),
-                                        ("before128", 0.4, r"riser of 0\.45 m at floor \(platform_0\)"),
-                                        ("after150", 0.4, r"riser of 0\.45 m at floor \(platform_0\)"),
-                                        ("after150", 0.46, None)):
-            folder = os.path.join(UFAZ, version)
-            self.write("stair.campus.yaml", "scenes: [{file: %s}]\ncolliders: [{id: floor, nodes: '*', shape: mesh, "
-                       "mode: solid}]\nspawns: {start: {at: [0, 0.1, 0]}}\nplaces: {landing: [10, 4.55, -20]}\n"
-                       % json.dumps(os.path.join(folder, "ufaz-floor.obj")))
-            done = self.run_program("explore", "stair.campus.yaml", "--root", folder, "--avatar",
-                                    "{profile: adult, step_height: %g, max_slope_deg: 46}" % step)
-            self.assertEqual(0, done.code, done.err)
-            if expected:
-                self.assertRegex(done.out, expected)
-                self.assertIn("places     0 of 1", done.out)
-            else:
-                self.assertIn("places     1 of 1", done.out)
 
 
 if __name__ == "__main__":

@@ -1,10 +1,12 @@
 #include "tools/campuswalk/explore/findings.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 
 #include "engine/events/decimals.h"
 #include "engine/walkspace/barrier_text.h"
+#include "tools/campuswalk/explore/island_groups.h"
 
 namespace campuswalk::tools::explore {
 
@@ -59,8 +61,8 @@ void add_unreached(const scene::Campus& campus, const WalkReport& report, std::v
             continue;
         }
         const engine::IslandReport& island = report.islands[*subject.island];
-        Finding finding{FindingKind::unreached, named(subject), why(campus, island), subject.at,
-                        island.barrier,         subject.island};
+        Finding finding{FindingKind::unreached, named(subject),   why(campus, island), subject.at,
+                        island.barrier,         {*subject.island}};
         if (island.barrier) {
             finding.at = island.barrier->at;
         }
@@ -135,24 +137,61 @@ void add_overhangs(const scene::Campus& campus, const WalkReport& report, std::v
     }
 }
 
+/// "4.0 m²", or of several "3.5 to 4.0 m²".
+std::string areas_text(const WalkReport& report, const IslandGroup& group) {
+    const auto area = [&](std::size_t i) { return report.islands[i].island.area(report.space.grid); };
+    const std::string largest = area_text(area(group.islands.front()));
+    const std::string smallest = area_text(area(group.islands.back()));
+    const std::size_t unit = smallest.find(' ');
+    return smallest == largest ? largest : smallest.substr(0, unit) + " to " + largest;
+}
+
+/// How much higher than the foot of their riser they lie, where that takes more than this one riser.
+std::string rise_text(const WalkReport& report, const IslandGroup& group) {
+    constexpr double kMore = 0.05;
+    double low = 1e300;
+    double high = 0.0;
+    for (const std::size_t i : group.islands) {
+        const engine::Barrier& barrier = *report.islands[i].barrier;
+        const double up = report.islands[i].island.nearest_to(barrier.from).y() - barrier.from.y();
+        if (barrier.kind != engine::BarrierKind::riser || up < barrier.measured + kMore) {
+            return "";
+        }
+        low = std::min(low, up);
+        high = std::max(high, up);
+    }
+    const std::string highest = fixed(high, 2) + " m up";
+    return fixed(low, 2) == fixed(high, 2) ? ", " + highest : ", " + fixed(low, 2) + " to " + highest;
+}
+
+/// Where the others of a group are: the first few.
+std::string others_text(const WalkReport& report, const IslandGroup& group) {
+    constexpr std::size_t kMost = 3;
+    const std::size_t count = group.islands.size();
+    std::string text;
+    for (std::size_t i = 1; i < count && i <= kMost; ++i) {
+        const collision::Vec3& foot = report.islands[group.islands[i]].island.spots.front().at.foot;
+        text += (i == 1 ? "; likewise at " : "; ") + fixed(foot.x(), 2) + ", " + fixed(foot.y(), 2) + ", " +
+                fixed(foot.z(), 2);
+    }
+    return count <= kMost + 1 ? text : text + " and at " + std::to_string(count - kMost - 1) + " more";
+}
+
 /// Those that no subject's finding tells of already.
 void add_islands(const scene::Campus& campus, const WalkReport& report, std::vector<Finding>& findings) {
     std::set<std::size_t> told;
     for (const Finding& finding : findings) {
-        if (finding.island) {
-            told.insert(*finding.island);
-        }
+        told.insert(finding.islands.begin(), finding.islands.end());
     }
-    for (std::size_t i = 0; i < report.islands.size(); ++i) {
-        const engine::IslandReport& entry = report.islands[i];
-        const double area = entry.island.area(report.space.grid);
-        if (area <= engine::kNotableIsland || is_top(entry) || told.contains(i)) {
-            continue;
-        }
-        const engine::UnreachedSpot& spot = entry.island.spots.front();
-        const std::string on = engine::object_text(campus, spot.object, spot.at.foot);
-        findings.push_back({FindingKind::island, "island of " + area_text(area) + " on " + on,
-                            why(campus, entry), spot.at.foot, entry.barrier, i});
+    for (const IslandGroup& group : group_islands(campus, report, told)) {
+        const engine::IslandReport& largest = report.islands[group.islands.front()];
+        const std::size_t count = group.islands.size();
+        const std::string islands = count == 1 ? "island" : std::to_string(count) + " islands";
+        findings.push_back(
+            {FindingKind::island,
+             islands + " of " + areas_text(report, group) + " on " + group.on + rise_text(report, group),
+             why(campus, largest) + others_text(report, group), largest.island.spots.front().at.foot,
+             largest.barrier, group.islands});
     }
 }
 
@@ -168,10 +207,6 @@ void add_hot_spots(const scene::Campus& campus, const WalkReport& report, std::v
 }
 
 }  // namespace
-
-bool is_top(const engine::IslandReport& island) {
-    return !island.barrier || island.barrier->kind == engine::BarrierKind::ledge;
-}
 
 std::vector<Finding> find_findings(const scene::Campus& campus, const WalkReport& report) {
     std::vector<Finding> findings;

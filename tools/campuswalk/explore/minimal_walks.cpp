@@ -54,25 +54,17 @@ std::string steps_yaml(const Vec3& from, const Vec3& to, const std::string& fail
            "\nexpect:\n  - reaches: {place: " + list_of(to) + ", within: 0.5}\n";
 }
 
-/// The island's ground nearest to where the body was stopped; heights count half.
-Vec3 nearest_ground(const engine::Island& island, const Vec3& from) {
-    const auto apart = [&](const engine::UnreachedSpot& spot) {
-        const Vec3 path = spot.at.foot - from;
-        return collision::horizontal_norm(path) + 0.5 * std::abs(path.y());
-    };
-    return std::ranges::min_element(island.spots, {}, apart)->at.foot;
-}
-
 std::optional<std::string> yaml_of(const WalkReport& report, const Finding& finding) {
     switch (finding.kind) {
         case FindingKind::unreached:
         case FindingKind::island: {
-            if (!finding.island || !finding.barrier || finding.barrier->kind == engine::BarrierKind::solid) {
+            if (finding.islands.empty() || !finding.barrier ||
+                finding.barrier->kind == engine::BarrierKind::solid) {
                 return std::nullopt;
             }
-            const engine::Island& island = report.islands[*finding.island].island;
-            return steps_yaml(finding.barrier->from, nearest_ground(island, finding.barrier->from), "blocked",
-                              finding);
+            const engine::Island& island = report.islands[finding.islands.front()].island;
+            const Vec3& from = finding.barrier->from;
+            return steps_yaml(from, island.nearest_to(from), "blocked", finding);
         }
         case FindingKind::narrow:
         case FindingKind::hot:

@@ -1,11 +1,13 @@
 #include "tools/campuswalk/explore/report_json.h"
 
 #include <cmath>
+#include <map>
 
 #include "engine/events/decimals.h"
 #include "engine/walkspace/barrier_text.h"
 #include "scene/campus/node_at.h"
 #include "tools/campuswalk/base/json_text.h"
+#include "tools/campuswalk/explore/island_groups.h"
 
 namespace campuswalk::tools::explore {
 
@@ -80,7 +82,14 @@ Json subjects_json(const WalkReport& report) {
 }
 
 /// Those that are worth a line, or that a subject is on.
-Json islands_json(const scene::Campus& campus, const WalkReport& report) {
+Json islands_json(const scene::Campus& campus, const WalkReport& report,
+                  const std::vector<Finding>& findings) {
+    std::map<const engine::IslandReport*, std::size_t> finding_of;
+    for (std::size_t i = 0; i < findings.size(); ++i) {
+        for (const std::size_t island : findings[i].islands) {
+            finding_of.emplace(&report.islands[island], i + 1);
+        }
+    }
     Json json = Json::array();
     for (const engine::IslandReport& entry : report.islands) {
         const double area = entry.island.area(report.space.grid);
@@ -96,7 +105,10 @@ Json islands_json(const scene::Campus& campus, const WalkReport& report) {
                     {"object", campus.objects[index_of(spot.object)].id},
                     {"bounds",
                      {{"min", json_of(entry.island.bounds.min)}, {"max", json_of(entry.island.bounds.max)}}},
-                    {"top", is_top(entry)}};
+                    {"top", !entry.hollow && is_top(entry)},
+                    {"hollow", entry.hollow}};
+        const auto finding = finding_of.find(&entry);
+        one["finding"] = finding == finding_of.end() ? Json() : Json(finding->second);
         one["barrier"] = entry.barrier ? json_of(campus, *entry.barrier) : Json();
         json.push_back(std::move(one));
     }
@@ -196,7 +208,7 @@ std::string report_json(const scene::Campus& campus, const WalkReport& report,
                  {"incomplete", bounds_json(report)},
                  {"storeys", storeys_json(report)},
                  {"subjects", subjects_json(report)},
-                 {"islands", islands_json(campus, report)},
+                 {"islands", islands_json(campus, report, findings)},
                  {"traps", traps_json(report)},
                  {"holes", holes_json(report)},
                  {"narrow", narrow_json(campus, report)},

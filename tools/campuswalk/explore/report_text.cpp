@@ -2,10 +2,12 @@
 
 #include <array>
 #include <string>
+#include <utility>
 
 #include "engine/events/decimals.h"
 #include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/explore/findings.h"
+#include "tools/campuswalk/explore/island_groups.h"
 
 namespace campuswalk::tools::explore {
 
@@ -30,9 +32,16 @@ const char* text_of(engine::Bound bound) {
 }
 
 void print_reached(const WalkReport& report) {
-    print_line("reached    %s m²", fixed(report.space.area(), 1).c_str());
-    for (std::size_t i = 0; i < report.storeys.list.size() && report.storeys.list.size() > 1; ++i) {
-        const engine::Storey& storey = report.storeys.list[i];
+    const std::vector<engine::Storey>& storeys = report.storeys.list;
+    const std::string area = fixed(report.space.area(), 1) + " m²";
+    if (storeys.size() == 1) {
+        print_line("reached    %s from %s to %s m", area.c_str(), fixed(storeys[0].low, 2).c_str(),
+                   fixed(storeys[0].high, 2).c_str());
+    } else {
+        print_line("reached    %s", area.c_str());
+    }
+    for (std::size_t i = 0; i < storeys.size() && storeys.size() > 1; ++i) {
+        const engine::Storey& storey = storeys[i];
         print_line("  storey %zu at %s m (%s to %s)  %s m²", i, fixed(storey.main_height, 1).c_str(),
                    fixed(storey.low, 2).c_str(), fixed(storey.high, 2).c_str(),
                    fixed(storey.area, 1).c_str());
@@ -58,7 +67,7 @@ void print_untouched(const WalkReport& report) {
     }
 }
 
-/// How many of each kind are reached, and the way to each place.
+/// How many of each kind are reached.
 void print_subjects(const WalkReport& report) {
     constexpr std::array kKinds{SubjectKind::spawn,   SubjectKind::place, SubjectKind::building,
                                 SubjectKind::trigger, SubjectKind::ray,   SubjectKind::solid};
@@ -73,30 +82,40 @@ void print_subjects(const WalkReport& report) {
         if (all > 0) {
             print_line("%-10s %zu of %zu", kPlurals[k], reached, all);
         }
-        for (const engine::SubjectReport& entry : report.subjects) {
-            if (kKinds[k] == SubjectKind::place && entry.subject.kind == kKinds[k] && entry.distance) {
-                print_line("  %-28s %8s m", entry.subject.name.c_str(), fixed(*entry.distance, 1).c_str());
-            }
-        }
     }
     print_untouched(report);
 }
 
-void print_tops(const WalkReport& report) {
+/// How far one walks to each place.
+void print_distances(const WalkReport& report) {
+    bool first = true;
+    for (const engine::SubjectReport& entry : report.subjects) {
+        if (entry.subject.kind == SubjectKind::place && entry.distance) {
+            if (std::exchange(first, false)) {
+                print_line("way to");
+            }
+            print_line("  %-28s %8s m", entry.subject.name.c_str(), fixed(*entry.distance, 1).c_str());
+        }
+    }
+}
+
+/// In one line: unreached ground that is no finding.
+template <typename IsCounted>
+void print_other_ground(const WalkReport& report, const char* what, const IsCounted& is_counted) {
     std::size_t count = 0;
-    double largest = 0.0;
     double area = 0.0;
-    for (const engine::IslandReport& entry : report.islands) {
+    collision::Vec3 largest = collision::Vec3::Zero();
+    for (const engine::IslandReport& entry : report.islands) {  // the largest first
         const double own = entry.island.area(report.space.grid);
-        if (own > engine::kNotableIsland && explore::is_top(entry)) {
-            ++count;
+        if (own > engine::kNotableIsland && is_counted(entry)) {
+            largest = count++ == 0 ? entry.island.spots.front().at.foot : largest;
             area += own;
-            largest = std::max(largest, own);
         }
     }
     if (count > 0) {
-        print_line("roofs and other tops that nobody climbs: %zu, %s m², the largest %s m²", count,
-                   fixed(area, 0).c_str(), fixed(largest, 0).c_str());
+        print_line("%s: %zu, %s m² in all, the largest at %s, %s, %s", what, count, fixed(area, 0).c_str(),
+                   fixed(largest.x(), 2).c_str(), fixed(largest.y(), 2).c_str(),
+                   fixed(largest.z(), 2).c_str());
     }
 }
 
@@ -116,7 +135,11 @@ void print_report(const scene::Campus& campus, const WalkReport& report, const e
         print_line("%4zu  %s: %s (%s, %s, %s)", i + 1, f.subject.c_str(), f.text.c_str(),
                    fixed(f.at.x(), 2).c_str(), fixed(f.at.y(), 2).c_str(), fixed(f.at.z(), 2).c_str());
     }
-    print_tops(report);
+    print_other_ground(report, "hollows inside solids",
+                       [](const engine::IslandReport& entry) { return entry.hollow; });
+    print_other_ground(report, "roofs and other tops that nobody climbs",
+                       [](const engine::IslandReport& entry) { return !entry.hollow && is_top(entry); });
+    print_distances(report);
 }
 
 void print_coverage(const WalkReport& report, const Coverage& coverage) {

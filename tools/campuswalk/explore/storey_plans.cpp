@@ -8,6 +8,7 @@
 
 #include "engine/events/decimals.h"
 #include "engine/walkspace/node_numbers.h"
+#include "tools/campuswalk/explore/island_groups.h"
 
 namespace campuswalk::tools::explore {
 
@@ -57,7 +58,7 @@ struct Cells {
 std::vector<Cells> cells_by_storey(const engine::WalkReport& report) {
     std::vector<Cells> cells(report.storeys.list.size());
     for (const engine::IslandReport& entry : report.islands) {
-        if (entry.island.area(report.space.grid) <= engine::kNotableIsland || is_top(entry)) {
+        if (entry.island.area(report.space.grid) <= engine::kNotableIsland || is_top(entry) || entry.hollow) {
             continue;
         }
         for (const engine::UnreachedSpot& spot : entry.island.spots) {

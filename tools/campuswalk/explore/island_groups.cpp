@@ -1,0 +1,71 @@
+#include "tools/campuswalk/explore/island_groups.h"
+
+#include <cctype>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "engine/walkspace/barrier_text.h"
+
+namespace campuswalk::tools::explore {
+
+namespace {
+
+/// Barriers whose numbers differ by less look the same: metres, or radians.
+constexpr double kSameNumber = 0.01;
+
+/// The name with each number in it as a star.
+std::string family_of(const std::string& name) {
+    std::string family;
+    for (const char c : name) {
+        if (std::isdigit(static_cast<unsigned char>(c)) == 0) {
+            family += c;
+        } else if (family.empty() || family.back() != '*') {
+            family += '*';
+        }
+    }
+    return family;
+}
+
+/// What islands of one group have in common.
+using GroupKey = std::tuple<std::string, engine::BarrierKind, long, std::string>;
+
+GroupKey key_of(const scene::Campus& campus, const engine::Barrier& barrier, const std::string& on) {
+    const bool is_about_object =
+        barrier.object && barrier.kind != engine::BarrierKind::riser &&
+        barrier.kind != engine::BarrierKind::slope && barrier.kind != engine::BarrierKind::several;
+    return {family_of(on), barrier.kind, std::lround(barrier.measured / kSameNumber),
+            is_about_object ? family_of(engine::object_text(campus, *barrier.object, barrier.at)) : ""};
+}
+
+}  // namespace
+
+bool is_top(const engine::IslandReport& island) {
+    return !island.barrier || island.barrier->kind == engine::BarrierKind::ledge;
+}
+
+std::vector<IslandGroup> group_islands(const scene::Campus& campus, const engine::WalkReport& report,
+                                       const std::set<std::size_t>& told) {
+    std::vector<IslandGroup> groups;
+    std::map<GroupKey, std::size_t> known;
+    for (std::size_t i = 0; i < report.islands.size(); ++i) {
+        const engine::IslandReport& entry = report.islands[i];
+        if (entry.island.area(report.space.grid) <= engine::kNotableIsland || is_top(entry) || entry.hollow ||
+            told.contains(i)) {
+            continue;
+        }
+        const engine::UnreachedSpot& spot = entry.island.spots.front();
+        const std::string on = engine::object_text(campus, spot.object, spot.at.foot);
+        const auto [group, added] = known.emplace(key_of(campus, *entry.barrier, on), groups.size());
+        if (added) {
+            groups.push_back({{i}, on});
+            continue;
+        }
+        IslandGroup& joined = groups[group->second];
+        joined.islands.push_back(i);
+        joined.on = joined.on == on ? on : family_of(on);
+    }
+    return groups;
+}
+
+}  // namespace campuswalk::tools::explore
