@@ -74,8 +74,8 @@ private:
         if (!world_.bounds().overlaps({point, point}) || is_free(point, {point.x(), sky_, point.z()})) {
             return true;
         }
-        const auto node = reached_.find(reached_.grid.cell_at(point), point.y() - 0.5 * body_height_,
-                                        0.5 * body_height_);
+        const auto node =
+            reached_.find(reached_.grid.cell_at(point), point.y() - 0.5 * body_height_, 0.5 * body_height_);
         if (!node) {
             return false;
         }

@@ -8,7 +8,6 @@
 #include <Eigen/LU>
 
 #include "scene/lint/closed_doors.h"
-#include "scene/lint/ground_cover.h"
 #include "scene/lint/model_report.h"
 #include "scene/lint/named_sizes.h"
 #include "scene/lint/unit_guess.h"
@@ -167,24 +166,6 @@ void check_outliers(const Model& model, const ModelReport& report, std::vector<M
     }
 }
 
-void check_ground(const Model& model, const Bounds& bounds, std::vector<ModelLint>& out) {
-    constexpr double kRoom = 3.0;  // metres; smaller models are furniture
-    const Eigen::Vector3d size = bounds.max - bounds.min;
-    if (std::min(size.x(), size.z()) < kRoom) {
-        return;
-    }
-    const GroundCover cover = measure_ground(model, bounds);
-    if (lacks_ground(cover)) {
-        const std::string share = short_number(std::round(100.0 * cover.share)) + " %";
-        const std::string what = cover.share >= 0.25
-                                     ? "the largest level surface is a roof, at " + in_metres(cover.height)
-                                     : "the largest level surface is " + share + " of its footprint";
-        out.push_back(
-            {"no-ground", "there is almost no ground to walk on: " + what +
-                              "; add a floor to the model or a solid box to the campus, as --suggest does"});
-    }
-}
-
 void check_doors(const Model& model, std::vector<ModelLint>& out) {
     std::vector<ModelLint::Place> doors;
     for (const ClosedDoor& door : find_closed_doors(model)) {
@@ -231,7 +212,6 @@ std::vector<ModelLint> find_lints(const Model& model, const ModelReport& report)
         return lint.code == "z-up" || lint.code == "odd-scale" || lint.code == "door-size";
     });
     if (upright) {
-        check_ground(model, report.bounds, lints);
         check_doors(model, lints);
     }
     return lints;

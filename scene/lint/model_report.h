@@ -41,7 +41,7 @@ struct TextureReport {
 ///   repeated-name    names shared by several nodes with triangles
 ///   duplicate-faces  triangles with the same vertices and winding as another
 ///   outlier          a few nodes stretch the bounds to four times the extent of the rest
-///   no-ground        nothing to walk on but fragments, tops of walls or a roof
+///   no-ground        nothing to walk on but fragments, tops of walls or a roof (by engine/walkspace)
 ///   solid-door       doors that block a doorway
 ///   door-size        doors of implausible height, or lying on the ground
 ///   stair-riser      stairs with risers too high to climb

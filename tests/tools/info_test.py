@@ -77,7 +77,7 @@ class Info(ProgramCase):
         jsonschema.Draft7Validator.check_schema(SCHEMA)
         self.write("house.obj", HOUSE)
         found = self.info("house.obj")
-        for path in ((), ("nodes", 0), ("materials", 0), ("warnings", 0), ("bounds",), ("warnings", 0, "places", 0)):
+        for path in ((), ("nodes", 0), ("materials", 0), ("warnings", 0), ("bounds",), ("ground",), ("warnings", 0, "places", 0)):
             other = copy.deepcopy(found)
             part = other
             for key in path:
@@ -126,6 +126,34 @@ class Info(ProgramCase):
         for warning in found.values():
             self.assertIn("  %s: %s\n" % (warning["code"], warning["message"]), text)
         self.assertIn("    'Haustür' at 0.000,0.000,0.000\n", text)
+
+    def test_tells_how_much_ground_there_is(self):
+        self.write("floor.obj", box("floor", 1, 0, -0.2, 0, 8, 0, 6) + box("table", 9, 3, 0, 2, 4, 0.7, 4))
+        found = self.info("floor.obj")
+        self.assertAlmostEqual(0, found["ground"]["height"], delta=0.001)
+        self.assertEqual([], found["warnings"])
+        self.assertIn("ground     %s%.1f m² at 0.00 m\n" % ("more than " * found["ground"]["bounded"], found["ground"]["area"]),
+                      self.passes("info", "floor.obj").out)
+        self.write("tower.obj", box("tower", 1, 0, 0, 0, 6, 20, 6))
+        warning, = self.info("tower.obj")["warnings"]
+        self.assertEqual("no-ground", warning["code"])
+        self.assertIn("a roof, ", warning["message"])
+        self.write("chair.obj", box("chair", 1, 0, 0, 0, 1, 1, 1))
+        self.assertIsNone(self.info("chair.obj")["ground"])
+
+    def test_which_third_party_models_lack_ground(self):
+        if not os.path.isdir(SHARED):
+            raise unittest.SkipTest("no " + SHARED)
+        for model, lacks in (("recast/dungeon.obj", False), ("recast/undulating.obj", False),
+                             ("gazebo/parking_garage/meshes/parking_garage.dae", False),
+                             ("gazebo/willowgarage/meshes/willowgarage_visual.dae", False),
+                             ("gazebo/willowgarage/meshes/willowgarage_collision.dae", True),  # walls only
+                             ("small_house/small_house_collision.glb", False), ("delft_3dfier/testarea.obj", False),
+                             ("ufaz/after153/outdoor_campus.obj", False)):
+            with self.subTest(model=model):
+                arguments = ("--up", "z") if "delft" in model else ()
+                found = self.checked(self.passes("info", os.path.join(SHARED, model), "--json", *arguments).out)
+                self.assertEqual(lacks, "no-ground" in [warning["code"] for warning in found["warnings"]])
 
     def test_long_lists_of_places_are_cut_in_the_text(self):
         self.write("doors.obj", "".join(box("door_%d" % i, 1 + 8 * i, i, 0, 0, i + 0.9, 0.05, 0.05) for i in range(8)))

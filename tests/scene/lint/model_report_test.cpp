@@ -49,8 +49,7 @@ TEST_F(ModelReportTest, CountsNodesMeshesAndTriangles) {
     EXPECT_EQ(r.nodes[2].depth, 2);
     EXPECT_EQ(r.nodes[1].triangles, 12U);
     EXPECT_EQ(r.nodes[1].bounds.max, Eigen::Vector3d(10, 3.5, 5));  // with its subtree
-    ASSERT_EQ(r.warnings.size(), 1U) << all_lints(r);
-    EXPECT_EQ(r.warnings[0].code, "no-ground");  // only the roof
+    EXPECT_TRUE(r.warnings.empty()) << all_lints(r);
 }
 
 TEST_F(ModelReportTest, FindsNoLintInAHouseOnALawn) {

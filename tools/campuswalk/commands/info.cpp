@@ -19,6 +19,7 @@
 #include "tools/campuswalk/images/images.h"
 #include "tools/campuswalk/images/rendering_backend.h"
 #include "tools/campuswalk/loading/model_importer.h"
+#include "tools/campuswalk/suggest/ground_lint.h"
 #include "tools/campuswalk/suggest/lint_text.h"
 #include "tools/campuswalk/suggest/suggest_campus.h"
 #include "tools/campuswalk/suggest/upright_model.h"
@@ -59,6 +60,11 @@ Json json_of(const std::optional<scene::GeographicPlace>& place) {
                  : Json();
 }
 
+Json json_of(const std::optional<engine::GroundCover>& ground) {
+    return ground ? Json{{"area", ground->area}, {"bounded", ground->is_bounded}, {"height", ground->height}}
+                  : Json();
+}
+
 const char* name_of(scene::AlphaMode mode) {
     switch (mode) {
         case scene::AlphaMode::mask:
@@ -71,7 +77,8 @@ const char* name_of(scene::AlphaMode mode) {
 }
 
 /// As config/schema/info.schema.json says.
-Json json_of(const ModelReport& report, const std::vector<scene::ModelLint>& warnings) {
+Json json_of(const ModelReport& report, const std::optional<engine::GroundCover>& ground,
+             const std::vector<scene::ModelLint>& warnings) {
     Json json = {{"campuswalk_info", 1},
                  {"file", report.file},
                  {"meshes", report.meshes},
@@ -81,6 +88,7 @@ Json json_of(const ModelReport& report, const std::vector<scene::ModelLint>& war
                  {"bounds", json_of(report.bounds)},
                  {"origin_near", json_of(scene::origin_near(report.bounds))},
                  {"geographic", json_of(report.geographic)},
+                 {"ground", json_of(ground)},
                  {"materials", Json::array()},
                  {"textures", Json::array()},
                  {"nodes", Json::array()},
@@ -124,7 +132,8 @@ std::string text_of(const scene::GeographicPlace& place) {
            " m, at " + engine::fixed(place.at);
 }
 
-void print_text(const ModelReport& report, const std::vector<scene::ModelLint>& warnings) {
+void print_text(const ModelReport& report, const std::optional<engine::GroundCover>& ground,
+                const std::vector<scene::ModelLint>& warnings) {
     const Eigen::Vector3d size = report.bounds.max - report.bounds.min;
     print_line("%s", report.file.c_str());
     print_line("meshes     %zu, placed %zu times", report.meshes, report.placements);
@@ -136,6 +145,9 @@ void print_text(const ModelReport& report, const std::vector<scene::ModelLint>& 
     }
     if (const Eigen::Vector3d origin = scene::origin_near(report.bounds); !origin.isZero(0.0)) {
         print_line("origin     %s m, with `origin: {at: near}`", engine::fixed(origin).c_str());
+    }
+    if (ground) {
+        print_line("ground     %s", ground_text(*ground).c_str());
     }
     if (report.geographic) {
         print_line("on Earth   %s", text_of(*report.geographic).c_str());
@@ -193,16 +205,18 @@ int print_info(const InfoOptions& options) {
         require_writable_png(*options.map, "the picture can't be written here");
     }
     scene::ImportedModel imported = read_model(options.scene, scene::EmptyModel::accept);
-    const ModelReport report = scene::report(imported.model);
+    ModelReport report = scene::report(imported.model);
+    const std::optional<engine::GroundCover> ground = ground_of(imported.model, report);
+    lint_ground(ground, report);
     std::vector<scene::ModelLint> warnings;
     for (const scene::Diagnostic& repair : imported.warnings) {
         warnings.push_back({repair.code, repair.message});
     }
     warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
     if (options.json) {
-        print_lines(json_text(json_of(report, warnings), 2));
+        print_lines(json_text(json_of(report, ground, warnings), 2));
     } else {
-        print_text(report, warnings);
+        print_text(report, ground, warnings);
     }
     if (options.map) {
         draw_map(options, upright_for_map(options.scene, report, std::move(imported.model)));

@@ -31,9 +31,9 @@ std::string family_of(const std::string& name) {
 using GroupKey = std::tuple<std::string, engine::BarrierKind, long, std::string>;
 
 GroupKey key_of(const scene::Campus& campus, const engine::Barrier& barrier, const std::string& on) {
-    const bool is_about_object =
-        barrier.object && barrier.kind != engine::BarrierKind::riser &&
-        barrier.kind != engine::BarrierKind::slope && barrier.kind != engine::BarrierKind::several;
+    const bool is_about_object = barrier.object && barrier.kind != engine::BarrierKind::riser &&
+                                 barrier.kind != engine::BarrierKind::slope &&
+                                 barrier.kind != engine::BarrierKind::several;
     return {family_of(on), barrier.kind, std::lround(barrier.measured / kSameNumber),
             is_about_object ? family_of(engine::object_text(campus, *barrier.object, barrier.at)) : ""};
 }

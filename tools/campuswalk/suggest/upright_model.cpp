@@ -5,6 +5,7 @@
 #include "scene/lint/named_sizes.h"
 #include "scene/model/name_words.h"
 #include "tools/campuswalk/loading/model_importer.h"
+#include "tools/campuswalk/suggest/ground_lint.h"
 
 namespace campuswalk::tools {
 
@@ -38,6 +39,7 @@ UprightModel load_upright(const scene::SceneFile& file) {
         scene::move_origin(upright.models[0], upright.origin);
         upright.report = scene::report(upright.models[0]);
     }
+    lint_ground(ground_of(upright.models[0], upright.report), upright.report);
     return upright;
 }
 

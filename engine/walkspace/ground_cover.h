@@ -1,0 +1,25 @@
+#pragma once
+
+#include "engine/walkspace/worker_worlds.h"
+
+namespace campuswalk::engine {
+
+/// Connected ground that an adult walks about on.
+struct GroundCover {
+    double area = 0.0;         ///< m², each level counted; without its edges
+    bool is_bounded = false;   ///< there is more: it wasn't explored any further
+    double share = 0.0;        ///< of the world's footprint, at most 1
+    double height = 0.0;       ///< the 5th percentile of its heights
+    double share_below = 0.0;  ///< of the area of the world's triangles: over 1 m below that
+};
+
+/// The largest ground of the world. Where it may be is found by looking at the middles of wide columns; then
+/// it is walked about on, until there is more of it than needs to be known.
+GroundCover measure_ground(const WorkerWorlds& worlds);
+
+/// Whether it is too small to be ground (fragments, tops of walls), or a roof.
+bool lacks_ground(const GroundCover& cover);
+/// Whether most of the world lies below it.
+bool is_roof(const GroundCover& cover);
+
+}  // namespace campuswalk::engine
