@@ -22,7 +22,8 @@ namespace {
 
 /// Coarser than the walk space; its diagonal is a little less than the body's width. Metres.
 constexpr double kGroundCell = 0.42;
-/// More isn't explored than this share of the footprint, of small ones this much, of large ones that much, m².
+/// More isn't explored than this share of the footprint, of small ones this much, of large ones that much,
+/// m².
 constexpr double kLeastEnough = 50.0;
 constexpr double kEnoughGround = 500.0;
 constexpr double kEnoughShare = 0.4;
@@ -69,8 +70,8 @@ double column_width(const collision::World& world) {
         boxes += size.x() * size.z();
     });
     const Vec3 size = world.bounds().max - world.bounds().min;
-    return std::max({1.0, std::sqrt(size.x() * size.z() / kColumns), size.x() / kColumns,
-                     size.z() / kColumns, std::sqrt(boxes / kSurfaces)});
+    return std::max({1.0, std::sqrt(size.x() * size.z() / kColumns), size.x() / kColumns, size.z() / kColumns,
+                     std::sqrt(boxes / kSurfaces)});
 }
 
 /// The area of the columns in which there is anything.
@@ -122,7 +123,8 @@ std::vector<double> inner_heights(const WalkSpace& space) {
 }
 
 GroundCover cover_of(const collision::World& world, const WalkSpace& space, double footprint) {
-    constexpr double kDrop = 1.0;  // metres
+    constexpr double kDrop =
+        1.05;  // metres: a metre below the ground, on which the feet rest a little higher
     std::vector<double> heights = inner_heights(space);
     if (heights.empty()) {
         return {};

@@ -59,8 +59,8 @@ std::optional<engine::GroundCover> ground_of(const scene::Model& model, const sc
         return std::nullopt;
     }
     const std::size_t workers = std::max(1U, std::thread::hardware_concurrency());
-    engine::GroundCover ground = engine::measure_ground(engine::WorkerWorlds(
-        world, workers, [] { return std::make_unique<collision::LinearBroadPhase>(); }));
+    engine::GroundCover ground = engine::measure_ground(
+        engine::WorkerWorlds(world, workers, [] { return std::make_unique<collision::LinearBroadPhase>(); }));
     ground.height += middle.y();
     return ground;
 }
@@ -69,10 +69,10 @@ void lint_ground(const std::optional<engine::GroundCover>& ground, scene::ModelR
     if (!ground || !engine::lacks_ground(*ground)) {
         return;
     }
-    const std::string most = engine::is_roof(*ground) ? "a roof, " + ground_text(*ground)
-                                                      : ground_text(*ground) + ", " +
-                                                            engine::fixed(100.0 * ground->share, 0) +
-                                                            " % of its footprint";
+    const std::string most =
+        engine::is_roof(*ground)
+            ? "a roof, " + ground_text(*ground)
+            : ground_text(*ground) + ", " + engine::fixed(100.0 * ground->share, 0) + " % of its footprint";
     report.warnings.push_back(
         {"no-ground", "there is almost no ground to walk on: the most that one can walk about on is " + most +
                           "; add a floor to the model or a solid box to the campus, as --suggest does"});
