@@ -121,6 +121,20 @@ class Explore(ProgramCase):
         self.report("--disable", "shed/gate-leaf", "--min-width", "1.3", "--fail-on", "narrow", code=1)
         self.assertEqual([], self.report("--disable", "shed/gate-leaf", "--min-width", "1.1", "--fail-on", "narrow")["narrow"])
 
+    def test_a_narrow_passage_has_a_walk_by_a_wide_visitor(self):
+        no_gate = YARD.replace(box("shed/gate-leaf", (4.4, 0, -5.13), (5.05, 2.2, -5.07)), "")
+        self.write("yard.campus.yaml", no_gate)
+        self.passes("explore", "yard.campus.yaml", "--min-width", "1.3", "--write-walks", "walks",
+                    "--avatar", "{profile: adult, radius: 0.35}")
+        walk, = [name for name in os.listdir(self.path("walks")) if "-narrow-" in name]
+        self.assertIn(b"radius: 0.65", self.read("walks/" + walk))
+        self.passes("run", "walks/" + walk, "--rendering-backend", "none")
+        self.write("yard.campus.yaml", no_gate.replace(box("shed/right", (5.6, 0, -5.2), (9.8, 2.5, -5)),
+                                                       box("shed/right", (7.6, 0, -5.2), (9.8, 2.5, -5))))
+        done = self.run_program("run", "walks/" + walk, "--rendering-backend", "none")
+        self.assertEqual(1, done.code, done.out)
+        self.assertIn("expected to fail", done.out + done.err)
+
     def test_coverage_by_walks(self):
         walk = "campus: yard.campus.yaml\navatar: adult\nsteps:\n  - spawn: start\n  - walk_to: [-8, 8]\n"
         os.mkdir(self.path("walks"))

@@ -4,12 +4,14 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <regex>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "collision/world/bullet_broad_phase.h"
 #include "config/loader/load_run.h"
+#include "engine/events/decimals.h"
 #include "engine/walkspace/walk_report.h"
 #include "scene/base/atomic_file.h"
 #include "scene/base/glob.h"
@@ -175,13 +177,23 @@ void write_plans(const scene::Campus& campus, const engine::WalkReport& report,
     }
 }
 
-void write_walks(const ExploreOptions& options, const engine::WalkReport& report,
-                 const std::vector<explore::Finding>& findings) {
+/// The avatar of `--avatar`, as wide as `--min-width`: as a walk says it.
+std::string wide_avatar(const ExploreOptions& options, const engine::AvatarProfile& avatar) {
+    static const std::regex kSize(R"(,\s*(radius|height)\s*:[^,}]*)");  // would be there twice
+    const std::string text = std::regex_replace(options.avatar, kSize, "");
+    const std::size_t end = text.rfind('}');
+    const std::string profile = end == std::string::npos ? "{profile: " + text : text.substr(0, end);
+    return profile + ", radius: " + engine::fixed(0.5 * options.min_width, 4) +
+           ", height: " + engine::fixed(std::max(avatar.height, options.min_width), 4) + "}";
+}
+
+void write_walks(const ExploreOptions& options, const engine::AvatarProfile& avatar,
+                 const engine::WalkReport& report, const std::vector<explore::Finding>& findings) {
     std::error_code ignored;
     const std::filesystem::path campus = std::filesystem::proximate(
         std::filesystem::absolute(options.campus), std::filesystem::absolute(*options.walks), ignored);
-    for (const explore::MinimalWalk& walk :
-         explore::minimal_walks(report, findings, {campus.generic_string(), options.avatar})) {
+    for (const explore::MinimalWalk& walk : explore::minimal_walks(
+             report, findings, {campus.generic_string(), options.avatar, wide_avatar(options, avatar)})) {
         scene::write_file_atomically(*options.walks / (walk.name + std::string(config::kWalkSuffix)),
                                      walk.yaml);
     }
@@ -225,7 +237,7 @@ int explore_campus(const ExploreOptions& options) {
         write_plans(*campus, report, findings, *options.map);
     }
     if (options.walks) {
-        write_walks(options, report, findings);
+        write_walks(options, avatar, report, findings);
     }
     const bool covered = !options.fail_under || 100.0 * coverage->share >= *options.fail_under;
     return is_accepted(options, report, findings) && covered ? kPass : kExpectationFailed;

@@ -66,9 +66,18 @@ std::optional<std::string> yaml_of(const WalkReport& report, const Finding& find
             const Vec3& from = finding.barrier->from;
             return steps_yaml(from, island.nearest_to(from), "blocked", finding);
         }
-        case FindingKind::narrow:
+        case FindingKind::narrow: {
+            const auto narrow = std::ranges::find_if(report.narrow, [&](const engine::NarrowPassage& entry) {
+                return entry.passage && entry.passage->at == finding.at;
+            });
+            if (narrow == report.narrow.end() || narrow->passage->kind == engine::BarrierKind::solid) {
+                return std::nullopt;
+            }
+            const Vec3& from = narrow->passage->from;
+            return steps_yaml(from, narrow->beyond.nearest_to(from), "blocked", finding);
+        }
         case FindingKind::hot:
-            return std::nullopt;  // this visitor passes: a wider one doesn't, and a walk tells no costs
+            return std::nullopt;  // a walk tells no costs
         case FindingKind::trigger:
             return "status: {is: xfail, because: " + json_text(finding.text) +
                    ", failures: [never]}\nsteps:\n  - spawn: {at: " + list_of(finding.at) +
@@ -101,11 +110,12 @@ std::vector<MinimalWalk> minimal_walks(const WalkReport& report, const std::vect
     for (std::size_t i = 0; i < findings.size(); ++i) {
         const Finding& finding = findings[i];
         if (const auto steps = yaml_of(report, finding)) {
-            walks.push_back(
-                {file_name(i + 1, finding), "# Finding " + std::to_string(i + 1) +
-                                                " of `campuswalk explore`. Once it is mended, " +
-                                                "take away `status`.\ncampus: " + json_text(header.campus) +
-                                                "\navatar: " + header.avatar + "\n" + *steps});
+            walks.push_back({file_name(i + 1, finding),
+                             "# Finding " + std::to_string(i + 1) +
+                                 " of `campuswalk explore`. Once it is mended, " +
+                                 "take away `status`.\ncampus: " + json_text(header.campus) + "\navatar: " +
+                                 (finding.kind == FindingKind::narrow ? header.wide_avatar : header.avatar) +
+                                 "\n" + *steps});
         }
     }
     return walks;

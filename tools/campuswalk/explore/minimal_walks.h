@@ -19,6 +19,8 @@ struct MinimalWalk {
 struct WalkHeader {
     std::string campus;  ///< the campus file, from the walks' folder
     std::string avatar;  ///< as written after `avatar:`
+    /// Of the visitor for whom passages are too narrow, likewise.
+    std::string wide_avatar;
 };
 
 /// A walk for each finding that one can be shown of by walking: none for what is inside an object. They are
