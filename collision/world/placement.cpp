@@ -225,8 +225,8 @@ std::optional<Vec3> free_place(const World& world, const QueryFilter& filter, co
     return std::nullopt;
 }
 
-bool is_way_free(const World& world, const QueryFilter& filter, const Vec3& foot, double radius,
-                 double height, const Vec3& move, QueryStatistics* statistics) {
+bool is_path_free(const World& world, const QueryFilter& filter, const Vec3& foot, double radius,
+                  double height, const Vec3& move, QueryStatistics* statistics) {
     const Segment axis = upright_axis(foot, radius, height);
     Aabb swept;
     for (const Vec3& end : {axis.a, axis.b}) {

@@ -22,8 +22,8 @@ std::optional<Vec3> free_place(const World& world, const QueryFilter& filter, co
 
 /// Whether a capsule that stands at `foot` can be moved straight by `move` and touches nothing on its way.
 /// What it touches at the start and moves away from doesn't count.
-bool is_way_free(const World& world, const QueryFilter& filter, const Vec3& foot, double radius,
-                 double height, const Vec3& move, QueryStatistics* statistics = nullptr);
+bool is_path_free(const World& world, const QueryFilter& filter, const Vec3& foot, double radius,
+                  double height, const Vec3& move, QueryStatistics* statistics = nullptr);
 
 /// Where a body ends up that was to be placed at a position.
 struct FreePlacement {

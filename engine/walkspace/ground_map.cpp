@@ -18,6 +18,13 @@ namespace {
 constexpr std::array<std::array<int, 2>, 9> kPoints{
     {{0, 0}, {1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
 
+/// Nobody stands on a surface that lies so little below another, metres: the ground under a pavement.
+constexpr float kCovered = 0.3F;
+
+/// What lies lower above the ground is nothing that sweeps care for, metres: slopes, bumps, and for bodies
+/// that climb nothing low kerbs, too. Whoever walks there finds out.
+constexpr double kSweptAbove = 0.15;
+
 /// Points with so much more room than the body takes are preferred, metres: lines between them touch nothing.
 constexpr double kRoomAround = 0.07;
 
@@ -69,6 +76,18 @@ std::uint32_t GroundMap::tile_of(const GridCell& first_cell) {
     return number;
 }
 
+void GroundMap::drop_covered(std::vector<Level>& levels) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        const bool covered = i + 1 < levels.size() && levels[i + 1].cell == levels[i].cell &&
+                             levels[i + 1].y - levels[i].y < kCovered;
+        if (!covered) {
+            levels[count++] = levels[i];
+        }
+    }
+    levels.resize(count);
+}
+
 void GroundMap::fill(Tile& tile) const {
     ExploreSettings settings;
     settings.strides.body = body_;
@@ -86,6 +105,7 @@ void GroundMap::fill(Tile& tile) const {
         }
     }
     std::ranges::stable_sort(tile.levels, {}, &Level::cell);
+    drop_covered(tile.levels);
     for (const Level& level : tile.levels) {
         ++tile.first[level.cell + 1U];
     }
@@ -141,10 +161,11 @@ std::optional<std::uint8_t> GroundMap::free_point(const Tile& tile, const Level&
     return std::nullopt;
 }
 
-bool GroundMap::is_way_free(const Vec3& from, const Vec3& to, double beside) const {
-    const Vec3 foot = from + Vec3(0.0, lift_, 0.0);
-    const double height = std::max(body_.height - lift_, 2.0 * (body_.radius + beside));
-    return collision::is_way_free(world_, filter_, foot, body_.radius + beside, height, to - from);
+bool GroundMap::is_path_free(const Vec3& from, const Vec3& to, double beside) const {
+    const double lift = std::max(lift_, kSweptAbove);
+    const Vec3 foot = from + Vec3(0.0, lift, 0.0);
+    const double height = std::max(body_.height - lift, 2.0 * (body_.radius + beside));
+    return collision::is_path_free(world_, filter_, foot, body_.radius + beside, height, to - from);
 }
 
 GroundMap& GroundMaps::of(const collision::World& world, const collision::MoverSettings& body,

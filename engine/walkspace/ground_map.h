@@ -51,8 +51,8 @@ public:
     /// Whether the body has room on the surface, or above what it could climb from there.
     bool has_room(const Spot& spot);
     /// Whether it has room all the way from one foot to another, `beside` metres more than itself. Only above
-    /// what it could climb.
-    bool is_way_free(const collision::Vec3& from, const collision::Vec3& to, double beside) const;
+    /// what it could climb, and 15 cm.
+    bool is_path_free(const collision::Vec3& from, const collision::Vec3& to, double beside) const;
 
 private:
     static constexpr int kCells = 32;  ///< along a tile
@@ -72,6 +72,8 @@ private:
 
     std::uint32_t tile_of(const GridCell& first_cell);
     void fill(Tile& tile) const;
+    /// `levels`: by cell, from low to high.
+    static void drop_covered(std::vector<Level>& levels);
     const Level& level(const Spot& spot) const { return tiles_[spot.tile]->levels[spot.number]; }
     /// Number of the first point at which the body has room.
     std::optional<std::uint8_t> free_point(const Tile& tile, const Level& level) const;

@@ -96,7 +96,7 @@ public:
             return straight && is_nearly_straight(*straight);
         };
         const bool looks_free =
-            straight_path(map_, state_.foot, target_.point, guess_rules(), -kSlide).has_value();
+            straight_path(map_, state_.foot, target_.point, guess_rules(), -slide_allowed()).has_value();
         if (looks_free && goes_straight()) {
             append(*straight);
             return std::nullopt;
@@ -206,6 +206,8 @@ private:
         route_.pieces.resize(mark.pieces);
         route_.path.resize(mark.points);
     }
+
+    double slide_allowed() const { return std::min(kSlide, 0.5 * settings_.strides.body.radius); }
 
     GuessRules guess_rules() const {
         const collision::MoverSettings& body = settings_.strides.body;

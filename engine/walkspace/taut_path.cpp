@@ -22,7 +22,7 @@ constexpr double kSample = 0.5;
 constexpr int kPulls = 4;
 /// Lines pass things by so much: the body comes to each vertex but for a few centimetres, and a line from
 /// there must not touch what it goes round, metres.
-constexpr double kCornerRoom = 0.06;
+constexpr double kVertexRoom = 0.06;
 
 /// The ground below a line may be so far from the line that the body is swept along, metres.
 constexpr double kUneven = 0.05;
@@ -38,11 +38,11 @@ public:
     void add(double share, double height) { points_.push_back({share, height}); }
 
     /// By sweeps over as much of the ground as is even.
-    bool is_way_free(const GroundMap& map, double beside) const {
+    bool is_path_free(const GroundMap& map, double beside) const {
         std::size_t at = 0;
         while (at + 1 < points_.size()) {
             const std::size_t next = end_of_even(at);
-            if (!map.is_way_free(foot(at), foot(next), beside)) {
+            if (!map.is_path_free(foot(at), foot(next), beside)) {
                 return false;
             }
             at = next;
@@ -139,11 +139,12 @@ private:
         if (to == from + 1) {
             return Path{path_[to]};
         }
-        auto spots = straight_path(map_, map_.foot(path_[from]), map_.foot(path_[to]), rules_, kCornerRoom);
-        if (spots && (spots->empty() || spots->back() != path_[to])) {
-            return std::nullopt;  // it ends on another level
+        auto spots = straight_path(map_, map_.foot(path_[from]), map_.foot(path_[to]), rules_, kVertexRoom);
+        if (!spots || spots->empty()) {
+            return std::nullopt;
         }
-        return spots;
+        const double apart = map_.height(spots->back()) - map_.height(path_[to]);
+        return std::abs(apart) <= kFootLevel ? spots : std::nullopt;  // else on another level
     }
 
     template <typename Line>
@@ -193,7 +194,7 @@ std::optional<Path> straight_path(GroundMap& map, const Vec3& from, const Vec3& 
         }
         most_up = rules.most_up;
     }
-    return profile.is_way_free(map, beside) ? std::optional(spots) : std::nullopt;
+    return profile.is_path_free(map, beside) ? std::optional(spots) : std::nullopt;
 }
 
 Path pulled_taut(GroundMap& map, Path path, const GuessRules& rules) {

@@ -18,14 +18,21 @@ std::optional<std::vector<GroundMap::Spot>> straight_path(GroundMap& map, const 
                                                           double beside = 0.0);
 
 /// The largest number up to `most` for which something works, found by ever larger leaps and then by halving
-/// the last one: as if what works for a number worked for all below. It does for 1, which isn't asked.
+/// the one after the last that worked. It does for 1, which isn't asked. What doesn't work for a number may
+/// work for larger ones: round a column, one sees nothing for a while.
 template <typename Works>
 std::size_t farthest_by_leaps(std::size_t most, const Works& works) {
     std::size_t good = 1;
     std::size_t bad = most + 1;
-    while (bad > most && good < most) {
-        const std::size_t next = std::min(2 * good, most);
-        (works(next) ? good : bad) = next;
+    for (std::size_t last = 1; last < most;) {
+        const std::size_t next = std::min(2 * last, most);
+        if (works(next)) {
+            good = next;
+            bad = most + 1;
+        } else {
+            bad = std::min(bad, next);
+        }
+        last = next;
     }
     while (good + 1 < bad) {
         const std::size_t middle = good + (bad - good) / 2;

@@ -121,7 +121,7 @@ TEST(Obstruction, RespectsTheFilter) {
     EXPECT_FALSE(obstruction_at(world, {0, 0, 0}, {Detection::trigger, 1U << 4U}));
 }
 
-TEST(IsWayFree, AgreesWithThePenetrationOracleAlongTheWay) {
+TEST(IsPathFree, AgreesWithThePenetrationOracleAllAlong) {
     Dice dice(106);
     int free = 0;
     int blocked = 0;
@@ -140,7 +140,7 @@ TEST(IsWayFree, AgreesWithThePenetrationOracleAlongTheWay) {
                 const Vec3 at = foot + k / 100.0 * move;
                 deepest = std::max(deepest, oracle.worst_penetration(at, kRadius, kHeight).depth);
             }
-            const bool is_free = is_way_free(*world, {}, foot, kRadius, kHeight, move);
+            const bool is_free = is_path_free(*world, {}, foot, kRadius, kHeight, move);
             // Between two samples it may come nearer by half of what it moves by.
             if (deepest > 1e-8) {
                 ASSERT_FALSE(is_free) << w << ' ' << i;
@@ -154,15 +154,15 @@ TEST(IsWayFree, AgreesWithThePenetrationOracleAlongTheWay) {
     EXPECT_GT(blocked, worlds);
 }
 
-TEST(IsWayFree, MayMoveAwayFromWhatItTouches) {
+TEST(IsPathFree, MayMoveAwayFromWhatItTouches) {
     World world(std::make_unique<LinearBroadPhase>());
     add_object(world, Box{{1, 1, 1}}, {-1.25, 1, 0});  // overlaps the body by 5 cm
-    EXPECT_TRUE(is_way_free(world, {}, {0, 0.1, 0}, kRadius, kHeight, {2, 0, 0}));
-    EXPECT_TRUE(is_way_free(world, {}, {0, 0.1, 0}, kRadius, kHeight, {0, 0, 2}));
-    EXPECT_FALSE(is_way_free(world, {}, {0, 0.1, 0}, kRadius, kHeight, {-0.01, 0, 0}));
+    EXPECT_TRUE(is_path_free(world, {}, {0, 0.1, 0}, kRadius, kHeight, {2, 0, 0}));
+    EXPECT_TRUE(is_path_free(world, {}, {0, 0.1, 0}, kRadius, kHeight, {0, 0, 2}));
+    EXPECT_FALSE(is_path_free(world, {}, {0, 0.1, 0}, kRadius, kHeight, {-0.01, 0, 0}));
     QueryFilter filter;
     filter.ignored_layers = 1;
-    EXPECT_TRUE(is_way_free(world, filter, {0, 0.1, 0}, kRadius, kHeight, {-2, 0, 0}));
+    EXPECT_TRUE(is_path_free(world, filter, {0, 0.1, 0}, kRadius, kHeight, {-2, 0, 0}));
 }
 
 TEST(FreePlace, IsTheRequestedPlaceIfThatIsFree) {

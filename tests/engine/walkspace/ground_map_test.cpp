@@ -165,6 +165,22 @@ TEST(GuessedPath, KeepsAwayFromWhatIsBlocked) {
     EXPECT_EQ(std::ranges::find(*round, rules.blocked.front()), round->end());
 }
 
+/// Of straight lines, each to the farthest spot of the path that one leads to.
+double length_of_lines(GroundMap& map, const std::vector<GroundMap::Spot>& path) {
+    double length = 0.0;
+    Vec3 at = map.foot(path.front());
+    for (std::size_t i = 1; i < path.size();) {
+        std::size_t last = i;
+        for (std::size_t k = i; k < path.size(); ++k) {
+            last = straight_path(map, at, map.foot(path[k]), {}) ? k : last;
+        }
+        length += (map.foot(path[last]) - at).norm();
+        at = map.foot(path[last]);
+        i = last + 1;
+    }
+    return length;
+}
+
 TEST(TautPath, LiesRoundABlock) {
     const Block block;
     GroundMap map = block.map();
@@ -176,18 +192,7 @@ TEST(TautPath, LiesRoundABlock) {
     // Over the two vertices that are a body's radius away from the block's.
     const double r = block.body.radius;
     const double around = 2.0 * std::sqrt((3.0 - r) * (3.0 - r) + (1.0 + r) * (1.0 + r)) + 2.0 + 2.0 * r;
-    double length = 0.0;
-    Vec3 at = map.foot(taut.front());
-    for (std::size_t i = 1; i < taut.size();) {
-        std::size_t last = i;
-        for (std::size_t k = i; k < taut.size(); ++k) {
-            const auto line = straight_path(map, at, map.foot(taut[k]), {});
-            last = line ? k : last;
-        }
-        length += (map.foot(taut[last]) - at).norm();
-        at = map.foot(taut[last]);
-        i = last + 1;
-    }
+    const double length = length_of_lines(map, taut);
     EXPECT_LT(length, around + 0.2) << "along axes and diagonals it would be 0.5 more";
     EXPECT_GT(length, around - map.grid().cell) << "its ends are in the cells of those asked for";
 }
@@ -222,6 +227,35 @@ TEST(TautPath, LeadsUpStairsAndOverKerbs) {
     EXPECT_TRUE(straight_path(map, {-4, 0, 0.1}, {3.9, 1.7, 0.3}, {}, 0.05));
 }
 
+TEST(TautPath, LeadsOverLevelGroundForBodiesThatClimbNothing) {
+    const Block block;
+    for (const double step : {0.0, 0.02}) {
+        collision::MoverSettings body;
+        body.step_height = step;
+        GroundMap map(block.campus.world, body, {});
+        EXPECT_TRUE(straight_path(map, {-4, 0, 3}, {4, 0, 3}, {}, 0.05)) << step;
+        EXPECT_FALSE(straight_path(map, {-4, 0, 0}, {4, 0, 0}, {})) << step;
+    }
+}
+
+TEST(TautPath, LiesStraightOnAPavement) {
+    scene::Campus campus = level_campus(10.0);  // with ground below the pavement, too
+    add_box(campus, "pavement", {-6, 0, -6}, {6, 0.06, 6});
+    GroundMap map(campus.world, {}, {});
+    const auto guess = guess_path(map, {-5, 0.06, 0.1}, {"", {5, 0.06, 2.1}, true}, {});
+    ASSERT_TRUE(guess);
+    const auto taut = pulled_taut(map, *guess, {});
+    const double straight = (map.foot(taut.back()) - map.foot(taut.front())).norm();
+    EXPECT_NEAR(length_of_lines(map, taut), straight, 1e-9);
+    double farthest = 0.0;  // from the line
+    for (const GroundMap::Spot& spot : taut) {
+        const Vec3 along = (map.foot(taut.back()) - map.foot(taut.front())) / straight;
+        const Vec3 p = map.foot(spot) - map.foot(taut.front());
+        farthest = std::max(farthest, (p - p.dot(along) * along).norm());
+    }
+    EXPECT_LT(farthest, 0.2) << "the way from cell to cell strays by 0.8 m";
+}
+
 TEST(TautPath, IsBlockedByAWall) {
     const Block block;
     GroundMap map = block.map();
@@ -235,6 +269,38 @@ TEST(Leaps, FindTheFarthest) {
             EXPECT_EQ(farthest_by_leaps(most, [&](std::size_t n) { return n <= limit; }), limit);
         }
     }
+}
+
+TEST(Leaps, LookBeyondWhatDoesNotWork) {
+    const auto works = [](std::size_t n) { return n <= 3 || (n >= 20 && n <= 50); };
+    EXPECT_EQ(farthest_by_leaps(100, works), 50U);
+}
+
+// The shortest way from cell to cell runs up to the column's front. A string leaves the gate's post for its
+// side.
+TEST(TautPath, LiesRoundAColumnBehindAGate) {
+    scene::Campus campus = level_campus(30.0);
+    constexpr double kColumn = 3.0;
+    for (const double side : {-1.0, 1.0}) {
+        add_box(campus, "post", {side * 1.5 - 0.5, 0, 9}, {side * 1.5 + 0.5, 3, 10});
+    }
+    add_object(campus, "column", collision::Capsule{kColumn, 6.0}, {0, 1, 0});
+    GroundMap map(campus.world, {}, {});
+    const Vec3 from(0.1, 0, 25);
+    const Vec3 to(0.1, 0, -25);
+    const auto guess = guess_path(map, from, {"", to, true}, {});
+    ASSERT_TRUE(guess);
+    const double length = length_of_lines(map, pulled_taut(map, *guess, {}));
+    // A string round what is a body's radius away from the post and the column.
+    const double r = collision::MoverSettings().radius;
+    const Vec3 post(1.0 - r, 0, 9.0);
+    const double round = kColumn + r;
+    const auto tangent = [&](const Vec3& p) { return std::sqrt(p.squaredNorm() - round * round); };
+    const auto seen = [&](const Vec3& p) { return std::acos(round / p.norm()); };
+    const double turn = std::acos(post.dot(to) / (post.norm() * to.norm())) - seen(post) - seen(to);
+    const double string = (post - from).norm() + tangent(post) + turn * round + tangent(to);
+    EXPECT_LT(length, string + 0.25);
+    EXPECT_GT(length, string - 2.0 * map.grid().cell);
 }
 
 }  // namespace
