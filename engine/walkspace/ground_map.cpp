@@ -53,9 +53,12 @@ bool GroundMap::is_for(const collision::World& world, const collision::MoverSett
 }
 
 GroundMap::Spots GroundMap::spots_in(const GridCell& cell) {
-    const GridCell first = first_of_square(cell, kCells);
-    if (tiles_.empty() || tiles_[latest_]->first_cell != first) {
-        latest_ = tile_of(first);
+    const auto is_in = [&](const Tile& tile) {
+        return cell.x >= tile.first_cell.x && cell.x - tile.first_cell.x < kCells &&
+               cell.z >= tile.first_cell.z && cell.z - tile.first_cell.z < kCells;
+    };
+    if (tiles_.empty() || !is_in(*tiles_[latest_])) {
+        latest_ = tile_of(first_of_square(cell, kCells));
     }
     const Tile& tile = *tiles_[latest_];
     const auto at =

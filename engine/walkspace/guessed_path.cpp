@@ -26,16 +26,19 @@ constexpr double kFarthestApart = 1e5;
 constexpr std::size_t kMostSpots = 400'000;
 
 struct Open {
-    std::uint32_t estimate = 0;  ///< of the whole way
-    std::uint32_t cost = 0;      ///< so far
+    /// The estimate of the whole way, then what is left of it: of two with the same estimate, the one that is
+    /// farther on is the better one.
+    std::uint64_t order = 0;
+    std::uint32_t cost = 0;  ///< so far
     Spot spot;
     GridCell cell;
 };
 
-/// The better one first, at the top of a heap: of two with the same estimate, the one that is farther on.
+/// The better one first, at the top of a heap.
 bool is_worse(const Open& a, const Open& b) {
-    return std::tuple(a.estimate, b.cost, a.cell, a.spot.number) >
-           std::tuple(b.estimate, a.cost, b.cell, b.spot.number);
+    return a.order != b.order
+               ? a.order > b.order
+               : std::tuple(a.cell, a.spot.number) > std::tuple(b.cell, b.spot.number);
 }
 
 class Search {
@@ -162,7 +165,9 @@ private:
         }
         mark.cost = cost;
         mark.from = from;
-        open_.push_back({cost + estimate(cell), cost, spot, cell});
+        const std::uint32_t left = estimate(cell);
+        const std::uint64_t whole = cost + left;
+        open_.push_back({whole << 32U | left, cost, spot, cell});
         std::ranges::push_heap(open_, is_worse);
     }
 
