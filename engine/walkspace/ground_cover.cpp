@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
-#include <variant>
+#include <limits>
+#include <utility>
 #include <vector>
 
-#include "collision/mesh/mesh_collider.h"
 #include "collision/world/cast.h"
 #include "engine/script/avatar_body.h"
 #include "engine/walkspace/explore.h"
 #include "engine/walkspace/node_numbers.h"
+#include "engine/walkspace/triangle_density.h"
 #include "engine/walkspace/unreached_ground.h"
 
 namespace campuswalk::engine {
@@ -25,10 +25,13 @@ constexpr double kGroundCell = 0.42;
 /// More isn't explored than this share of the footprint, of small ones this much, of large ones that much,
 /// m².
 constexpr double kLeastEnough = 50.0;
-constexpr double kEnoughGround = 500.0;
+constexpr double kEnoughGround = 250.0;
 constexpr double kEnoughShare = 0.4;
-/// From so many places at most.
-constexpr std::size_t kMostPlaces = 6;
+/// From so many places at most: rooms behind closed doors.
+constexpr std::size_t kMostPlaces = 64;
+/// Nodes, each times the triangles near it: a stride among many is slow, as the mover looks at them in every
+/// tick. A quarter of a second.
+constexpr double kMostWork = 150'000.0;
 /// Places are looked for in so many columns, at least a metre wide.
 constexpr double kColumns = 2'500.0;
 constexpr double kSurfaces = 20'000.0;
@@ -45,21 +48,6 @@ ExploreSettings settings_for_lint() {
     // None: but when it looks for a goal it explores in short rounds, and stops soon after the most nodes.
     settings.is_goal = [](const GridCell&, double) { return false; };
     return settings;
-}
-
-/// Calls `visit` for the triangles of the world's meshes.
-template <typename Visit>
-void visit_triangles(const collision::World& world, const Visit& visit) {
-    for (std::size_t i = 0; i < world.size(); ++i) {
-        const collision::Object& object = world.object(static_cast<collision::ObjectId>(i));
-        const auto* shape = std::get_if<std::shared_ptr<const collision::MeshCollider>>(&object.shape);
-        const std::size_t triangles = shape == nullptr ? 0 : (*shape)->mesh().triangles.size();
-        for (std::uint32_t t = 0; t < triangles; ++t) {
-            const collision::Triangle own = collision::vertices((*shape)->mesh(), t);
-            const collision::Pose& X = object.X_world_shape;
-            visit(Vec3(X * own.a), Vec3(X * own.b), Vec3(X * own.c));
-        }
-    }
 }
 
 /// So wide that there are no more columns, and no more surfaces in them where these lie above one another.
@@ -122,53 +110,163 @@ std::vector<double> inner_heights(const WalkSpace& space) {
     return heights;
 }
 
-GroundCover cover_of(const collision::World& world, const WalkSpace& space, double footprint) {
+/// Of ground all of which is an edge, `height` is the height.
+GroundCover cover_of(const collision::World& world, const WalkSpace& space, double footprint, double height) {
     constexpr double kDrop =
         1.05;  // metres: a metre below the ground, on which the feet rest a little higher
     std::vector<double> heights = inner_heights(space);
-    if (heights.empty()) {
-        return {};
-    }
-    const auto low = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 20);
-    std::ranges::nth_element(heights, low);
     GroundCover cover;
+    cover.height = height;
+    if (!heights.empty()) {
+        const auto low = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 20);
+        std::ranges::nth_element(heights, low);
+        cover.height = *low;
+    }
     cover.area = static_cast<double>(heights.size()) * space.grid.cell * space.grid.cell;
     cover.is_bounded = std::ranges::find(space.bounds, Bound::nodes) != space.bounds.end();
     cover.share = footprint > 0.0 ? std::min(cover.area / footprint, 1.0) : 0.0;
-    cover.height = *low;
     cover.share_below = share_of_area_below(world, cover.height - kDrop);
     return cover;
 }
 
-/// A low spot: rather on the floor than on a table.
-Vec3 start_on(const Island& island) {
-    std::vector<UnreachedSpot> spots = island.spots;
-    const auto low = spots.begin() + static_cast<std::ptrdiff_t>(spots.size() / 10);
-    std::ranges::nth_element(spots, low, {}, [](const UnreachedSpot& spot) { return spot.at.foot.y(); });
-    return low->at.foot;
-}
+/// Walks about on one piece of ground after another, and adds up what isn't a roof.
+class GroundSurvey {
+public:
+    explicit GroundSurvey(const WorkerWorlds& worlds)
+        : worlds_(worlds),
+          settings_(settings_for_lint()),
+          columns_(WalkGrid{column_width(worlds[0])}),
+          footprint_(footprint(worlds[0], settings_.solids)),
+          density_(worlds[0]) {
+        const double enough = std::clamp(kEnoughShare * footprint_, kLeastEnough, kEnoughGround);
+        nodes_left_ = enough / cell_area();
+        settings_.keep_out = [this](const Vec3& foot) { return is_crowded(foot) || is_walked(foot); };
+    }
+
+    GroundCover largest() {
+        for (Island& island : find_unreached_ground(worlds_, settings_, columns_, 0.0)) {
+            while (is_wanted() && walk_about(island)) {
+            }
+        }
+        return lacks_ground(ground_) && roof_.share > ground_.share ? roof_ : ground_;
+    }
+
+private:
+    bool is_wanted() const {
+        return lacks_ground(ground_) && nodes_left_ >= 1.0 && walked_.size() < kMostPlaces;
+    }
+
+    double cell_area() const { return settings_.cell * settings_.cell; }
+
+    bool is_crowded(const Vec3& foot) const { return is_limited_ && density_.around(foot) > most_triangles_; }
+
+    bool is_walked(const Vec3& foot) const {
+        return std::ranges::any_of(walked_, [&](const WalkSpace& space) {
+            return space.find(space.grid.cell_at(foot), foot.y()).has_value();
+        });
+    }
+
+    /// What looks like one piece may be several rooms. False if there is nothing left of it.
+    bool walk_about(Island& island) {
+        std::erase_if(island.spots, [this](const UnreachedSpot& spot) { return is_walked(spot.at.foot); });
+        if (island.spots.empty()) {
+            return false;
+        }
+        const std::size_t affordable = limit_work(island);
+        const double area = island.area(columns_.grid);
+        const Vec3 start = take_start(island);
+        settings_.starts = {start};
+        settings_.max_nodes = is_limited_ ? affordable : static_cast<std::size_t>(nodes_left_);
+        WalkSpace space =
+            settings_.max_nodes > 0 ? explore(worlds_, settings_) : WalkSpace(WalkGrid{settings_.cell});
+        GroundCover cover = cover_of(worlds_[0], space, footprint_, start.y());
+        if (is_limited_) {  // then the columns tell how much there would have been
+            cover.is_bounded = true;
+            cover.share = std::clamp(area / footprint_, cover.share, 1.0);
+        }
+        add(cover);
+        nodes_left_ -= static_cast<double>(space.node_count());
+        work_left_ -= work_of(space);
+        walked_.push_back(std::move(space));
+        return !is_limited_;
+    }
+
+    /// Keeps out of where most triangles are, as far as need be to walk about on the rest. Returns how many
+    /// nodes that allows.
+    std::size_t limit_work(const Island& island) {
+        std::vector<double> triangles;
+        for (const UnreachedSpot& spot : island.spots) {
+            triangles.push_back(density_.around(spot.at.foot));
+        }
+        std::ranges::sort(triangles);
+        const double nodes_of_spot = columns_.grid.cell * columns_.grid.cell / cell_area();
+        std::size_t count = 0;
+        double nodes = 0.0;
+        for (double sum = 0.0; count < triangles.size(); ++count) {
+            sum += triangles[count];
+            const auto spots = static_cast<double>(count + 1);
+            const double wanted = std::min(nodes_left_, nodes_of_spot * spots);
+            if (wanted * sum / spots > work_left_) {
+                break;
+            }
+            nodes = wanted;
+        }
+        is_limited_ = count < triangles.size();
+        most_triangles_ = count > 0 ? triangles[count - 1] : -1.0;
+        return static_cast<std::size_t>(nodes);
+    }
+
+    double work_of(const WalkSpace& space) const {
+        double work = 0.0;
+        NodeNumbers(space).for_each(
+            [&](const WalkNodeId& id) { work += density_.around(space.position(id)); });
+        return work;
+    }
+
+    /// A low spot, rather on the floor than on a table, if possible where there aren't too many triangles.
+    Vec3 take_start(Island& island) const {
+        auto& spots = island.spots;
+        const auto crowded = std::ranges::stable_partition(
+            spots, [this](const UnreachedSpot& spot) { return !is_crowded(spot.at.foot); });
+        const auto end = crowded.begin() == spots.begin() ? spots.end() : crowded.begin();
+        const auto low = spots.begin() + (end - spots.begin()) / 10;
+        std::ranges::nth_element(spots.begin(), low, end, {},
+                                 [](const UnreachedSpot& spot) { return spot.at.foot.y(); });
+        const Vec3 start = low->at.foot;
+        spots.erase(low);
+        return start;
+    }
+
+    void add(const GroundCover& cover) {
+        if (is_roof(cover)) {
+            roof_ = cover.share > roof_.share ? cover : roof_;
+        } else if (ground_.share == 0.0) {
+            ground_ = cover;
+        } else {
+            ground_.area += cover.area;
+            ground_.share = std::min(1.0, ground_.share + cover.share);
+            ground_.is_bounded = ground_.is_bounded || cover.is_bounded;
+        }
+    }
+
+    const WorkerWorlds& worlds_;
+    ExploreSettings settings_;
+    const WalkSpace columns_;
+    const double footprint_;
+    const TriangleDensity density_;
+    double nodes_left_ = 0.0;
+    double work_left_ = kMostWork;
+    bool is_limited_ = false;      ///< by work, on this piece
+    double most_triangles_ = 0.0;  ///< then: near a place, for it to be walked to
+    std::vector<WalkSpace> walked_;
+    GroundCover ground_;  ///< the sum of all but roofs, with the height of the first
+    GroundCover roof_;    ///< the largest
+};
 
 }  // namespace
 
 GroundCover measure_ground(const WorkerWorlds& worlds) {
-    const collision::World& world = worlds[0];
-    ExploreSettings settings = settings_for_lint();
-    const WalkSpace columns(WalkGrid{column_width(world)});
-    const double all = footprint(world, settings.solids);
-    const double enough = std::clamp(kEnoughShare * all, kLeastEnough, kEnoughGround);
-    settings.max_nodes = static_cast<std::size_t>(enough / (settings.cell * settings.cell));
-    GroundCover largest;
-    std::size_t tried = 0;
-    for (const Island& island : find_unreached_ground(worlds, settings, columns, 0.0)) {
-        if (largest.is_bounded || largest.area > island.area(columns.grid) || ++tried > kMostPlaces) {
-            break;
-        }
-        settings.starts = {start_on(island)};
-        const WalkSpace space = explore(worlds, settings);
-        const GroundCover cover = cover_of(world, space, all);
-        largest = cover.area > largest.area ? cover : largest;
-    }
-    return largest;
+    return GroundSurvey(worlds).largest();
 }
 
 bool lacks_ground(const GroundCover& cover) {

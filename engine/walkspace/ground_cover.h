@@ -4,17 +4,18 @@
 
 namespace campuswalk::engine {
 
-/// Connected ground that an adult walks about on.
+/// Ground that an adult walks about on, in one piece or in several, such as rooms behind closed doors.
 struct GroundCover {
     double area = 0.0;         ///< m², each level counted; without its edges
     bool is_bounded = false;   ///< there is more: it wasn't explored any further
-    double share = 0.0;        ///< of the world's footprint, at most 1
-    double height = 0.0;       ///< the 5th percentile of its heights
+    double share = 0.0;        ///< of the world's footprint, at most 1; partly estimated if it is bounded
+    double height = 0.0;       ///< the 5th percentile of its heights, of the largest piece
     double share_below = 0.0;  ///< of the area of the world's triangles: over 1 m below that
 };
 
-/// The largest ground of the world. Where it may be is found by looking at the middles of wide columns; then
-/// it is walked about on, until there is more of it than needs to be known.
+/// The ground of the world, from the largest piece on. Where that may be is found by looking at the middles
+/// of wide columns; then it is walked about on, until there is more of it than needs to be known. Where there
+/// are so many triangles that walking would take long, it is only looked at.
 GroundCover measure_ground(const WorkerWorlds& worlds);
 
 /// Whether it is too small to be ground (fragments, tops of walls), or a roof.

@@ -33,7 +33,7 @@ TEST(GroundCover, IsNotExploredFartherThanNeedBe) {
     add_box(mesh, {-100, -0.2, -100}, {100, 0, 100});
     const GroundCover cover = cover_of(mesh);
     EXPECT_TRUE(cover.is_bounded);
-    EXPECT_GT(cover.area, 300.0);
+    EXPECT_GT(cover.area, 200.0);
     EXPECT_LT(cover.area, 1'000.0);
     EXPECT_LT(cover.share, 0.03);
     EXPECT_FALSE(lacks_ground(cover));
@@ -56,15 +56,66 @@ TEST(GroundCover, CrossesLowStepsOnly) {
     EXPECT_GT(area_with_step(0.25), 1.6 * area_with_step(0.9));
 }
 
-TEST(GroundCover, IsLackingOnTopsOfWalls) {
-    TriangleMesh mesh;
-    for (int i = 0; i < 5; ++i) {  // a grid of rooms without a floor
+/// A grid of closed rooms of 5 m, four by four.
+void add_walls(TriangleMesh& mesh) {
+    for (int i = 0; i < 5; ++i) {
         add_box(mesh, {0, 0, 5.0 * i}, {20.2, 2.8, 5.0 * i + 0.2});
         add_box(mesh, {5.0 * i, 0, 0}, {5.0 * i + 0.2, 2.8, 20.2});
     }
+}
+
+TEST(GroundCover, IsLackingOnTopsOfWalls) {
+    TriangleMesh mesh;
+    add_walls(mesh);
     EXPECT_TRUE(lacks_ground(cover_of(mesh)));
     add_box(mesh, {-10, -0.1, -10}, {30, 0, 30});
     EXPECT_FALSE(lacks_ground(cover_of(mesh)));
+}
+
+TEST(GroundCover, AddsUpRoomsBehindClosedDoors) {
+    TriangleMesh mesh;
+    add_walls(mesh);
+    add_box(mesh, {0, -0.1, 0}, {20.2, 0, 20.2});
+    const GroundCover cover = cover_of(mesh);
+    EXPECT_FALSE(lacks_ground(cover));
+    EXPECT_GT(cover.area, 0.25 * 20.2 * 20.2);  // each room has at most 4.8 m by 4.8 m, 5.6 %
+    EXPECT_NEAR(cover.height, 0.0, 0.01);
+}
+
+/// A floor of so many squares along each of its sides, of `size` metres.
+void add_fine_floor(TriangleMesh& mesh, double size, std::uint32_t squares) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    const std::uint32_t row = squares + 1;
+    for (std::uint32_t i = 0; i < row * row; ++i) {
+        mesh.positions.emplace_back(size * (i % row) / squares, 0.0, size * (i / row) / squares);
+    }
+    for (std::uint32_t i = 0; i + row + 1 < row * row; ++i) {
+        if (i % row < squares) {
+            const std::uint32_t a = first + i;
+            mesh.triangles.push_back({a, a + row, a + 1});
+            mesh.triangles.push_back({a + 1, a + row, a + row + 1});
+        }
+    }
+}
+
+TEST(GroundCover, IsOnlyLookedAtAmongVeryManyTriangles) {
+    TriangleMesh scan;
+    add_fine_floor(scan, 12.0, 400);
+    const GroundCover cover = cover_of(scan);  // walking over all of it would take tens of seconds
+    EXPECT_TRUE(cover.is_bounded);
+    EXPECT_LT(cover.area, 10.0);
+    EXPECT_GT(cover.share, 0.8);
+    EXPECT_FALSE(lacks_ground(cover));
+}
+
+TEST(GroundCover, KeepsOutOfWhereMostTrianglesAre) {
+    TriangleMesh mesh;
+    add_fine_floor(mesh, 3.0, 200);  // a carpet in the corner
+    add_box(mesh, {0, -0.2, 0}, {12, -0.01, 12});
+    const GroundCover cover = cover_of(mesh);
+    EXPECT_TRUE(cover.is_bounded);
+    EXPECT_GT(cover.area, 30.0);
+    EXPECT_NEAR(cover.height, -0.01, 0.02);
 }
 
 TEST(GroundCover, IsLackingOnARoof) {
