@@ -12,8 +12,6 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// This far below all objects the avatar has fallen out of the world, metres.
-constexpr double kAbyss = 10.0;
 /// Falls from less than this are steps, not landings that are worth an event, metres.
 constexpr double kNotableFall = 0.5;
 /// Ground at most this far below the foot still supports the body, metres.

@@ -17,6 +17,9 @@
 
 namespace campuswalk::engine {
 
+/// This far below all objects the avatar has fallen out of the world, metres.
+inline constexpr double kAbyss = 10.0;
+
 /// How the avatar was pushed out of an object that it was placed inside.
 struct Push {
     Eigen::Vector3d from = Eigen::Vector3d::Zero();

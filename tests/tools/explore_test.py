@@ -4,6 +4,7 @@
 import json
 import os
 import re
+import shutil
 
 import jsonschema
 
@@ -240,6 +241,29 @@ class Explore(ProgramCase):
         self.assertEqual(1, done.code, done.out)
         self.assertIn("expected to fail", done.out + done.err)
 
+    def assert_walks_show_their_findings(self, folder):
+        """Without its status, each walk fails with the codes that its status states. Returns the kinds of walks."""
+        kinds = set()
+        for name in sorted(os.listdir(self.path(folder))):
+            path = folder + "/" + name
+            walk = self.read(path).decode()
+            status = re.search(r"^status: .* failures: \[(.*)\]}\n", walk, re.MULTILINE)
+            self.write(path, walk.replace(status.group(0), ""))
+            done = self.run_program("run", path, "--rendering-backend", "none")
+            self.assertEqual(1, done.code, walk + done.out)
+            codes = set(re.findall(r"walk\.yaml(?::\d+)*: error ([a-z-]+): ", done.out + done.err))
+            self.assertEqual(set(status.group(1).split(", ")), codes, walk + done.out)
+            kinds.add(re.sub(r"^\d+-([a-z]+)-.*", r"\1", name))
+        return kinds
+
+    def test_each_kind_of_walk_shows_its_finding(self):
+        """Also above a deep abyss, into which one falls for longer than a walk_to waits."""
+        self.write("yard.campus.yaml", YARD.replace(box("shed/gate-leaf", (4.4, 0, -5.13), (5.05, 2.2, -5.07)), "").replace(
+            "spawns:", box("deep", (40, -60, 0), (42, -59, 2)) + box("desk", (-3, 0, 3), (-1, 0.5, 5)) + "spawns:"))
+        self.passes("explore", "yard.campus.yaml", "--min-width", "1.3", "--write-walks", "walks")
+        kinds = self.assert_walks_show_their_findings("walks")
+        self.assertLessEqual({"unreached", "islands", "traps", "holes", "narrow"}, kinds)
+
     def test_a_trigger_that_reaches_through_a_floor(self):
         """A gallery above the yard, up to which stairs of 0.25 m lead; its trigger reaches 0.2 m into those below."""
         gallery = "".join(box("tread-%d" % i, (-6, -0.1, 5.5 - 0.5 * i), (-4.5, 0.25 * i, 6 - 0.5 * i))
@@ -258,6 +282,8 @@ class Explore(ProgramCase):
                          r"on storey 0 one is in it with the head only, 0\.\d+ m deep, and at once in below$")
         walk, = [name for name in os.listdir(self.path("walks")) if "upstairs" in name]
         self.passes("run", "walks/" + walk, "--rendering-backend", "none")
+        shutil.copytree(self.path("walks"), self.path("bare"))
+        self.assertIn("triggers", self.assert_walks_show_their_findings("bare"))
         self.write("yard.campus.yaml", campus % box("upstairs", (-1, 3, -4), (1, 5, -2), "trigger"))
         self.assertEqual([], self.report("--fail-on", "triggers")["overhangs"])
         done = self.run_program("run", "walks/" + walk, "--rendering-backend", "none")

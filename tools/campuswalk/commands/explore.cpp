@@ -187,13 +187,15 @@ std::string wide_avatar(const ExploreOptions& options, const engine::AvatarProfi
            ", height: " + engine::fixed(std::max(avatar.height, options.min_width), 4) + "}";
 }
 
-void write_walks(const ExploreOptions& options, const engine::AvatarProfile& avatar,
-                 const engine::WalkReport& report, const std::vector<explore::Finding>& findings) {
+void write_walks(const ExploreOptions& options, const scene::Campus& walked,
+                 const engine::AvatarProfile& avatar, const engine::WalkReport& report,
+                 const std::vector<explore::Finding>& findings) {
     std::error_code ignored;
     const std::filesystem::path campus = std::filesystem::proximate(
         std::filesystem::absolute(options.campus), std::filesystem::absolute(*options.walks), ignored);
-    for (const explore::MinimalWalk& walk : explore::minimal_walks(
-             report, findings, {campus.generic_string(), options.avatar, wide_avatar(options, avatar)})) {
+    const explore::WalkHeader header{campus.generic_string(), options.avatar, wide_avatar(options, avatar),
+                                     walked.world.bounds().min.y()};
+    for (const explore::MinimalWalk& walk : explore::minimal_walks(report, findings, header)) {
         scene::write_file_atomically(*options.walks / (walk.name + std::string(config::kWalkSuffix)),
                                      walk.yaml);
     }
@@ -237,7 +239,7 @@ int explore_campus(const ExploreOptions& options) {
         write_plans(*campus, report, findings, *options.map);
     }
     if (options.walks) {
-        write_walks(options, avatar, report, findings);
+        write_walks(options, *campus, avatar, report, findings);
     }
     const bool covered = !options.fail_under || 100.0 * coverage->share >= *options.fail_under;
     return is_accepted(options, report, findings) && covered ? kPass : kExpectationFailed;

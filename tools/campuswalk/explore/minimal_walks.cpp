@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdio>
 #include <optional>
 
 #include "engine/events/decimals.h"
+#include "engine/simulation/body.h"
 #include "scene/base/glob.h"
 #include "tools/campuswalk/base/json_text.h"
 
@@ -54,7 +56,16 @@ std::string steps_yaml(const Vec3& from, const Vec3& to, const std::string& fail
            "\nexpect:\n  - reaches: {place: " + list_of(to) + ", within: 0.5}\n";
 }
 
-std::optional<std::string> yaml_of(const WalkReport& report, const Finding& finding) {
+/// More than a fall from there out of the world takes, also where slopes slow it down: a walk_to that its
+/// target is far above ends before.
+double fall_seconds(const Vec3& edge, double bottom) {
+    constexpr double kSlowed = 2.0;
+    constexpr double kToTheEdge = 1.0;
+    const double height = edge.y() - bottom + engine::kAbyss;
+    return kToTheEdge + kSlowed * std::sqrt(2.0 * height / collision::MoverSettings().gravity);
+}
+
+std::optional<std::string> yaml_of(const WalkReport& report, const Finding& finding, double bottom) {
     switch (finding.kind) {
         case FindingKind::unreached:
         case FindingKind::island: {
@@ -96,7 +107,8 @@ std::optional<std::string> yaml_of(const WalkReport& report, const Finding& find
             return "status: {is: xfail, because: " + json_text(finding.text) +
                    ", failures: [fell, never]}\nsteps:\n  - spawn: {at: " + list_of(finding.at) +
                    "}\n  - walk_to: {to: " + list_of(beyond) +
-                   ", if_blocked: continue}\nexpect:\n  - never: \"avatar.fell *\"\n";
+                   ", if_blocked: continue}\n  - wait: " + fixed(fall_seconds(finding.at, bottom), 1) +
+                   "\nexpect:\n  - never: \"avatar.fell *\"\n";
         }
     }
     return std::nullopt;
@@ -109,7 +121,7 @@ std::vector<MinimalWalk> minimal_walks(const WalkReport& report, const std::vect
     std::vector<MinimalWalk> walks;
     for (std::size_t i = 0; i < findings.size(); ++i) {
         const Finding& finding = findings[i];
-        if (const auto steps = yaml_of(report, finding)) {
+        if (const auto steps = yaml_of(report, finding, header.bottom)) {
             walks.push_back({file_name(i + 1, finding),
                              "# Finding " + std::to_string(i + 1) +
                                  " of `campuswalk explore`. Once it is mended, " +

@@ -21,6 +21,7 @@ struct WalkHeader {
     std::string avatar;  ///< as written after `avatar:`
     /// Of the visitor for whom passages are too narrow, likewise.
     std::string wide_avatar;
+    double bottom = 0.0;  ///< the lowest height of the world, metres
 };
 
 /// A walk for each finding that one can be shown of by walking: none for what is inside an object. They are
