@@ -70,12 +70,22 @@ std::optional<StoppedBody> Body::stopped(const Vector3d& heading) const {
     return body;
 }
 
+std::optional<StoppedBody> Body::last_stood() const {
+    if (!last_stood_) {
+        return std::nullopt;
+    }
+    StoppedBody body = in_place();
+    body.at = *last_stood_;
+    return body;
+}
+
 Motion Body::follow(const Intent& intent, QueryStatistics& statistics) {
     Motion motion;
     yaw_ = intent.yaw;
     pitch_ = intent.pitch;
     if (intent.placement) {
         jumping_ = false;
+        last_stood_.reset();
         motion.push = put_down(intent.placement->foot, statistics);
     } else {
         motion.jumped = intent.jump && mover_.jump(mover_state_, *intent.jump);
@@ -90,7 +100,7 @@ Motion Body::follow(const Intent& intent, QueryStatistics& statistics) {
         jumping_ = jumping_ && !mover_state_.grounded;
     }
     if (mover_state_.grounded) {
-        last_stood_ = foot();
+        last_stood_ = GroundState{foot(), mover_state_.support_y};
     }
     motion.stuck = stuck_.update(foot(), intent.move.norm());
     return motion;

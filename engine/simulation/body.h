@@ -60,8 +60,8 @@ public:
     StoppedBody in_place() const;
     /// Likewise on its way to `heading`; none in the air.
     std::optional<StoppedBody> stopped(const Eigen::Vector3d& heading) const;
-    /// Where it last stood on the ground, feet.
-    const Eigen::Vector3d& last_stood() const { return last_stood_; }
+    /// Where it last stood on the ground; none if it was in the air ever since it was placed.
+    std::optional<StoppedBody> last_stood() const;
 
     /// One tick.
     Motion follow(const Intent& intent, collision::QueryStatistics& statistics);
@@ -96,7 +96,7 @@ private:
     double pitch_ = 0.0;
     bool jumping_ = false;  ///< in the air by a jump
     double distance_ = 0.0;
-    Eigen::Vector3d last_stood_ = Eigen::Vector3d::Zero();
+    std::optional<GroundState> last_stood_;
     StuckWatch stuck_;
 };
 

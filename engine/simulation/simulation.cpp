@@ -92,11 +92,7 @@ void Simulation::report_motion(const Intent& intent, const Motion& motion) {
     }
     if (state_.body.has_fallen_out_of_the_world()) {
         state_.events.add(EventKind::avatar_fell, name, {pos});
-        stop_ = Stop{state_.walk.mark,
-                     "fell",
-                     "the avatar fell out of the world; it last stood at " + fixed(state_.body.last_stood()),
-                     {},
-                     state_.body.last_stood()};
+        stop_ = stop_of_fall();
     }
     if (motion.stuck) {
         Event& event = state_.events.add(EventKind::avatar_stuck, name, {pos});
@@ -107,6 +103,19 @@ void Simulation::report_motion(const Intent& intent, const Motion& motion) {
             event.fields.push_back({kWhy, Text{why}});
         }
     }
+}
+
+Stop Simulation::stop_of_fall() const {
+    Stop stop{state_.walk.mark, "fell", "the avatar fell out of the world"};
+    const auto stood = state_.body.last_stood();
+    if (!stood) {
+        stop.message += "; it never stood on any ground since it was placed";
+        return stop;
+    }
+    const std::string why = reason_of_fall(state_.campus, *stood).text;
+    stop.message += (why.empty() ? "" : " " + why) + "; it last stood at " + fixed(stood->at.foot);
+    stop.at = stood->at.foot;
+    return stop;
 }
 
 /// Ends the step that is done, and executes the instant steps after it.

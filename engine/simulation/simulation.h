@@ -51,6 +51,7 @@ private:
     /// The id of the object that blocks the avatar; empty if none does.
     std::string obstacle() const;
     /// Why the avatar doesn't get on towards `heading`.
+    Stop stop_of_fall() const;
     const StopReason& reason(const Eigen::Vector3d& heading);
 
     SimulationState state_;

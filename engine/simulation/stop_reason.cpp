@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "collision/world/placement.h"
 #include "engine/events/decimals.h"
 #include "engine/walkspace/barrier_text.h"
 #include "engine/walkspace/explore.h"
@@ -101,6 +102,20 @@ private:
 
 StopReason reason_of_stop(const scene::Campus& campus, const StoppedBody& body) {
     return body.heading.isZero(0.0) ? StopReason() : StopQuery(campus, body).reason();
+}
+
+StopReason reason_of_fall(const scene::Campus& campus, const StoppedBody& stood) {
+    constexpr double kInto = 0.02;  // metres: beside walls there is more room than below the feet
+    const collision::MoverSettings& body = stood.strides.body;
+    const auto carried_by = collision::obstruction(
+        campus.world, stood.solids, stood.at.foot - Vec3(0, kInto, 0), body.radius, body.height);
+    if (!carried_by) {
+        return {};
+    }
+    const Vec3 edge = edge_below(state_of(stood.at));
+    return {"from the edge of " + object_text(campus, *carried_by, edge) + " at a height of " +
+                fixed(edge.y(), 2) + " m",
+            edge};
 }
 
 }  // namespace campuswalk::engine

@@ -112,11 +112,36 @@ TEST(StopReason, IsPartOfTheFailureButNotOfTheHash) {
     EXPECT_EQ(on_low.summary.hash, on_high.summary.hash) << "the avatar did the same";
 }
 
-TEST(StopReason, AFallOutOfTheWorldSaysWhereTheAvatarLastStood) {
-    const RecordedRun result = run(level_campus(5.0), walk_of({spawn_at({0, 0, 0}), walk_to(0, -10)}));
-    ASSERT_FALSE(result.summary.failures.empty());
-    EXPECT_THAT(result.summary.failures[0].message,
-                MatchesRegex(".*it last stood at 0\\.000,-?0\\.[0-9]+,-5\\.[0-9]+"));
+std::string fall_message(const scene::Campus& campus, std::vector<Step> steps) {
+    const RecordedRun result = run(campus, walk_of(std::move(steps)));
+    if (result.summary.failures.empty()) {
+        return "";
+    }
+    EXPECT_EQ(result.summary.failures[0].code, "fell");
+    return result.summary.failures[0].message;
+}
+
+TEST(StopReason, AFallOutOfTheWorldSaysFromTheEdgeOfWhat) {
+    scene::Campus campus = level_campus(5.0);
+    EXPECT_THAT(
+        fall_message(campus, {spawn_at({0, 0, 0}), walk_to(0, -10)}),
+        MatchesRegex("the avatar fell out of the world from the edge of ground at a height of 0\\.00 m; it "
+                     "last stood at 0\\.000,-?0\\.[0-9]+,-5\\.[0-9]+"));
+    add_box(campus, "pier", {-1, -1, -8}, {1, 0.25, -4});
+    add_box(campus, "rail", {1, 0, -8}, {1.1, 1.2, -4});
+    EXPECT_THAT(fall_message(campus, {spawn_at({0.65, 0, 0}), walk_to(0.65, -10), wait_for(10)}),
+                HasSubstr("from the edge of pier at a height of 0.25 m; it last stood at 0.650,"));
+}
+
+TEST(StopReason, AFallWhereTheGroundWasDisabledHasNoEdge) {
+    EXPECT_THAT(
+        fall_message(level_campus(5.0), {spawn_at({0, 0, 0}), disable("ground"), wait_for(10)}),
+        MatchesRegex("the avatar fell out of the world; it last stood at 0\\.000,-?0\\.[0-9]+,-?0\\.0+"));
+}
+
+TEST(StopReason, AFallFromWhereTheAvatarWasPlacedHasNoEdge) {
+    EXPECT_THAT(fall_message(level_campus(5.0), {spawn_at({0, 0, 0}), teleport_to({20, 0, 0}), wait_for(10)}),
+                HasSubstr("out of the world; it never stood on any ground since it was placed"));
 }
 
 }  // namespace
