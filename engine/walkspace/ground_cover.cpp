@@ -226,9 +226,10 @@ private:
     /// A low spot, rather on the floor than on a table, if possible where there aren't too many triangles.
     Vec3 take_start(Island& island) const {
         auto& spots = island.spots;
-        const auto crowded = std::ranges::stable_partition(
-            spots, [this](const UnreachedSpot& spot) { return !is_crowded(spot.at.foot); });
-        const auto end = crowded.begin() == spots.begin() ? spots.end() : crowded.begin();
+        const auto crowded =
+            std::stable_partition(spots.begin(), spots.end(),
+                                  [this](const UnreachedSpot& spot) { return !is_crowded(spot.at.foot); });
+        const auto end = crowded == spots.begin() ? spots.end() : crowded;
         const auto low = spots.begin() + (end - spots.begin()) / 10;
         std::ranges::nth_element(spots.begin(), low, end, {},
                                  [](const UnreachedSpot& spot) { return spot.at.foot.y(); });

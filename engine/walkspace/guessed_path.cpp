@@ -36,9 +36,8 @@ struct Open {
 
 /// The better one first, at the top of a heap.
 bool is_worse(const Open& a, const Open& b) {
-    return a.order != b.order
-               ? a.order > b.order
-               : std::tuple(a.cell, a.spot.number) > std::tuple(b.cell, b.spot.number);
+    return a.order != b.order ? a.order > b.order
+                              : std::tuple(a.cell, a.spot.number) > std::tuple(b.cell, b.spot.number);
 }
 
 class Search {

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include "engine/expect/route_evaluators.h"
 #include "tests/engine/small_campus.h"
