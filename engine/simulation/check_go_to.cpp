@@ -43,7 +43,8 @@ Walk moves_of(const Walk& walk) {
 std::vector<scene::Diagnostic> check_go_to(const scene::Campus& campus, const Walk& walk,
                                            GroundMaps* ground) {
     std::vector<scene::Diagnostic> diagnostics;
-    if (std::ranges::none_of(walk.steps, is_go_to) || must_be_unreachable(walk.status)) {
+    if (std::ranges::none_of(walk.steps, is_go_to) || walk.status.kind == WalkStatus::Kind::skip ||
+        must_be_unreachable(walk.status)) {
         return diagnostics;
     }
     for (Walk moves = moves_of(walk); !moves.steps.empty(); end_with_go_to(moves.steps)) {

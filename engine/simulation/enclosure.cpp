@@ -24,7 +24,7 @@ namespace {
 
 constexpr double kPrecision = 1e-3;  // metres, of what is measured
 constexpr double kOffGround = 0.02;  // metres, so that the ground isn't what is in the way
-constexpr double kThinnest = 0.02;   // metres: no body has a smaller radius
+constexpr double kThinnest = 0.01;   // metres: no body has a smaller radius
 // Room is looked for in rings around the body.
 constexpr double kFarthestRoom = 10.0;  // metres
 constexpr double kRing = 0.1;           // metres from one to the next

@@ -43,6 +43,9 @@ public:
                 queue_.push_back(cube);
             }
         }
+        if (queue_.empty()) {  // all too low to have air of their own
+            return End::open;
+        }
         for (; !queue_.empty(); queue_.pop_front()) {
             const Cube cube = queue_.front();
             if (is_open(middle_of(cube))) {

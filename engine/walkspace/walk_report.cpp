@@ -25,6 +25,16 @@ std::size_t explained(const std::vector<Island>& islands, const std::vector<Subj
     return count;
 }
 
+/// An object that is no larger may be a door, metres.
+constexpr double kLargestDoor = 5.0;
+
+/// Seen from above.
+bool surrounds(const collision::Aabb& shell, const Island& island) {
+    const collision::Aabb& inside = island.bounds;
+    return shell.min.x() <= inside.min.x() && shell.max.x() >= inside.max.x() &&
+           shell.min.z() <= inside.min.z() && shell.max.z() >= inside.max.z();
+}
+
 /// Whether its barrier may be the shell of a hollow: nothing helps, or only to take away all of an object
 /// that surrounds the island. A room whose door stands in the way is none.
 bool may_be_hollow(const collision::World& world, const IslandReport& entry) {
@@ -35,18 +45,39 @@ bool may_be_hollow(const collision::World& world, const IslandReport& entry) {
     if (barrier->kind != BarrierKind::object || barrier->is_node) {
         return false;
     }
-    const collision::Aabb& shell = world.bounds(*barrier->object);
-    const collision::Aabb& inside = entry.island.bounds;
-    return shell.min.x() <= inside.min.x() && shell.max.x() >= inside.max.x() &&
-           shell.min.z() <= inside.min.z() && shell.max.z() >= inside.max.z();
+    return surrounds(world.bounds(*barrier->object), entry.island);
+}
+
+/// By object: what is disabled, and all that may be a door's leaf or stand in a doorway. Objects that
+/// surround the island stay.
+std::vector<bool> disabled_or_door(const collision::World& world, const ExploreSettings& settings,
+                                   const Island& island) {
+    std::vector<bool> disabled(world.size(), false);
+    for (std::size_t i = 0; i < world.size(); ++i) {
+        const collision::Aabb& box = world.bounds(static_cast<collision::ObjectId>(i));
+        const bool is_small = (box.max - box.min).maxCoeff() <= kLargestDoor;
+        disabled[i] = (settings.solids.disabled != nullptr && (*settings.solids.disabled)[i]) ||
+                      (is_small && !surrounds(box, island));
+    }
+    return disabled;
+}
+
+/// A room is no hollow though its door has two leaves, or leads to another room that is closed.
+bool is_hollow(const collision::World& world, ExploreSettings settings, const WalkSpace& reached,
+               const IslandReport& entry) {
+    if (!may_be_hollow(world, entry) || !is_enclosed(world, settings, reached, entry.island)) {
+        return false;
+    }
+    const std::vector<bool> disabled = disabled_or_door(world, settings, entry.island);
+    settings.solids.disabled = &disabled;
+    return is_enclosed(world, settings, reached, entry.island);
 }
 
 void find_hollows(const WorkerWorlds& worlds, const ExploreSettings& settings, WalkReport& report) {
     for_each_item(report.islands.size(), worlds.size(), [&](std::size_t worker, std::size_t i) {
         IslandReport& entry = report.islands[i];
         entry.hollow = entry.island.area(report.space.grid) > kNotableIsland &&
-                       may_be_hollow(worlds[worker], entry) &&
-                       is_enclosed(worlds[worker], settings, report.space, entry.island);
+                       is_hollow(worlds[worker], settings, report.space, entry);
     });
 }
 

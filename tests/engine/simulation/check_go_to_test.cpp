@@ -95,6 +95,9 @@ TEST(CheckGoTo, IgnoresExpectationsAndWhatMustFail) {
     EXPECT_THAT(warned_lines(walk), ElementsAre(1));
     walk.status.codes.push_back("unreachable");
     EXPECT_THAT(warned_lines(walk), IsEmpty());
+    walk.status = {};
+    walk.status.kind = WalkStatus::Kind::skip;
+    EXPECT_THAT(warned_lines(walk), IsEmpty()) << "nobody walks it";
 }
 
 TEST(CheckGoTo, PlaysNothingAfterTheLastOne) {

@@ -142,6 +142,14 @@ TEST_F(Findings, ARoomBehindAClosedDoorIsNoHollow) {
     EXPECT_EQ(room.barrier->object, door);
 }
 
+TEST_F(Findings, ARoomWithClosedShuttersIsNoHollow) {
+    scene::Campus campus = walled_yard();
+    add_object(campus, "walls", shell(1.0), {0, 0, 0});
+    add_box(campus, "shutter/left", {0.0, 1.4, -2.1}, {0.5, 2.6, -1.9});
+    add_box(campus, "shutter/right", {0.5, 1.4, -2.1}, {1.0, 2.6, -1.9});
+    EXPECT_FALSE(inside_shell(campus).hollow) << "neither of the two lets anybody in alone";
+}
+
 TEST_F(Findings, APitThatOneCantClimbOutOfIsATrap) {
     scene::Campus campus = walled_yard();
     // A deck of 1 m that steps lead up to, with a hole in it.
