@@ -1,0 +1,101 @@
+#include "tools/campuswalk/run/results/merged_run.h"
+
+#include <algorithm>
+
+#include "scene/base/diagnostic.h"
+#include "scene/lint/wording.h"
+#include "tools/campuswalk/base/text.h"
+#include "tools/campuswalk/run/plan/plan_hash.h"
+
+namespace campuswalk::tools {
+
+namespace fs = std::filesystem;
+
+using engine::RunPlan;
+using engine::WalkResult;
+
+MergedRun::MergedRun(const std::vector<ResultFile>& files)
+    : run_(files.front().plan()), run_file_(files.front().file()) {
+    for (const ResultFile& file : files) {
+        add(file);
+    }
+    note_missing_shards();
+    check_cases();
+}
+
+RunPlan MergedRun::plan() const {
+    RunPlan plan = run_;
+    plan.cases = run_.all_cases;
+    plan.shard = 1;
+    plan.shards = 1;
+    plan.division = division_;
+    return plan;
+}
+
+void MergedRun::for_each(const ResultVisitor& visit) const {
+    for (const auto& [shard, file] : shards_) {
+        file.for_each(visit);
+    }
+}
+
+void MergedRun::note(const fs::path& subject, const char* code, const std::string& message) {
+    problems_.push_back(
+        scene::to_string({scene::Severity::error, {subject.generic_string(), 0, 0}, code, message}));
+}
+
+void MergedRun::add(const ResultFile& file) {
+    const std::size_t results = file.for_each([](WalkResult&&) {});
+    const RunPlan& plan = file.plan();
+    const bool same_run = plan.shards == run_.shards && plan.all_cases == run_.all_cases &&
+                          plan.contents == run_.contents && plan.division == run_.division;
+    const std::string shard = "shard " + std::to_string(plan.shard);
+    if (!same_run || plan.shard < 1 || plan.shard > plan.shards) {
+        note(file.file(), "other-plan",
+             "this report is of a run of other walks or in other shards; merge those of one run");
+        return;
+    }
+    if (results != plan.cases) {
+        note(file.file(), "incomplete-report",
+             "it has " + std::to_string(results) + " of " + scene::plural(plan.cases, "result") + "; run " +
+                 shard + " again");
+    }
+    const auto [there, is_new] = shards_.try_emplace(plan.shard, file);
+    if (!is_new) {
+        note(file.file(), "duplicate-shard",
+             there->second.file().generic_string() + " is a report of " + shard + ", too");
+    }
+}
+
+void MergedRun::note_missing_shards() {
+    constexpr std::size_t kListed = 10;
+    std::vector<std::string> missing;
+    for (int shard = 1; shard <= run_.shards && missing.size() < kListed; ++shard) {
+        if (!shards_.contains(shard)) {
+            missing.push_back(std::to_string(shard));
+        }
+    }
+    const std::size_t count = static_cast<std::size_t>(std::max(run_.shards, 0)) - shards_.size();
+    if (!missing.empty()) {
+        note(run_file_, "missing-shard",
+             "the run has " + std::to_string(run_.shards) + " shards, and there is no report of " +
+                 joined(missing, ", ") + (count > missing.size() ? ", …" : ""));
+    }
+}
+
+void MergedRun::check_cases() {
+    Division divided;
+    Division whole;
+    std::size_t cases = 0;
+    for (const auto& [shard, file] : shards_) {
+        cases += file.for_each([&, shard = shard](const WalkResult& result) {
+            divided.add(shard, result.id);
+            whole.add(1, result.id);
+        });
+    }
+    division_ = whole.hash();
+    if (problems_.empty() && (divided.hash() != run_.division || cases != run_.all_cases)) {
+        note(run_file_, "other-plan", "the reports' cases aren't those that the run had planned");
+    }
+}
+
+}  // namespace campuswalk::tools

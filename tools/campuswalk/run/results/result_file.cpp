@@ -1,0 +1,136 @@
+#include "tools/campuswalk/run/results/result_file.h"
+
+#include <fstream>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "engine/report/result_json.h"
+#include "scene/base/diagnostic.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
+
+namespace campuswalk::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+scene::InputError about(const fs::path& file, int line, const std::string& message) {
+    return {{file.generic_string(), line, line > 0 ? 1 : 0}, "bad-report", message};
+}
+
+scene::InputError about_line(const fs::path& file, int line, const std::exception& error) {
+    return about(file, line, std::string(error.what()) + "; create the report again");
+}
+
+std::ifstream open_stream(const fs::path& file) {
+    std::error_code ignored;
+    if (!fs::is_regular_file(file, ignored)) {
+        throw error_about(file, "missing-file", "no such file; check the path");
+    }
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) {
+        throw error_about(file, "missing-file", "it can't be read; check its permissions");
+    }
+    return stream;
+}
+
+/// False at the end, and for a last line that was cut short.
+bool next_line(std::istream& stream, std::string& line) {
+    return static_cast<bool>(std::getline(stream, line)) && !stream.eof();
+}
+
+std::vector<ResultFile> open_folder(const fs::path& folder) {
+    std::set<fs::path> files;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+        if (entry.is_regular_file() && entry.path().extension() == ".jsonl") {
+            files.insert(entry.path());
+        }
+    }
+    std::vector<ResultFile> reports;
+    for (const fs::path& file : files) {
+        if (std::optional<ResultFile> report = ResultFile::open(file)) {  // event logs may be there, too
+            reports.push_back(std::move(*report));
+        }
+    }
+    if (reports.empty()) {
+        throw about(folder, 0, "there is no jsonl report in here; make some with --reporter jsonl=FILE");
+    }
+    return reports;
+}
+
+}  // namespace
+
+std::optional<ResultFile> ResultFile::open(const fs::path& file) {
+    std::ifstream stream = open_stream(file);
+    std::string line;
+    if (!next_line(stream, line)) {
+        return std::nullopt;
+    }
+    try {
+        if (const std::optional<engine::RunPlan> plan = engine::plan_from_header_line(line)) {
+            ResultFile report;
+            report.file_ = file;
+            report.plan_ = *plan;
+            return report;
+        }
+    } catch (const std::runtime_error& error) {
+        throw about_line(file, 1, error);
+    }
+    return std::nullopt;
+}
+
+std::size_t ResultFile::for_each(const ResultVisitor& visit) const {
+    return for_each_located(
+        [&](std::streamoff, engine::WalkResult&& result) { visit(std::move(result)); });
+}
+
+engine::WalkResult ResultFile::read_at(std::streamoff offset) const {
+    std::ifstream stream = open_stream(file_);
+    std::string line;
+    stream.seekg(offset);
+    next_line(stream, line);
+    return engine::result_from_json_line(line);
+}
+
+std::size_t ResultFile::for_each_located(
+    const std::function<void(std::streamoff offset, engine::WalkResult&& result)>& visit) const {
+    std::ifstream stream = open_stream(file_);
+    std::string line;
+    next_line(stream, line);  // the header
+    std::size_t count = 0;
+    std::streamoff offset = stream.tellg();
+    for (int number = 2; next_line(stream, line);
+         ++number, ++count, offset += static_cast<std::streamoff>(line.size()) + 1) {
+        std::optional<engine::WalkResult> result;
+        try {
+            result = engine::result_from_json_line(line);
+        } catch (const std::runtime_error& error) {
+            throw about_line(file_, number, error);
+        }
+        visit(offset, std::move(*result));
+    }
+    return count;
+}
+
+std::vector<ResultFile> open_result_files(const std::vector<fs::path>& inputs) {
+    std::vector<ResultFile> files;
+    for (const fs::path& input : inputs) {
+        std::error_code ignored;
+        if (fs::is_directory(input, ignored)) {
+            for (ResultFile& report : open_folder(input)) {
+                files.push_back(std::move(report));
+            }
+            continue;
+        }
+        std::optional<ResultFile> report = ResultFile::open(input);
+        if (!report) {
+            throw about(input, 1, "this isn't what --reporter jsonl=FILE writes");
+        }
+        files.push_back(std::move(*report));
+    }
+    return files;
+}
+
+}  // namespace campuswalk::tools
