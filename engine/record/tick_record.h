@@ -33,6 +33,7 @@ struct TickRecord {
     TickCosts costs;
     AvatarState avatar;
     double distance = 0.0;                           ///< metres so far, along the path of the foot point
+    std::size_t steps_over = 0;                      ///< of the walk's steps, at the end of this tick
     std::span<const Event> events;                   ///< in log order
     std::span<const SnapshotStep* const> snapshots;  ///< images that the script takes at the end of this tick
     std::span<const OpenPopup> open_popups;          ///< oldest first

@@ -64,6 +64,8 @@ public:
         static_cast<void>(instant);
         return std::nullopt;
     }
+    /// How many of the walk's steps are over; the next one is in progress. 0 without steps.
+    virtual std::size_t steps_over() const { return 0; }
     /// The line of the walk that is being played; null if there is none.
     virtual const SourceMark* mark() const { return nullptr; }
 };

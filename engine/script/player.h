@@ -26,6 +26,7 @@ public:
     /// Ends the current step if it is done, and appends the instant steps after it. Reports the end of a
     /// walk_to or a follow, and failures.
     std::optional<StepEnd> settle(const AvatarState& avatar, std::vector<const Step*>& instant) override;
+    std::size_t steps_over() const override { return current_; }
     /// Of the current step; null once the walk is finished.
     const SourceMark* mark() const override;
 

@@ -192,6 +192,7 @@ void Simulation::end_tick() {
     state_.statistics += state_.costs.move;
     state_.statistics += state_.costs.detect;
     record_ = state_.record();
+    record_.steps_over = intents_.steps_over();
     finished_ = stop_ || intents_.finished();
 }
 

@@ -222,7 +222,7 @@ void CaseRunner::play_into(WalkResult& result, const Case& played, FrameHelpers*
     const LoadedWalk& loaded = *played.walk;
     InterruptWatch interrupt;
     std::optional<ImageWatch> images;
-    const Records records(settings_.records);
+    const Records records(settings_.records, *loaded.campus);
     std::vector<engine::Observer*> observers = {&stream, &interrupt};
     if (settings_.images) {
         append(images.emplace(played, settings_, *renderers_, helpers).observers(), observers);

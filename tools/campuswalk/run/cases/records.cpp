@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/observers/cost_trace.h"
+#include "engine/observers/recording.h"
 #include "engine/observers/trajectory.h"
 #include "scene/base/atomic_file.h"
 
@@ -13,12 +14,16 @@ namespace campuswalk::tools {
 namespace {
 
 template <typename Recorder>
-std::unique_ptr<engine::Observer> make(engine::LineSink sink) {
+std::unique_ptr<engine::Observer> make(engine::LineSink sink, const scene::Campus& /*campus*/) {
     return std::make_unique<Recorder>(std::move(sink));
 }
 
+std::unique_ptr<engine::Observer> make_recording(engine::LineSink sink, const scene::Campus& campus) {
+    return std::make_unique<engine::Recording>(std::move(sink), campus);
+}
+
 /// A separate record, because the clock makes its bytes differ from run to run.
-std::unique_ptr<engine::Observer> make_timed_trace(engine::LineSink sink) {
+std::unique_ptr<engine::Observer> make_timed_trace(engine::LineSink sink, const scene::Campus& /*campus*/) {
     return std::make_unique<engine::CostTrace>(std::move(sink), [] {
         const auto now = std::chrono::steady_clock::now().time_since_epoch();
         return std::chrono::duration<double, std::micro>(now).count();
@@ -29,24 +34,27 @@ std::unique_ptr<engine::Observer> make_timed_trace(engine::LineSink sink) {
 
 const std::vector<RecordKind>& record_kinds() {
     static const std::vector<RecordKind> kinds = {
-        {"csv", "trajectory.csv", "text/csv", make<engine::TrajectoryCsv>},
-        {"tum", "trajectory.tum", "text/plain", make<engine::TrajectoryTum>},
-        {"trace", "trace.json", "application/json", make<engine::CostTrace>},
-        {"timed-trace", "timed-trace.json", "application/json", make_timed_trace}};
+        {kReportRecord, "recording", "recording.json", "application/json", make_recording},
+        {"csv", "csv", "trajectory.csv", "text/csv", make<engine::TrajectoryCsv>},
+        {"tum", "tum", "trajectory.tum", "text/plain", make<engine::TrajectoryTum>},
+        {"trace", "trace", "trace.json", "application/json", make<engine::CostTrace>},
+        {"timed-trace", "timed-trace", "timed-trace.json", "application/json", make_timed_trace}};
     return kinds;
 }
 
-Records::Records(const std::vector<std::string>& names) {
+Records::Records(const std::vector<std::string>& names, const scene::Campus& campus) {
     for (const RecordKind& kind : record_kinds()) {
         if (std::ranges::find(names, kind.name) == names.end()) {
             continue;
         }
         auto record = std::make_unique<Record>();
         record->kind = &kind;
-        record->observer = kind.make([&text = record->text](std::string_view line) {
-            text.append(line);
-            text += '\n';
-        });
+        record->observer = kind.make(
+            [&text = record->text](std::string_view line) {
+                text.append(line);
+                text += '\n';
+            },
+            campus);
         records_.push_back(std::move(record));
     }
 }
@@ -65,7 +73,7 @@ std::vector<engine::Artifact> Records::write(const std::filesystem::path& output
     for (const auto& record : records_) {
         const std::string path = folder + "/" + record->kind->file;
         scene::write_file_atomically(output / path, record->text);
-        written.push_back({record->kind->name, path, record->kind->media_type});
+        written.push_back({record->kind->artifact, path, record->kind->media_type});
     }
     return written;
 }

@@ -8,24 +8,29 @@
 #include "engine/observers/line_sink.h"
 #include "engine/record/observer.h"
 #include "engine/report/walk_result.h"
+#include "scene/campus/campus.h"
 
 namespace campuswalk::tools {
 
 /// What can be recorded of every tick of a walk, as a file in the walk's folder.
 struct RecordKind {
-    const char* name = "";  ///< as `run --record` takes it
-    const char* file = "";  ///< in the folder
+    const char* name = "";      ///< as `run --record` takes it
+    const char* artifact = "";  ///< its name in results
+    const char* file = "";      ///< in the folder
     const char* media_type = "";
-    std::unique_ptr<engine::Observer> (*make)(engine::LineSink) = nullptr;
+    std::unique_ptr<engine::Observer> (*make)(engine::LineSink, const scene::Campus&) = nullptr;
 };
+
+/// The one that reports show walks from.
+inline constexpr const char* kReportRecord = "report";
 
 const std::vector<RecordKind>& record_kinds();
 
 /// The records of one walk, which are written when it has ended.
 class Records {
 public:
-    /// `names` are of record_kinds().
-    explicit Records(const std::vector<std::string>& names);
+    /// `names` are of record_kinds(); the campus must outlive this.
+    Records(const std::vector<std::string>& names, const scene::Campus& campus);
 
     /// They live as long as this.
     std::vector<engine::Observer*> observers() const;
