@@ -24,4 +24,8 @@ std::unique_ptr<Reporter> make_reporter(std::string_view name, TextSink sink, co
     return kind == kReporterKinds.end() ? nullptr : kind->make(std::move(sink), style);
 }
 
+std::unique_ptr<Reporter> make_html_reporter(TextSink sink, const ReportStyle& style) {
+    return style.html ? style.html(std::move(sink)) : nullptr;
+}
+
 }  // namespace campuswalk::engine

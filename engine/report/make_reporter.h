@@ -14,11 +14,13 @@ namespace campuswalk::engine {
 /// Takes text including its line ends. Throws std::runtime_error if it can't be written.
 using TextSink = std::function<void(std::string_view text)>;
 
-/// How a report is written for its reader; only `list` and `dot`, which people read, use it.
+/// How a report is written for its reader; only `list` and `dot`, which people read, and `html` use it.
 struct ReportStyle {
     bool color = false;       ///< ANSI colours, for a terminal
     bool quiet = false;       ///< only problems, and the last line
     std::string folder = {};  ///< the run's output folder as the user wrote it, where images are
+    /// Makes html reports, which contain more than results: the program knows where that comes from.
+    std::function<std::unique_ptr<Reporter>(TextSink sink)> html = {};
 };
 
 struct ReporterKind {

@@ -10,6 +10,7 @@ int main(int argc, char** argv) {
                            add_validate(program, chosen);
                            add_run(program, chosen);
                            add_merge_reports(program, chosen);
+                           add_report(program, chosen);
                            add_diff(program, chosen);
                            add_imgdiff(program, chosen);
                            add_replay(program, chosen);

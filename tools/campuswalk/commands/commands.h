@@ -20,6 +20,7 @@ void add_init(Command program, CommandAction& chosen);
 void add_validate(Command program, CommandAction& chosen);
 void add_run(Command program, CommandAction& chosen);
 void add_merge_reports(Command program, CommandAction& chosen);
+void add_report(Command program, CommandAction& chosen);
 void add_diff(Command program, CommandAction& chosen);
 void add_imgdiff(Command program, CommandAction& chosen);
 void add_replay(Command program, CommandAction& chosen);
@@ -42,6 +43,9 @@ void add_rendering_backend(Command command, Backend& backend);
 void add_tree(Command command, std::optional<collision::TreeKind>& tree);
 /// `--color`, for a command that prints reports.
 void add_color(Command command, ColorChoice& color);
+
+/// `--report-geometry`, for a command that writes html reports.
+void add_report_geometry(Command command, ReportGeometry& geometry);
 
 /// `--disable`: globs over the campus' objects.
 void add_disable(Command command, std::vector<std::string>& globs);

@@ -9,6 +9,7 @@
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/commands/commands.h"
+#include "tools/campuswalk/html/html_reports.h"
 #include "tools/campuswalk/run/plan/find_walks.h"
 #include "tools/campuswalk/run/plan/run_options.h"
 #include "tools/campuswalk/run/plan/run_settings.h"
@@ -36,8 +37,13 @@ int merge_reports(const MergeOptions& options) {
     run.color = options.color;
     const RunSettings settings = resolve_report_settings(run, environment_variable);
     check_targets(settings.reports);
-    Reports reports(settings.reports,
-                    {settings.color, false, as_seen_from_here(options.output).generic_string()}, false);
+    HtmlRequest html;
+    html.output = as_seen_from_here(options.output);
+    html.title = options.inputs.front().filename().generic_string();
+    html.problems = merged.problems();
+    engine::ReportStyle style{settings.color, false, html.output.generic_string()};
+    style.html = [&html](engine::TextSink sink) { return make_html_reporter(html, std::move(sink)); };
+    Reports reports(settings.reports, style, false);
     reports.begin(merged.plan());
     engine::RunReport report;
     merged.for_each([&](engine::WalkResult&& result) {

@@ -159,10 +159,12 @@ void add_output(Command& command, const Options& options) {
                    options->jsonl);
     command.choices(
         {.names = "--record",
-         .help = "Keep every tick in the walk's folder below --output: its position as trajectory.csv "
-                 "or .tum, its costs as trace.json, for Chrome's trace viewer, or with wall time as "
-                 "timed-trace.json; may be repeated"},
+         .help =
+             "Keep every tick in the walk's folder below --output: for html reports as recording.json, its "
+             "position as trajectory.csv or .tum, its costs as trace.json, for Chrome's trace viewer, or "
+             "with wall time as timed-trace.json; may be repeated"},
         names_of(record_kinds()), options->records);
+    add_report_geometry(command, options->report_geometry);
     add_sequence(command, options->sequence);
     command.choice_flag({.names = "-u,--update-snapshots",
                          .help = "Which golden logs and golden images are written; alone it means changed "

@@ -41,6 +41,18 @@ void add_color(Command command, ColorChoice& color) {
                    color);
 }
 
+void add_report_geometry(Command command, ReportGeometry& geometry) {
+    const std::map<std::string, ReportGeometry> geometries = {{"exact", ReportGeometry::exact},
+                                                              {"simplified", ReportGeometry::simplified},
+                                                              {"boxes", ReportGeometry::boxes},
+                                                              {"none", ReportGeometry::none}};
+    command.choice(
+        {.names = "--report-geometry",
+         .help = "What html reports show of campuses: every triangle, a surface that is nowhere more "
+                 "than 5 cm off, the boxes of their objects, or none"},
+        geometries, geometry);
+}
+
 void add_disable(Command command, std::vector<std::string>& globs) {
     command.option({.names = "--disable",
                     .help = "Objects that aren't there, such as a gate: a glob; may be repeated",

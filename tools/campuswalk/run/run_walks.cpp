@@ -15,9 +15,12 @@
 #include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
+#include "tools/campuswalk/base/text.h"
 #include "tools/campuswalk/base/writable_path.h"
+#include "tools/campuswalk/html/html_reports.h"
 #include "tools/campuswalk/images/images.h"
 #include "tools/campuswalk/logs/golden_log.h"
+#include "tools/campuswalk/run/cases/records.h"
 #include "tools/campuswalk/run/cases/run_fingerprint.h"
 #include "tools/campuswalk/run/plan/plan.h"
 #include "tools/campuswalk/run/plan/run_settings.h"
@@ -118,6 +121,26 @@ void check_golden_folder(const fs::path& folder) {
         throw error_about(folder, "output-unwritable", message + ": it is a symbolic link");
     }
     require_writable_folder(folder, message);
+}
+
+/// Those that are walked on.
+CampusesByFile campuses_of(const Plan& plan) {
+    CampusesByFile campuses;
+    for (const Case& each : plan.cases) {
+        if (each.walk) {
+            campuses.try_emplace(each.walk->walk.campus.lexically_normal().generic_string(),
+                                 each.walk->campus);
+        }
+    }
+    return campuses;
+}
+
+/// In quotes only where a shell would take it for something else.
+std::string shell_word(const std::string& text) {
+    const bool plain = text.find_first_not_of(
+                           "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                           "._/-+=:,@%") == std::string::npos;
+    return plain && !text.empty() ? text : shell_quoted(text);
 }
 
 /// A run, from the options to the exit code.
@@ -237,6 +260,11 @@ private:
             targets.push_back({"jsonl-log", options_.jsonl});
         }
         check_targets(targets);
+        for (const ReportTarget& target : targets) {
+            if (target.name == "html") {
+                require_html_reports("--reporter");
+            }
+        }
         const std::set<fs::path> inputs = inputs_of(plan);
         refuse_inputs(targets, inputs);
         for (const Case& each : plan.cases) {
@@ -244,11 +272,14 @@ private:
             if (settings_.update != UpdateSnapshots::none) {
                 check_golden_folder(golden_log_file(each.result.file, each.result.project).parent_path());
             }
-            if (each.walk && (images_ || !options_.records.empty())) {  // a failure is drawn, too
+            if (each.walk && (images_ || !settings_.records.empty())) {  // a failure is drawn, too
                 require_writable_folder(
                     settings_.output / each.folder,
                     std::string(images_ ? "pictures" : "records") + " can't be saved here");
             }
+        }
+        if (records_for_reports()) {
+            require_writable_folder(settings_.output / "campuses", "campuses can't be saved here");
         }
         if (!settings_.single) {
             require_writable_file(last_run_file(settings_.output), "results can't be saved here");
@@ -259,7 +290,7 @@ private:
     std::string settings_of_results() const {
         const SequenceRequest& sequence = options_.sequence;
         return json_text(Json{images_, settings_.strict, static_cast<int>(settings_.update),
-                              options_.require_identical, options_.records, json_of(settings_.tolerance),
+                              options_.require_identical, settings_.records, json_of(settings_.tolerance),
                               sequence.every.value_or(0.0), sequence.contact_sheet, sequence.animations,
                               sequence.video, sequence.view ? static_cast<int>(sequence.view->index()) : -1,
                               sequence.width.value_or(0)});
@@ -298,8 +329,10 @@ private:
         const std::unique_ptr<LastRunWriter> last_run = open_last_run(plan);
         const bool plays =
             std::ranges::any_of(plan.cases, [](const Case& each) { return each.walk != nullptr; });
-        Reports reports(settings_.reports,
-                        {settings_.color, options_.quiet, settings_.output.generic_string()}, plays);
+        if (records_for_reports()) {
+            write_campus_bundles(settings_.output, campuses_of(plan), options_.report_geometry);
+        }
+        Reports reports(settings_.reports, report_style(plan), plays);
         std::unique_ptr<LogOutput> events;
         if (options_.jsonl && plays) {
             events = std::make_unique<LogOutput>(false, options_.jsonl);
@@ -318,6 +351,38 @@ private:
         return exit_code;
     }
 
+    bool records_for_reports() const {
+        return std::ranges::find(settings_.records, kReportRecord) != settings_.records.end();
+    }
+
+    engine::ReportStyle report_style(const Plan& plan) const {
+        engine::ReportStyle style{settings_.color, options_.quiet, settings_.output.generic_string()};
+        HtmlRequest request;
+        request.output = settings_.output;
+        request.geometry = options_.report_geometry;
+        request.title = title_of_run();
+        request.command = "campuswalk run";
+        for (const fs::path& path : options_.paths) {
+            request.command += " " + shell_word(path.generic_string());
+        }
+        for (const Case& each : plan.cases) {
+            request.walks.emplace_back(each.result.file);
+        }
+        style.html = [request](engine::TextSink sink) {
+            return make_html_reporter(request, std::move(sink));
+        };
+        return style;
+    }
+
+    /// What the user named, which is the same on every machine.
+    std::string title_of_run() const {
+        std::string title;
+        for (const fs::path& path : options_.paths) {
+            title += (title.empty() ? "" : ", ") + path.generic_string();
+        }
+        return title.empty() ? "campuswalk" : title;
+    }
+
     SchedulerSettings scheduler_settings(const Reports& reports, bool events) const {
         SchedulerSettings scheduler;
         scheduler.play.output = settings_.output;
@@ -326,7 +391,7 @@ private:
         scheduler.play.backend = options_.backend;
         scheduler.play.log = reports.has_log();
         scheduler.play.events = events;
-        scheduler.play.records = options_.records;
+        scheduler.play.records = settings_.records;
         scheduler.play.sequence = options_.sequence;
         scheduler.play.update = settings_.update;
         scheduler.play.tolerance = settings_.tolerance;

@@ -14,6 +14,14 @@ namespace campuswalk::tools {
 
 enum class ColorChoice { automatic, always, never };
 
+/// How much of a campus an html report shows.
+enum class ReportGeometry {
+    exact,       ///< every triangle
+    simplified,  ///< to a few centimetres
+    boxes,       ///< of its objects
+    none,
+};
+
 /// The command line of `run`. What it leaves out is taken from walks.config.yaml or else is a default.
 struct RunOptions {
     std::vector<std::filesystem::path> paths;     ///< walks, or folders to look for them in
@@ -47,6 +55,7 @@ struct RunOptions {
     std::optional<std::filesystem::path> output;
     std::vector<std::string> reporters;  ///< NAME or NAME=FILE
     std::vector<std::string> records;    ///< names of record_kinds()
+    ReportGeometry report_geometry = ReportGeometry::simplified;
     SequenceRequest sequence;
     std::optional<std::filesystem::path> log;    ///< the text log, also in a file
     std::optional<std::filesystem::path> jsonl;  ///< the events as JSON lines

@@ -105,6 +105,12 @@ std::vector<ReportTarget> reports_for(const RunOptions& options, const WalksConf
     if (options.log) {
         reports.push_back({"log", options.log});
     }
+    for (const ReportTarget& target : reports) {
+        if (target.name == "html" && !target.file) {
+            throw InputError(option("--reporter"), "bad-value",
+                             "an html report needs a file, as in html=report.html");
+        }
+    }
     if (std::ranges::count_if(reports, printed) > 1) {
         throw InputError(option("--reporter"), "bad-value",
                          "only one report can go to standard output; give the others a file, as in "
@@ -123,6 +129,17 @@ std::optional<Shard> shard_for(const RunOptions& options, const Environment& env
     }
     throw InputError(option("--shard"), "bad-shard",
                      "'" + *options.shard + "' must be i/n with i from 1 to n, as in 2/4");
+}
+
+/// An html report shows walks from their recordings.
+std::vector<std::string> records_for(const RunOptions& options, const std::vector<ReportTarget>& reports) {
+    constexpr const char* kOfReports = "report";
+    std::vector<std::string> records = options.records;
+    if (std::ranges::find(reports, "html", &ReportTarget::name) != reports.end() &&
+        std::ranges::find(records, kOfReports) == records.end()) {
+        records.emplace_back(kOfReports);
+    }
+    return records;
 }
 
 bool uses_color(ColorChoice choice, const Environment& environment) {
@@ -204,6 +221,7 @@ RunSettings resolve_settings(const RunOptions& options, const Environment& envir
                       : config.output ? inside_project(config, *config.output)
                                       : fs::path("out");
     settings.reports = reports_for(options, config, settings.single);
+    settings.records = records_for(options, settings.reports);
     settings.update = updates_for(options, environment);
     settings.color = uses_color(options.color, environment);
     return settings;

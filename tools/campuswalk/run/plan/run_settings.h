@@ -40,6 +40,7 @@ struct RunSettings {
     int min_cases = 0;    ///< a run of fewer walks is an error
     std::filesystem::path output;
     std::vector<ReportTarget> reports;  ///< that to standard output first, if there is one
+    std::vector<std::string> records;   ///< names of what is recorded of each walk
     UpdateSnapshots update = UpdateSnapshots::none;
     engine::ImageTolerance tolerance;  ///< of snapshots, unless a walk says otherwise
     bool color = false;

@@ -37,6 +37,9 @@ bool begins_like(std::string_view kind, const fs::path& file) {
         {"json", {"{\"campuswalk_report\":"}},
         {"jsonl", {"{\"campuswalk_results\":"}},
         {"github", {"::error ", "::notice title=campuswalk::"}},
+        {"html",
+         {"<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\">\n"
+          "<meta http-equiv=\"Content-Security-Policy\""}},
         {"log", {"# walk-log "}}};
     constexpr std::size_t kEnough = 100;  // characters
     std::ifstream stream(file, std::ios::binary);
@@ -77,7 +80,7 @@ void check_target(const ReportTarget& target) {
 /// Whether a reader needs the report's end to make sense of it. Devices and pipes are streams, and so is a
 /// file whose folder can't be changed.
 bool is_whole(const ReportTarget& target) {
-    if (target.name != "junit" && target.name != "json") {
+    if (target.name != "junit" && target.name != "json" && target.name != "html") {
         return false;
     }
     std::error_code ignored;

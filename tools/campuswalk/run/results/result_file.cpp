@@ -82,8 +82,7 @@ std::optional<ResultFile> ResultFile::open(const fs::path& file) {
 }
 
 std::size_t ResultFile::for_each(const ResultVisitor& visit) const {
-    return for_each_located(
-        [&](std::streamoff, engine::WalkResult&& result) { visit(std::move(result)); });
+    return for_each_located([&](std::streamoff, engine::WalkResult&& result) { visit(std::move(result)); });
 }
 
 engine::WalkResult ResultFile::read_at(std::streamoff offset) const {

@@ -1,0 +1,205 @@
+#include "engine/report/html/html_reporter.h"
+
+#include <algorithm>
+#include <functional>
+#include <set>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "engine/report/html/report_pictures.h"
+#include "engine/report/html/walk_row.h"
+#include "engine/report/result_json.h"
+
+namespace campuswalk::engine {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Bytes that aren't UTF-8 can't be written in JSON: they become U+FFFD.
+std::string dumped(const Json& json) {
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// JSON of several lines on one: its strings have no line ends.
+std::string on_one_line(std::string text) {
+    std::erase(text, '\n');
+    std::erase(text, '\r');
+    return text;
+}
+
+std::optional<std::string> recording_of(const WalkResult& result, const FileReader& read) {
+    const auto artifact = std::ranges::find(result.artifacts, "recording", &Artifact::name);
+    return artifact == result.artifacts.end() ? std::nullopt : read(artifact->path);
+}
+
+}  // namespace
+
+HtmlReporter::HtmlReporter(TextSink sink, HtmlInputs inputs)
+    : inputs_(std::move(inputs)), page_(std::move(sink), inputs_.viewer), details_(page_) {}
+
+void HtmlReporter::begin(const RunPlan& plan) {
+    planned_ = plan.cases;
+    page_.begin(inputs_.title);
+}
+
+void HtmlReporter::result(const WalkResult& result) {
+    Details details = details_of(result, inputs_.read_artifact);
+    details_.add(details.line, std::move(details.row), rows_);
+    if (inputs_.against) {
+        compare(result, details.way);
+    }
+    ++walks_;
+}
+
+HtmlReporter::Details HtmlReporter::details_of(const WalkResult& result, const FileReader& read_artifact) {
+    Details details;
+    std::optional<std::string> recording = recording_of(result, read_artifact);
+    details.way = recording ? read_recorded_way(*recording) : std::nullopt;
+    WalkPlacement placement;
+    placement.campus = campus_of(result, details.way);
+    if (details.way) {
+        placement.plan = plan_of(*details.way);
+    }
+    const std::string pictures = pictures_of(result, read_artifact, placement.thumbnail);
+    details.line = "{\"result\":" + to_json_line(result) +
+                   ",\"recording\":" + (details.way ? on_one_line(std::move(*recording)) : "null") +
+                   ",\"pictures\":" + pictures + ",\"source\":" + source_of(result) + "}";
+    details.row = open_walk_row(result, placement);
+    return details;
+}
+
+/// Chunk numbers by path. The thumbnail is the first snapshot, or the first picture of a failure.
+std::string HtmlReporter::pictures_of(const WalkResult& result, const FileReader& read_artifact,
+                                      std::ptrdiff_t& thumbnail) {
+    Json chunks = Json::object();
+    for (const Artifact& artifact : result.artifacts) {
+        if (!is_still_picture(artifact) || chunks.contains(artifact.path)) {
+            continue;
+        }
+        const std::optional<std::string> bytes = read_artifact(artifact.path);
+        const std::optional<ReportPicture> picture = bytes ? report_picture(artifact, *bytes) : std::nullopt;
+        if (picture) {
+            const std::size_t chunk = page_.add_picture(picture->bytes, picture->media_type);
+            chunks[artifact.path] = chunk;
+            thumbnail = thumbnail < 0 ? static_cast<std::ptrdiff_t>(chunk) : thumbnail;
+        }
+    }
+    return dumped(chunks);
+}
+
+/// The text of the walk file, and of others that failures point to.
+std::string HtmlReporter::source_of(const WalkResult& result) const {
+    constexpr std::size_t kMostBytes = std::size_t{1} << 18U;
+    std::set<std::string> files = {result.file};
+    for (const Failure& failure : result.failures) {
+        files.insert(failure.mark.file);
+    }
+    Json source = Json::object();
+    for (const std::string& file : files) {
+        if (std::optional<std::string> text = inputs_.read_source(file); text && text->size() <= kMostBytes) {
+            source[file] = std::move(*text);
+        }
+    }
+    return source.empty() ? "null" : dumped(source);
+}
+
+std::ptrdiff_t HtmlReporter::campus_of(const WalkResult& result, const std::optional<RecordedWay>& way) {
+    const std::string file = way ? way->campus_file : inputs_.campus_file_of(result);
+    if (file.empty()) {
+        return -1;
+    }
+    const auto [known, is_new] = campuses_.try_emplace(file, -1);
+    if (is_new) {
+        if (const std::optional<ReportCampus> campus = inputs_.find_campus(file)) {
+            known->second = static_cast<std::ptrdiff_t>(campus_entries_.size());
+            names_.try_emplace(result.campus, known->second);
+            add_campus(*campus);
+        }
+    }
+    return known->second;
+}
+
+void HtmlReporter::add_campus(const ReportCampus& campus) {
+    std::string geometry = "null";
+    if (!campus.glb.empty()) {
+        geometry = dumped({{"chunk", page_.add_data(campus.glb)},
+                           {"kind", campus.error > 0.0 ? "simplified" : "exact"},
+                           {"error", campus.error}});
+    }
+    campus_entries_.push_back("{" + campus.entry + ",\"geometry\":" + geometry + "}");
+}
+
+void HtmlReporter::compare(const WalkResult& result, const std::optional<RecordedWay>& way) {
+    seen_.push_back(std::hash<std::string>()(result.id));
+    const std::optional<WalkResult> other = inputs_.against->find(result.id);
+    if (other && (other->outcome != result.outcome || other->hash != result.hash)) {
+        add_compared(*other, static_cast<std::ptrdiff_t>(walks_), way);
+    }
+}
+
+void HtmlReporter::add_compared(const WalkResult& other, std::ptrdiff_t index,
+                                const std::optional<RecordedWay>& way) {
+    Details details = details_of(other, inputs_.against->read_artifact);
+    const std::optional<Tick> parts_at = way && details.way ? parting_tick(*way, *details.way) : std::nullopt;
+    details.row += ",\"index\":" + std::to_string(index) +
+                   ",\"parts_at\":" + (parts_at ? std::to_string(*parts_at) : "null");
+    details_.add(details.line, std::move(details.row), against_rows_);
+}
+
+/// Walks that only the other run has.
+void HtmlReporter::add_unmatched() {
+    std::ranges::sort(seen_);
+    inputs_.against->for_each([this](const WalkResult& other) {
+        if (!std::ranges::binary_search(seen_, std::hash<std::string>()(other.id))) {
+            add_compared(other, -1, std::nullopt);
+        }
+    });
+}
+
+void HtmlReporter::end(const RunReport& /*report*/) {
+    if (inputs_.against) {
+        add_unmatched();
+    }
+    details_.flush();
+    std::string campuses;
+    for (const std::string& entry : campus_entries_) {
+        campuses += (campuses.empty() ? "" : ",\n") + entry;
+    }
+    const bool complete = walks_ == planned_ && inputs_.problems.empty();
+    std::string index = dumped({{"campuswalk_report", 1},
+                                {"title", inputs_.title},
+                                {"generator", inputs_.generator},
+                                {"complete", complete},
+                                {"problems", inputs_.problems},
+                                {"command", inputs_.command},
+                                {"replay", "campuswalk run {file}[ --project {project}]"}});
+    index.pop_back();
+    page_.finish(index + ",\n\"campuses\":[" + campuses + "],\n\"walks\":[" + rows_ +
+                 "],\n\"against\":" + against_json() + ",\n\"findings\":" + findings_json() + "}");
+}
+
+std::string HtmlReporter::against_json() const {
+    return inputs_.against
+               ? "{\"name\":" + dumped(inputs_.against->name) + ",\"walks\":[" + against_rows_ + "]}"
+               : "null";
+}
+
+/// Each with the index of its campus; those of campuses that no walk is on are left out.
+std::string HtmlReporter::findings_json() const {
+    if (inputs_.findings.empty()) {
+        return "null";
+    }
+    Json shown = Json::array();
+    for (Json& finding : Json::parse(inputs_.findings)) {
+        const auto campus = names_.find(finding.at("campus").get<std::string>());
+        if (campus != names_.end()) {
+            finding["campus"] = campus->second;
+            shown.push_back(std::move(finding));
+        }
+    }
+    return dumped(shown);
+}
+
+}  // namespace campuswalk::engine

@@ -1,0 +1,44 @@
+#include "engine/report/html/report_pictures.h"
+
+#include <cstdint>
+#include <span>
+
+#include "scene/export/webp_image.h"
+#include "scene/import/source/decode_image.h"
+
+namespace campuswalk::engine {
+
+namespace {
+
+constexpr int kMaxWidth = 1280;    // pixels
+constexpr int kMaxHeight = 16383;  // pixels, WebP's own limit
+constexpr float kQuality = 80.0F;  // of 100
+
+bool is_compared(const Artifact& artifact) {
+    const std::string& path = artifact.path;
+    return path.ends_with("-actual.png") || path.ends_with("-expected.png") || path.ends_with("-diff.png");
+}
+
+}  // namespace
+
+bool is_still_picture(const Artifact& artifact) {
+    return artifact.media_type == "image/png" || artifact.media_type == "image/jpeg" ||
+           artifact.media_type == "image/webp";
+}
+
+std::optional<ReportPicture> report_picture(const Artifact& artifact, std::string_view bytes) {
+    std::string reason;
+    const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
+    const auto decoded = scene::decode_image(std::span(data, bytes.size()), reason);
+    if (!decoded) {
+        return std::nullopt;
+    }
+    const scene::PixelView pixels{decoded->width, decoded->height, decoded->rgba};
+    if (is_compared(artifact)) {
+        return ReportPicture{scene::encode_webp_lossless(pixels), "image/webp"};
+    }
+    const scene::Pixels shown = scene::shrunk_to_fit(pixels, kMaxWidth, kMaxHeight);
+    return ReportPicture{scene::encode_webp(shown.view(), kQuality), "image/webp"};
+}
+
+}  // namespace campuswalk::engine

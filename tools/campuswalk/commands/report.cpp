@@ -1,0 +1,120 @@
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "scene/base/diagnostic.h"
+#include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/print.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
+#include "tools/campuswalk/commands/commands.h"
+#include "tools/campuswalk/html/html_reports.h"
+#include "tools/campuswalk/loading/walk_loader.h"
+#include "tools/campuswalk/run/plan/find_walks.h"
+#include "tools/campuswalk/run/results/merged_run.h"
+#include "tools/campuswalk/run/results/reports.h"
+
+namespace campuswalk::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Options {
+    std::vector<fs::path> inputs;  ///< jsonl reports, or folders to look for them in
+    fs::path file = "report.html";
+    std::string title;
+    HtmlRequest html;
+};
+
+std::string title_of(const std::vector<fs::path>& inputs) {
+    std::string title;
+    for (const fs::path& input : inputs) {
+        title += (title.empty() ? "" : ", ") + input.filename().generic_string();
+    }
+    return title;
+}
+
+/// The new file may not replace one that it is made from.
+void refuse_inputs(const fs::path& file, const std::vector<ResultFile>& inputs) {
+    std::error_code ignored;
+    for (const ResultFile& input : inputs) {
+        if (fs::equivalent(file, input.file(), ignored)) {
+            throw error_about(file, "report-unwritable",
+                              "this would replace a file that the report is made from; name another");
+        }
+    }
+}
+
+int report(const Options& options) {
+    require_html_reports("report");
+    const std::vector<ResultFile> inputs = open_result_files(options.inputs);
+    refuse_inputs(options.file, inputs);
+    const std::vector<ReportTarget> targets = {{"html", as_seen_from_here(options.file)}};
+    check_targets(targets);
+    const MergedRun merged(inputs);
+
+    HtmlRequest request = options.html;
+    request.output = as_seen_from_here(request.output);
+    request.title = options.title.empty() ? title_of(options.inputs) : options.title;
+    request.problems = merged.problems();
+    engine::ReportStyle style;
+    style.html = [&request](engine::TextSink sink) { return make_html_reporter(request, std::move(sink)); };
+    Reports reports(targets, style, false);
+    reports.begin(merged.plan());
+    merged.for_each([&](engine::WalkResult&& result) { reports.result(result); });
+    reports.end({});
+
+    for (const std::string& problem : merged.problems()) {
+        print_error_line(problem);
+    }
+    print_error_line("wrote " + options.file.generic_string() +
+                     (merged.problems().empty() ? "" : ", which shows what there is"));
+    return merged.problems().empty() ? kPass : kBadInput;
+}
+
+}  // namespace
+
+void add_report(Command program, CommandAction& chosen) {
+    const auto options = std::make_shared<Options>();
+    Command command = program.add("report", "Make an HTML report of a run");
+    command.option({.names = "REPORT",
+                    .help = "What --reporter jsonl=FILE wrote, of all shards, or folders to look for that in",
+                    .value = "PATH",
+                    .required = true},
+                   options->inputs);
+    command.option({.names = "-o", .help = "The report", .value = "FILE", .show_default = true},
+                   options->file);
+    command.option({.names = "--output",
+                    .help = "Folder of the run's pictures, recordings and campuses",
+                    .value = "DIR",
+                    .show_default = true},
+                   options->html.output);
+    command.option({.names = "--title", .help = "Of the page [the files' names]", .value = "TEXT"},
+                   options->title);
+    command.option({.names = "--against",
+                    .help = "The jsonl report of another run: shows what changed, and where ways part",
+                    .value = "PATH"},
+                   options->html.against);
+    command.option({.names = "--against-output", .help = "Its folder [that of --output]", .value = "DIR"},
+                   options->html.against_output);
+    command.option({.names = "--findings",
+                    .help = "What explore --json wrote of a campus, to lie over it; may be repeated",
+                    .value = "FILE"},
+                   options->html.findings);
+    add_report_geometry(command, options->html.geometry);
+    add_import_options(command);
+    add_root_option(command);
+    command.footer(
+        "Walks are shown in three dimensions if they were run with --record report, which leaves a recording "
+        "of\n"
+        "each and a bundle of each campus in --output; `run --reporter html=FILE` does both.\n"
+        "Exit code: 0 written; 2 bad usage or input, or results are missing: then the report shows what "
+        "there is.");
+    command.choose(chosen, [options] { return report(*options); });
+}
+
+}  // namespace campuswalk::tools

@@ -1,0 +1,100 @@
+#include "tools/campuswalk/html/campus_bundle.h"
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "engine/report/html/campus_entry.h"
+#include "scene/base/atomic_file.h"
+#include "scene/cache/content_hash.h"
+#include "scene/campus/node_selection.h"
+#include "scene/export/write_glb.h"
+#include "tools/campuswalk/base/json_text.h"
+#include "tools/campuswalk/base/text.h"
+#include "tools/campuswalk/html/run_files.h"
+
+namespace campuswalk::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double kError = 0.05;  // metres
+
+/// Which objects each node belongs to, by model and node.
+std::vector<std::vector<scene::Tags>> objects_of_nodes(const scene::Campus& campus) {
+    std::vector<std::vector<scene::Tags>> tags;
+    for (const scene::Model& model : campus.models) {
+        tags.emplace_back(model.nodes.size());
+    }
+    for (std::size_t i = 0; i < campus.objects.size(); ++i) {
+        for (const scene::NodeRef& ref : scene::nodes_of(campus.models, campus.objects[i].nodes)) {
+            scene::Tags& own = tags[ref.model][ref.node];
+            if (own.empty() || own.back() != i) {
+                own.push_back(static_cast<std::uint32_t>(i));
+            }
+        }
+    }
+    return tags;
+}
+
+std::string glb_of(const scene::Campus& campus, double error) {
+    scene::GlbSettings settings;
+    settings.error = error;
+    const std::vector<std::vector<scene::Tags>> tags = objects_of_nodes(campus);
+    return scene::write_glb(campus.models, settings,
+                            [&](std::size_t model, std::size_t node) { return tags[model][node]; })
+        .bytes;
+}
+
+}  // namespace
+
+engine::ReportCampus report_campus(const scene::Campus& campus, const std::string& file,
+                                   ReportGeometry geometry) {
+    engine::ReportCampus shown;
+    shown.entry = engine::campus_entry(campus, file);
+    if (geometry == ReportGeometry::exact || geometry == ReportGeometry::simplified) {
+        shown.error = geometry == ReportGeometry::exact ? 0.0 : kError;
+        shown.glb = glb_of(campus, shown.error);
+    }
+    return shown;
+}
+
+std::string bundle_name(const std::string& file) {
+    constexpr std::size_t kDigits = 8;
+    const std::string hash = scene::to_string(scene::hash_of(std::as_bytes(std::span(file))));
+    return "campuses/" + without_ending(fs::path(file).filename().generic_string(), ".campus.yaml") + "-" +
+           hash.substr(0, kDigits);
+}
+
+void write_bundle(const fs::path& output, const std::string& file, const engine::ReportCampus& campus) {
+    const std::string name = bundle_name(file);
+    Json json = {{"campuswalk_campus", 1}, {"glb", nullptr}, {"error", campus.error}};
+    if (!campus.glb.empty()) {
+        json["glb"] = fs::path(name + ".glb").filename().generic_string();
+        scene::write_file_atomically(output / (name + ".glb"), campus.glb);
+    }
+    json["campus"] = Json::parse("{" + campus.entry + "}");
+    scene::write_file_atomically(output / (name + ".json"), json_text(json) + "\n");
+}
+
+std::optional<engine::ReportCampus> read_bundle(const fs::path& output, const std::string& file) {
+    const std::string name = bundle_name(file);
+    const std::optional<std::string> text = read_below(output, name + ".json");
+    const Json json = text ? Json::parse(*text, nullptr, false) : Json();
+    if (!json.is_object() || json.value("campuswalk_campus", Json()) != 1 || !json.contains("campus") ||
+        !json["campus"].is_object()) {
+        return std::nullopt;
+    }
+    engine::ReportCampus campus;
+    const std::string entry = json["campus"].dump(-1, ' ', false, Json::error_handler_t::replace);
+    campus.entry = entry.substr(1, entry.size() - 2);
+    campus.error = json.contains("error") && json["error"].is_number() ? json["error"].get<double>() : 0.0;
+    if (json.contains("glb") && json["glb"].is_string()) {
+        campus.glb = read_below(output, name + ".glb").value_or("");
+    }
+    return campus;
+}
+
+}  // namespace campuswalk::tools

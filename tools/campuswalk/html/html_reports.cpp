@@ -1,0 +1,178 @@
+#include "tools/campuswalk/html/html_reports.h"
+
+#include <set>
+
+#include "config/loader/load_run.h"
+#include "config/loader/values/read_roots.h"
+#include "engine/report/html/html_reporter.h"
+#include "scene/base/diagnostic.h"
+#include "tools/campuswalk/base/json_text.h"
+#include "tools/campuswalk/base/print.h"
+#include "tools/campuswalk/base/read_lines.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
+#include "tools/campuswalk/html/campus_bundle.h"
+#include "tools/campuswalk/html/compared_run.h"
+#include "tools/campuswalk/html/run_files.h"
+#include "tools/campuswalk/html/viewer_bundle.h"
+#include "tools/campuswalk/loading/walk_loader.h"
+
+namespace campuswalk::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Reads YAML files of the projects that the user named: results from elsewhere may name any file.
+class SourceFiles {
+public:
+    explicit SourceFiles(const std::vector<fs::path>& named) {
+        std::set<fs::path> known;
+        for (const fs::path& file : named) {
+            config::ReadRoots roots(file, search_paths().roots);
+            if (known.insert(roots.project()).second) {
+                roots_.push_back(std::move(roots));
+            }
+        }
+        roots_.emplace_back(fs::path("."), search_paths().roots);
+    }
+
+    bool may_read(const fs::path& file) const {
+        std::error_code ignored;
+        return file.extension() == ".yaml" && fs::is_regular_file(file, ignored) &&
+               std::ranges::any_of(roots_, [&](const config::ReadRoots& roots) {
+                   return roots.why_unreadable(file).empty();
+               });
+    }
+
+    std::optional<std::string> read(const std::string& file) const {
+        try {
+            return may_read(file) ? std::optional(read_bytes(file)) : std::nullopt;
+        } catch (const scene::InputError&) {
+            return std::nullopt;
+        }
+    }
+
+private:
+    std::vector<config::ReadRoots> roots_;
+};
+
+/// Finds campuses as walks name them: as they were in the run, else as they are now.
+class CampusFinder {
+public:
+    CampusFinder(fs::path output, ReportGeometry geometry, std::shared_ptr<const SourceFiles> sources)
+        : output_(std::move(output)), geometry_(geometry), sources_(std::move(sources)) {}
+
+    std::optional<engine::ReportCampus> find(const std::string& file) {
+        std::optional<engine::ReportCampus> campus = read_bundle(output_, file);
+        const bool wants_more =
+            campus && geometry_ == ReportGeometry::exact && (campus->glb.empty() || campus->error > 0.0);
+        if (!campus || wants_more) {
+            if (std::optional<engine::ReportCampus> loaded = load(file)) {
+                campus = std::move(loaded);
+            }
+        }
+        if (campus && (geometry_ == ReportGeometry::boxes || geometry_ == ReportGeometry::none)) {
+            campus->glb.clear();
+        }
+        if (campus && geometry_ == ReportGeometry::none) {
+            drop_objects(*campus);
+        }
+        return campus;
+    }
+
+    /// The campus file that a walk file names.
+    std::string campus_file_of(const engine::WalkResult& result) {
+        if (!sources_->may_read(result.file)) {
+            return "";
+        }
+        try {
+            return loader_.read(result.file).walk.campus.lexically_normal().generic_string();
+        } catch (const scene::InputError&) {
+            return "";  // the result says what is wrong with it
+        }
+    }
+
+private:
+    std::optional<engine::ReportCampus> load(const std::string& file) {
+        if (!sources_->may_read(file)) {
+            return std::nullopt;
+        }
+        try {
+            return report_campus(*loader_.load_campus(file), file, geometry_);
+        } catch (const scene::InputError& error) {
+            for (const scene::Diagnostic& diagnostic : error.diagnostics()) {
+                print_error_line(scene::to_string(diagnostic));
+            }
+            return std::nullopt;
+        }
+    }
+
+    static void drop_objects(engine::ReportCampus& campus) {
+        Json entry = Json::parse("{" + campus.entry + "}");
+        entry["objects"] = Json::array();
+        const std::string text = entry.dump(-1, ' ', false, Json::error_handler_t::replace);
+        campus.entry = text.substr(1, text.size() - 2);
+    }
+
+    fs::path output_;
+    ReportGeometry geometry_;
+    std::shared_ptr<const SourceFiles> sources_;
+    WalkLoader loader_;
+};
+
+/// All findings of the files, each with the name of its campus.
+std::string read_findings(const std::vector<fs::path>& files) {
+    if (files.empty()) {
+        return "";
+    }
+    Json all = Json::array();
+    for (const fs::path& file : files) {
+        const Json json = Json::parse(read_bytes(file), nullptr, false);
+        if (!json.is_object() || json.value("campuswalk_explore", Json()) != 1 ||
+            !json.contains("findings") || !json.contains("campus") || !json["campus"].is_string()) {
+            throw scene::InputError({file.generic_string(), 1, 1}, "bad-report",
+                                    "this isn't what explore --json writes");
+        }
+        for (Json finding : json["findings"]) {
+            finding["campus"] = json["campus"];
+            all.push_back(std::move(finding));
+        }
+    }
+    return all.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace
+
+void require_html_reports(const fs::path& /*subject*/) {}
+
+void write_campus_bundles(const fs::path& output, const CampusesByFile& campuses, ReportGeometry geometry) {
+    for (const auto& [file, campus] : campuses) {
+        write_bundle(output, file, report_campus(*campus, file, geometry));
+    }
+}
+
+std::unique_ptr<engine::Reporter> make_html_reporter(const HtmlRequest& request, engine::TextSink sink) {
+    const auto sources = std::make_shared<const SourceFiles>(request.walks);
+    const auto campuses = std::make_shared<CampusFinder>(request.output, request.geometry, sources);
+    engine::HtmlInputs inputs;
+    inputs.viewer = viewer_bundle();
+    inputs.title = request.title;
+    inputs.generator = "campuswalk " CAMPUSWALK_VERSION;
+    inputs.command = request.command;
+    inputs.read_artifact = [output = request.output](const std::string& path) {
+        return read_below(output, path);
+    };
+    inputs.read_source = [sources](const std::string& file) { return sources->read(file); };
+    inputs.campus_file_of = [campuses](const engine::WalkResult& result) {
+        return campuses->campus_file_of(result);
+    };
+    inputs.find_campus = [campuses](const std::string& file) { return campuses->find(file); };
+    if (request.against) {
+        inputs.against = open_compared_run(*request.against, request.against_output.value_or(request.output));
+    }
+    inputs.findings = read_findings(request.findings);
+    inputs.problems = request.problems;
+    return std::make_unique<engine::HtmlReporter>(std::move(sink), std::move(inputs));
+}
+
+}  // namespace campuswalk::tools
