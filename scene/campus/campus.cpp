@@ -256,6 +256,9 @@ Campus load_campus(CampusDescription description, std::unique_ptr<collision::Bro
     CachedMeshes meshes = cacheable
                               ? CachedMeshes(*cache, campus.description, campus.origin.at, scenes.contents)
                               : CachedMeshes();
+    if (scenes.contents.size() == campus.models.size()) {
+        campus.contents = scenes.contents;
+    }
     ColliderBuilder builder(campus, meshes, tree, diagnostics, warnings);
     for (const ColliderDescription& collider : campus.description.colliders) {
         check_globs(campus.models, collider.nodes, diagnostics);

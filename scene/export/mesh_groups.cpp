@@ -16,15 +16,13 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double kMillimetres = 1000.0;
-
-Vector3d whole_millimetres(const Vector3d& point) {
-    return (point * kMillimetres).array().round() / kMillimetres;
+Vector3d whole_steps(const Vector3d& point, double step) {
+    return step > 0.0 ? Vector3d((point / step).array().round() * step) : point;
 }
 
-/// Texture coordinates on a fine grid: a quarter of a texel of a 512-pixel texture, and easier to compress.
+/// Texture coordinates on a fine grid: half a texel of a 512-pixel texture, and easier to compress.
 float rounded_uv(float value) {
-    constexpr float kSteps = 2048.0F;
+    constexpr float kSteps = 1024.0F;
     return std::round(value * kSteps) / kSteps;
 }
 
@@ -63,6 +61,66 @@ struct Placed {
                                        : Vector3d(Vector3d::UnitY());
     }
 };
+
+/// Drops triangles that have two equal positions.
+void drop_degenerate(MeshGroup& group) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i + 2 < group.indices.size(); i += 3) {
+        const std::array<std::uint32_t, 3> t = {group.indices[i], group.indices[i + 1], group.indices[i + 2]};
+        const auto& a = group.vertices[t[0]].position;
+        const auto& b = group.vertices[t[1]].position;
+        const auto& c = group.vertices[t[2]].position;
+        if (a != b && b != c && c != a) {
+            std::ranges::copy(t, group.indices.begin() + static_cast<std::ptrdiff_t>(count));
+            count += 3;
+        }
+    }
+    group.indices.resize(count);
+}
+
+/// Whether all vertices have their faces' normals, to a few degrees. Then faces share vertices without them,
+/// of which there are half as many.
+bool is_flat(const MeshGroup& group) {
+    constexpr double kCosine = 0.998;
+    const auto position = [&](std::size_t i) {
+        const auto& p = group.vertices[group.indices[i]].position;
+        return Vector3d(p[0], p[1], p[2]);
+    };
+    for (std::size_t i = 0; i + 2 < group.indices.size(); i += 3) {
+        const Vector3d face = (position(i + 1) - position(i)).cross(position(i + 2) - position(i));
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto& n = group.vertices[group.indices[i + k]].normal;
+            const Vector3d normal(n[0], n[1], n[2]);
+            if (face.dot(normal) < kCosine * face.norm() * normal.norm()) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/// Merges equal vertices.
+void weld(MeshGroup& group) {
+    drop_degenerate(group);
+    group.is_flat = is_flat(group);
+    if (group.is_flat) {
+        for (ExportVertex& vertex : group.vertices) {
+            vertex.normal = {};
+        }
+    }
+    if (group.indices.empty()) {
+        group.vertices.clear();
+        return;
+    }
+    std::vector<unsigned int> remap(group.vertices.size());
+    std::vector<ExportVertex> welded(
+        meshopt_generateVertexRemap(remap.data(), group.indices.data(), group.indices.size(),
+                                    group.vertices.data(), group.vertices.size(), sizeof(ExportVertex)));
+    meshopt_remapVertexBuffer(welded.data(), group.vertices.data(), group.vertices.size(),
+                              sizeof(ExportVertex), remap.data());
+    meshopt_remapIndexBuffer(group.indices.data(), group.indices.data(), group.indices.size(), remap.data());
+    group.vertices = std::move(welded);
+}
 
 class Grouper {
 public:
@@ -157,8 +215,7 @@ private:
 
     ExportVertex vertex_of(const Placed& placed, std::uint32_t i, MeshGroup& group) const {
         ExportVertex vertex;
-        Vector3d position = placed.position(i);
-        position = (settings_.round_to_millimetres ? whole_millimetres(position) : position) - group.origin;
+        const Vector3d position = whole_steps(placed.position(i), settings_.step) - group.origin;
         for (int k = 0; k < 3; ++k) {
             vertex.position[static_cast<std::size_t>(k)] = static_cast<float>(position[k]) + 0.0F;
         }
@@ -173,35 +230,6 @@ private:
                 group.has_colors || vertex.color != std::array<std::uint8_t, 4>{255, 255, 255, 255};
         }
         return vertex;
-    }
-
-    /// Merges equal vertices and drops triangles that have two equal positions.
-    static void weld(MeshGroup& group) {
-        std::vector<std::uint32_t> kept;
-        kept.reserve(group.indices.size());
-        for (std::size_t i = 0; i + 2 < group.indices.size(); i += 3) {
-            const auto& a = group.vertices[group.indices[i]].position;
-            const auto& b = group.vertices[group.indices[i + 1]].position;
-            const auto& c = group.vertices[group.indices[i + 2]].position;
-            if (a != b && b != c && c != a) {
-                kept.insert(kept.end(), group.indices.begin() + static_cast<std::ptrdiff_t>(i),
-                            group.indices.begin() + static_cast<std::ptrdiff_t>(i) + 3);
-            }
-        }
-        std::vector<unsigned int> remap(group.vertices.size());
-        const std::size_t count =
-            kept.empty()
-                ? 0
-                : meshopt_generateVertexRemap(remap.data(), kept.data(), kept.size(), group.vertices.data(),
-                                              group.vertices.size(), sizeof(ExportVertex));
-        std::vector<ExportVertex> welded(count);
-        group.indices.resize(kept.size());
-        if (count > 0) {
-            meshopt_remapVertexBuffer(welded.data(), group.vertices.data(), group.vertices.size(),
-                                      sizeof(ExportVertex), remap.data());
-            meshopt_remapIndexBuffer(group.indices.data(), kept.data(), kept.size(), remap.data());
-        }
-        group.vertices = std::move(welded);
     }
 
     const GroupSettings& settings_;

@@ -30,7 +30,8 @@ struct MeshGroup {
     std::size_t material = 0;  ///< as `material_of` numbers them
     Tags tags;
     std::string node;  ///< the name of the node that all of it comes from; empty if there are several
-    Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< world, whole millimetres
+    Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< world; a multiple of the step
+    bool is_flat = false;  ///< every face is lit as a plane: normals are zero, and readers compute them
     bool has_uvs = false;
     bool has_colors = false;  ///< that differ from white
     std::vector<ExportVertex> vertices;
@@ -39,8 +40,9 @@ struct MeshGroup {
 
 struct GroupSettings {
     double cell = 64.0;  ///< metres, edge of the squares
-    /// Vertices are moved to whole millimetres of the world, those that groups share to the same ones.
-    bool round_to_millimetres = true;
+    /// Metres: vertices are moved to multiples of it, in the world, those that groups share to the same ones.
+    /// 0: they stay where they are.
+    double step = 0.0;
     std::function<std::size_t(std::size_t model, MaterialIndex material)> material_of;
     std::function<Tags(std::size_t model, std::size_t node)> tags_of;
 };

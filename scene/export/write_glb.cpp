@@ -23,7 +23,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using View = GlbBuffers::View;
 
-constexpr double kMillimetre = 1e-3;
+constexpr double kStep = 2e-3;  // metres: of positions, unless they are exact
 constexpr int kFloat = 5126;
 constexpr int kByte = 5120;
 constexpr int kUnsignedByte = 5121;
@@ -70,26 +70,26 @@ PackedPositions packed_floats(const MeshGroup& group) {
     return packed;
 }
 
-/// In whole millimetres of the world, so that neighbours still meet; as floats where 16 bits don't reach.
-PackedPositions packed_millimetres(const MeshGroup& group) {
+/// In whole steps of the world, so that neighbours still meet; as floats where 16 bits don't reach.
+PackedPositions packed_steps(const MeshGroup& group) {
     constexpr double kMost = 65535.0;
     const Eigen::AlignedBox3f box = bounds_of(group);
-    const Vector3d low = (box.min().cast<double>() / kMillimetre).array().round();
-    const Vector3d high = (box.max().cast<double>() / kMillimetre).array().round();
+    const Vector3d low = (box.min().cast<double>() / kStep).array().round();
+    const Vector3d high = (box.max().cast<double>() / kStep).array().round();
     if ((high - low).maxCoeff() > kMost) {
         return packed_floats(group);
     }
     PackedPositions packed;
     packed.view = View::positions_16;
-    packed.scale = kMillimetre;
-    packed.translation = group.origin + low * kMillimetre;
+    packed.scale = kStep;
+    packed.translation = group.origin + low * kStep;
     std::vector<std::array<std::uint16_t, 4>> positions;
     positions.reserve(group.vertices.size());
     for (const ExportVertex& vertex : group.vertices) {
         std::array<std::uint16_t, 4>& position = positions.emplace_back();
         for (std::size_t k = 0; k < 3; ++k) {
             position[k] =
-                static_cast<std::uint16_t>(std::round(static_cast<double>(vertex.position[k]) / kMillimetre) -
+                static_cast<std::uint16_t>(std::round(static_cast<double>(vertex.position[k]) / kStep) -
                                            low[static_cast<Eigen::Index>(k)]);
         }
     }
@@ -118,7 +118,7 @@ public:
     GlbBuilder(bool rounded, GlbBuffers& buffers) : rounded_(rounded), buffers_(buffers) {}
 
     void add(const MeshGroup& group) {
-        const PackedPositions positions = rounded_ ? packed_millimetres(group) : packed_floats(group);
+        const PackedPositions positions = rounded_ ? packed_steps(group) : packed_floats(group);
         const bool shorts = positions.view == View::positions_16;
         const std::size_t count = group.vertices.size();
         Json position =
@@ -126,7 +126,9 @@ public:
         position["min"] = positions.min;
         position["max"] = positions.max;
         Json attributes = {{"POSITION", keep(positions.view, std::move(position))}};
-        attributes["NORMAL"] = add_attribute(group, View::normals, kByte, "VEC3", &ExportVertex::normal);
+        if (!group.is_flat) {
+            attributes["NORMAL"] = add_attribute(group, View::normals, kByte, "VEC3", &ExportVertex::normal);
+        }
         if (group.has_uvs) {
             attributes["TEXCOORD_0"] = add_attribute(group, View::uvs, kFloat, "VEC2", &ExportVertex::uv);
         }
@@ -275,7 +277,7 @@ GlbFile write_glb(std::span<const Model> models, const GlbSettings& settings,
     ExportMaterials materials(models, settings.texture_size, buffers);
     const bool simplified = settings.error > 0.0;
     GroupSettings grouping;
-    grouping.round_to_millimetres = simplified;
+    grouping.step = simplified ? kStep : 0.0;
     grouping.tags_of = tags_of;
     grouping.material_of = [&](std::size_t model, MaterialIndex material) {
         return materials.number_of(model, material);
@@ -285,7 +287,7 @@ GlbFile write_glb(std::span<const Model> models, const GlbSettings& settings,
     for (MeshGroup& group : group_triangles(models, grouping)) {
         file.source_triangles += group.indices.size() / 3;
         if (simplified) {
-            simplify(group, settings.error - kMillimetre);  // that much may have gone into rounding
+            simplify(group, settings.error - kStep);  // that much may have gone into rounding
         }
         reorder(group);
         file.triangles += group.indices.size() / 3;

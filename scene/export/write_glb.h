@@ -24,8 +24,8 @@ struct GlbFile {
 /// Several models in one binary glTF 2.0, for looking at: its nodes are not the models', but groups of
 /// triangles that share material, tags and square of the ground. Each has `extras: {objects: [tags], node:
 /// "…"}`, the node that all of it comes from, if that is one. Compressed by EXT_meshopt_compression, textures
-/// as WebP; with an error positions are whole millimetres (KHR_mesh_quantization). The same models give the
-/// same bytes.
+/// as WebP; with an error positions are multiples of two millimetres (KHR_mesh_quantization). The same models
+/// give the same bytes.
 GlbFile write_glb(std::span<const Model> models, const GlbSettings& settings,
                   const std::function<Tags(std::size_t model, std::size_t node)>& tags_of);
 

@@ -19,7 +19,7 @@ int main(int argc, char** argv) {
     const std::map<std::string, RunReport> runs = {
         {"empty", {}}, {"full", {{full_result()}}}, {"hostile", hostile_report()}, {"mixed", mixed_report()}};
     for (const auto& [name, report] : runs) {
-        for (const std::string& reporter : reporter_names()) {
+        for (const std::string& reporter : reporters_of_results()) {
             std::ofstream(folder / (name + "." + reporter), std::ios::binary) << written(reporter, report);
         }
     }

@@ -29,14 +29,23 @@ std::vector<std::string> lines_of(const std::string& text) {
 }
 
 TEST(Reporters, AreCreatedByName) {
-    for (const std::string& name : reporter_names()) {
+    for (const std::string& name : reporters_of_results()) {
         EXPECT_NE(make_reporter(name, [](std::string_view) {}), nullptr) << name;
     }
     EXPECT_EQ(make_reporter("lists", [](std::string_view) {}), nullptr);
 }
 
+TEST(Reporters, ThatOfHtmlComesFromTheProgram) {
+    EXPECT_EQ(make_reporter("html", [](std::string_view) {}), nullptr);
+    ReportStyle style;
+    style.html = [](TextSink sink) { return make_reporter("tap", std::move(sink)); };
+    EXPECT_NE(make_reporter(
+                  "html", [](std::string_view) {}, style),
+              nullptr);
+}
+
 TEST(Reporters, EndEveryReportWithANewline) {
-    for (const std::string& name : reporter_names()) {
+    for (const std::string& name : reporters_of_results()) {
         for (const RunReport& report : {RunReport{}, mixed_report(), hostile_report()}) {
             const std::string text = written(name, report);
             EXPECT_TRUE(text.empty() || text.ends_with('\n')) << name;
@@ -45,7 +54,7 @@ TEST(Reporters, EndEveryReportWithANewline) {
 }
 
 TEST(Reporters, PropagateExceptionsOfTheirSink) {
-    for (const std::string& name : reporter_names()) {
+    for (const std::string& name : reporters_of_results()) {
         const auto reporter =
             make_reporter(name, [](std::string_view) { throw std::runtime_error("disk full"); });
         const RunReport report = mixed_report();

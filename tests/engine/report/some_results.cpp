@@ -137,6 +137,12 @@ RunPlan plan_of(const RunReport& report) {
     return {.cases = cases, .all_cases = cases, .contents = "0a1b", .division = "2c3d"};
 }
 
+std::vector<std::string> reporters_of_results() {
+    std::vector<std::string> names = reporter_names();
+    std::erase(names, "html");
+    return names;
+}
+
 std::string written(std::string_view reporter, const RunReport& report, const ReportStyle& style) {
     std::string text;
     const auto made = make_reporter(

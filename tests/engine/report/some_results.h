@@ -29,6 +29,9 @@ RunReport hostile_report();
 /// Of a run with these results, in one shard.
 RunPlan plan_of(const RunReport& report);
 
+/// The names of the reporters that need nothing but results: all but html.
+std::vector<std::string> reporters_of_results();
+
 /// What a reporter writes about a run.
 std::string written(std::string_view reporter, const RunReport& report, const ReportStyle& style = {});
 

@@ -1,17 +1,14 @@
 #include "tools/campuswalk/html/campus_bundle.h"
 
-#include <cstdint>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "engine/report/html/campus_entry.h"
 #include "scene/base/atomic_file.h"
 #include "scene/cache/content_hash.h"
-#include "scene/campus/node_selection.h"
-#include "scene/export/write_glb.h"
 #include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/base/text.h"
+#include "tools/campuswalk/html/cached_glb.h"
 #include "tools/campuswalk/html/run_files.h"
 
 namespace campuswalk::tools {
@@ -22,32 +19,6 @@ namespace {
 
 constexpr double kError = 0.05;  // metres
 
-/// Which objects each node belongs to, by model and node.
-std::vector<std::vector<scene::Tags>> objects_of_nodes(const scene::Campus& campus) {
-    std::vector<std::vector<scene::Tags>> tags;
-    for (const scene::Model& model : campus.models) {
-        tags.emplace_back(model.nodes.size());
-    }
-    for (std::size_t i = 0; i < campus.objects.size(); ++i) {
-        for (const scene::NodeRef& ref : scene::nodes_of(campus.models, campus.objects[i].nodes)) {
-            scene::Tags& own = tags[ref.model][ref.node];
-            if (own.empty() || own.back() != i) {
-                own.push_back(static_cast<std::uint32_t>(i));
-            }
-        }
-    }
-    return tags;
-}
-
-std::string glb_of(const scene::Campus& campus, double error) {
-    scene::GlbSettings settings;
-    settings.error = error;
-    const std::vector<std::vector<scene::Tags>> tags = objects_of_nodes(campus);
-    return scene::write_glb(campus.models, settings,
-                            [&](std::size_t model, std::size_t node) { return tags[model][node]; })
-        .bytes;
-}
-
 }  // namespace
 
 engine::ReportCampus report_campus(const scene::Campus& campus, const std::string& file,
@@ -56,7 +27,7 @@ engine::ReportCampus report_campus(const scene::Campus& campus, const std::strin
     shown.entry = engine::campus_entry(campus, file);
     if (geometry == ReportGeometry::exact || geometry == ReportGeometry::simplified) {
         shown.error = geometry == ReportGeometry::exact ? 0.0 : kError;
-        shown.glb = glb_of(campus, shown.error);
+        shown.glb = cached_glb(campus, shown.error);
     }
     return shown;
 }

@@ -26,14 +26,18 @@ namespace {
 class SourceFiles {
 public:
     explicit SourceFiles(const std::vector<fs::path>& named) {
-        std::set<fs::path> known;
+        const std::vector<fs::path> more = search_paths().roots;
+        std::set<fs::path> folders;  // files of one folder belong to one project
+        std::set<fs::path> projects;
         for (const fs::path& file : named) {
-            config::ReadRoots roots(file, search_paths().roots);
-            if (known.insert(roots.project()).second) {
-                roots_.push_back(std::move(roots));
+            if (folders.insert(file.parent_path()).second) {
+                config::ReadRoots roots(file, more);
+                if (projects.insert(roots.project()).second) {
+                    roots_.push_back(std::move(roots));
+                }
             }
         }
-        roots_.emplace_back(fs::path("."), search_paths().roots);
+        roots_.emplace_back(fs::path("."), more);
     }
 
     bool may_read(const fs::path& file) const {
