@@ -134,7 +134,7 @@ export class ListPage {
   private row(row: Row): HTMLElement {
     if ('head' in row) return groupHead(row.head);
     return walkRow(this.report, this.report.index.walks[row.walk]!, {
-      theme: this.root,
+      theme: document.documentElement,
       inGroup: row.inGroup,
       addTag: (tag) => this.store.set({ query: toggled(this.store.state.query, quoted(`@${tag}`)) }),
       hover: (inside) => this.overview.point(inside ? row.walk : -1),
@@ -147,7 +147,7 @@ export class ListPage {
     const isAll = this.selected.length === this.rows.length;
     const rows = all.filter((row) => isAll || own.has(row.index));
     this.showEmpty(rows.length === 0);
-    this.list.show({ count: rows.length, height: () => rowHeight, key: (i) => `against ${i}`, render: (i) => againstRow(this.report, rows[i]!, this.root) });
+    this.list.show({ count: rows.length, height: () => rowHeight, key: (i) => `against ${i}`, render: (i) => againstRow(this.report, rows[i]!, document.documentElement) });
   }
 
   private showEmpty(isEmpty: boolean): void {

@@ -6,6 +6,8 @@ import { formatLink } from '../data/link';
 import { planPoints } from '../data/path';
 import type { Report } from '../data/report';
 import { colorsOf, fitted, PlanCanvas } from '../plan/plan';
+import { plural } from '../data/text';
+import { later } from '../ui/later';
 import type { Campuses } from '../scene/campuses';
 
 interface Track {
@@ -24,6 +26,10 @@ export class Overview {
   private tracks: Track[] = [];
   private pointed = -1;
   private pending = 0;
+  private waiting = 0;
+  private layer: PlanCanvas | null = null;
+  /** Counts the drawings, so that an old one ends when a new one begins. */
+  private round = 0;
 
   constructor(private readonly report: Report, private readonly campuses: Campuses, private readonly scope: Scope) {
     const canvas = element('canvas', { attributes: { role: 'img', 'aria-label': 'Plan of the campus with the paths of all listed walks' } });
@@ -49,7 +55,7 @@ export class Overview {
       if (row) location.hash = formatLink({ walk: row.id });
     });
     scope.listen(window, 'themechange' as keyof WindowEventMap, () => this.draw());
-    scope.add(() => cancelAnimationFrame(this.pending));
+    scope.add(() => (cancelAnimationFrame(this.pending), clearTimeout(this.waiting)));
     // When there is nothing else to do, the real campus is drawn under the paths.
     const later = setTimeout(() => void this.loadImage(), 150);
     scope.add(() => clearTimeout(later));
@@ -57,8 +63,12 @@ export class Overview {
 
   show(selected: readonly number[]): void {
     this.selected = selected;
-    this.collect();
-    this.schedule();
+    // Each key of a filter's word changes what is listed: the plan follows when the typing pauses.
+    clearTimeout(this.waiting);
+    this.waiting = window.setTimeout(() => {
+      this.collect();
+      this.draw();
+    }, 60);
   }
 
   /** Emphasizes a walk; -1 ends that. */
@@ -93,30 +103,65 @@ export class Overview {
   private schedule(): void {
     this.pending ||= requestAnimationFrame(() => {
       this.pending = 0;
-      this.draw();
+      this.compose();
     });
   }
 
+  /** Draws campus and paths into a layer of their own, a few paths at a time. */
   private draw(): void {
     const campus = this.report.index.campuses[this.campus];
     if (!campus || this.plan.width < 2) return;
-    const style = getComputedStyle(this.root);
-    const color = (name: string): string => style.getPropertyValue(name).trim();
-    this.plan.view = fitted(campus.min, campus.max, this.plan.width, this.plan.height);
-    this.plan.drawCampus(campus, this.images.get(this.campus) ?? null, colorsOf(this.root));
+    const round = ++this.round;
+    const layer = new PlanCanvas(document.createElement('canvas'));
+    layer.resize(this.plan.width, this.plan.height);
+    layer.view = this.plan.view = fitted(campus.min, campus.max, this.plan.width, this.plan.height);
+    layer.drawCampus(campus, this.images.get(this.campus) ?? null, colorsOf(this.root));
+    this.layer = layer;
     const { walks } = this.report.index;
-    const opacity = this.tracks.length > 400 ? 0.25 : this.tracks.length > 40 ? 0.55 : 0.9;
-    const failed = this.tracks.filter((track) => isBad(walks[track.walk]!.outcome));
-    for (const track of this.tracks) this.plan.drawPath({ points: track.points, color: color('--trail'), width: 1.5, opacity });
-    for (const track of failed) this.plan.drawPath({ points: track.points, color: color('--failed'), width: 2, opacity: 0.95 });
-    for (const { points } of failed.slice(0, 500)) this.plan.drawMark({ x: points.at(-1)![0], z: points.at(-1)![1], color: color('--failed') }, 3.5);
+    const bad = this.tracks.filter((track) => isBad(walks[track.walk]!.outcome));
+    const good = this.tracks.filter((track) => !isBad(walks[track.walk]!.outcome));
+    const opacity = good.length > 400 ? 0.35 : good.length > 40 ? 0.6 : 0.9;
+    const slice = 60;
+    const drawSome = (tracks: Track[], color: string, width: number, alpha: number): void => {
+      for (let from = 0; from < tracks.length; from += slice) {
+        const some = tracks.slice(from, from + slice).map((track) => track.points);
+        later(() => {
+          if (round !== this.round || this.scope.isOver) return;
+          layer.drawPaths(some, color, width, alpha);
+          this.schedule();
+        });
+      }
+    };
+    drawSome(good, this.color('--trail'), good.length > 400 ? 1 : 1.5, opacity);
+    drawSome(bad, this.color('--failed'), 2, 0.95);
+    later(() => {
+      if (round !== this.round || this.scope.isOver) return;
+      for (const { points } of bad.slice(0, 500)) {
+        layer.drawMark({ x: points.at(-1)![0], z: points.at(-1)![1], color: this.color('--failed') }, 3.5);
+      }
+      this.schedule();
+    });
+    this.compose();
+  }
+
+  /** The layer, and over it the path that is pointed at. */
+  private compose(): void {
+    const campus = this.report.index.campuses[this.campus];
+    if (!this.layer || !campus) return;
+    const { walks } = this.report.index;
+    this.plan.context.drawImage(this.layer.canvas, 0, 0, this.plan.width, this.plan.height);
     const pointed = this.tracks.find((track) => track.walk === this.pointed);
     if (pointed) {
+      const isFailed = isBad(walks[pointed.walk]!.outcome);
       this.plan.drawPath({ points: pointed.points, color: '#ffffff', width: 6 });
-      this.plan.drawPath({ points: pointed.points, color: color(failed.includes(pointed) ? '--failed' : '--trail'), width: 3 });
+      this.plan.drawPath({ points: pointed.points, color: this.color(isFailed ? '--failed' : '--trail'), width: 3 });
     }
     this.plan.canvas.style.cursor = pointed ? 'pointer' : '';
-    setText(this.caption, pointed ? walks[pointed.walk]!.id : `${campus.name}: ${this.tracks.length.toLocaleString('en')} paths, north (−Z) up`);
+    setText(this.caption, pointed ? walks[pointed.walk]!.id : `${campus.name}: ${plural(this.tracks.length, 'path')}, north (−Z) up`);
+  }
+
+  private color(name: string): string {
+    return getComputedStyle(this.root).getPropertyValue(name).trim();
   }
 
   private nearest(x: number, y: number): number {

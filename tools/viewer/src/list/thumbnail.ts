@@ -1,6 +1,7 @@
 // What a row shows of its walk: its picture, or a plan of its path.
 
 import { element } from '../ui/dom';
+import { later } from '../ui/later';
 import { planPoints } from '../data/path';
 import type { Report } from '../data/report';
 import type { WalkRow } from '../format';
@@ -16,6 +17,13 @@ export function thumbnail(report: Report, row: WalkRow, theme: Element): HTMLEle
   const points = planPoints(row.plan);
   if (points.length === 0) return element('span', { class: 'thumbnail blank' });
   const canvas = element('canvas', { class: 'thumbnail', attributes: { 'aria-hidden': 'true' } });
+  later(() => canvas.isConnected && drawPlan(canvas, report, row, points, theme));
+  return canvas;
+}
+
+function drawPlan(
+  canvas: HTMLCanvasElement, report: Report, row: WalkRow, points: readonly [number, number][], theme: Element,
+): void {
   const plan = new PlanCanvas(canvas);
   const [min, max] = boundsOf(points, 6);
   plan.resize(width, height);
@@ -26,5 +34,4 @@ export function thumbnail(report: Report, row: WalkRow, theme: Element): HTMLEle
   plan.drawPath({ points, color, width: 2 });
   const [x, z] = points.at(-1)!;
   plan.drawMark({ x, z, color }, 3);
-  return canvas;
 }

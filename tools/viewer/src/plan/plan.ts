@@ -103,6 +103,7 @@ export class PlanCanvas {
       if (!modes.includes('solid') || isGround) continue;
       const [left, top] = this.toPixels(min[0], min[2]);
       const [right, bottom] = this.toPixels(max[0], max[2]);
+      if (right < 0 || bottom < 0 || left > this.width || top > this.height) continue;
       context.fillStyle = building >= 0 ? colors.building : colors.edge;
       context.globalAlpha = building >= 0 ? 1 : 0.45;
       context.fillRect(left, top, Math.max(right - left, 1), Math.max(bottom - top, 1));
@@ -123,6 +124,26 @@ export class PlanCanvas {
       if (i === 0) context.moveTo(px, py);
       else context.lineTo(px, py);
     });
+    context.stroke();
+    context.globalAlpha = 1;
+  }
+
+  /** Many at once, in one colour. */
+  drawPaths(paths: readonly (readonly (readonly [number, number])[])[], color: string, width: number, opacity: number): void {
+    const { context } = this;
+    context.globalAlpha = opacity;
+    context.strokeStyle = color;
+    context.lineWidth = width;
+    context.lineJoin = 'bevel';
+    context.lineCap = 'butt';
+    context.beginPath();
+    for (const points of paths) {
+      points.forEach(([x, z], i) => {
+        const [px, py] = this.toPixels(x, z);
+        if (i === 0) context.moveTo(px, py);
+        else context.lineTo(px, py);
+      });
+    }
     context.stroke();
     context.globalAlpha = 1;
   }

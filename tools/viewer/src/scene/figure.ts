@@ -42,6 +42,8 @@ export class Figure {
     torso.scale.set(1.08 * girth, 1, 0.74 * girth);
     const hips = this.part(new SphereGeometry(0.085, 14, 10), cloth, 0, 0.525, 0);
     hips.scale.set(1.08 * girth, 0.8, 0.8 * girth);
+    const shoulders = this.part(new CapsuleGeometry(0.043, 0.17 * girth, 6, 14).rotateZ(Math.PI / 2), coat, 0, 0.785, 0);
+    shoulders.scale.set(1, 1, 0.92);
     this.part(new CapsuleGeometry(0.026, 0.05, 4, 10), skin, 0, 0.855, 0);
     const head = this.part(new SphereGeometry(0.062, 18, 14), skin, 0, 0.93, -0.006);
     head.scale.set(0.86, 1.12, 0.98);
@@ -59,7 +61,11 @@ export class Figure {
     this.limbs.leftArm.rotation.z = -0.1;
     this.limbs.rightArm.rotation.z = 0.1;
     this.body.scale.setScalar(this.height);
-    this.body.traverse((node) => (node.castShadow = false));
+    // Drawn after what of the trail shows through walls, so that it doesn't show through the visitor.
+    this.body.traverse((node) => {
+      node.renderOrder = 3.5;
+      if (node instanceof Mesh) (node.material as MeshLambertMaterial).transparent = true;
+    });
 
     this.capsule = new LineSegments(
       new EdgesGeometry(new CapsuleGeometry(avatar.radius, this.height - 2 * avatar.radius, 4, 12), 1),

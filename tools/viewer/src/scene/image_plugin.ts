@@ -1,53 +1,44 @@
 // Decodes a GLB's pictures from its own bytes. GLTFLoader would make an address for each and fetch it.
 
-import { LinearFilter, LinearMipmapLinearFilter, RepeatWrapping, ClampToEdgeWrapping, MirroredRepeatWrapping, Texture, type Wrapping } from 'three';
-import type { GLTFParser, GLTFLoaderPlugin } from 'three/examples/jsm/loaders/GLTFLoader.js';
+import {
+  ClampToEdgeWrapping, LinearFilter, LinearMipmapLinearFilter, MirroredRepeatWrapping, RepeatWrapping, Texture, type Wrapping,
+} from 'three';
+import type { GLTFLoaderPlugin, GLTFParser } from 'three/examples/jsm/loaders/GLTFLoader.js';
 
-interface TextureEntry {
-  source?: number;
-  sampler?: number;
-  extensions?: { EXT_texture_webp?: { source?: number } };
-}
-interface ImageEntry {
-  bufferView?: number;
-  mimeType?: string;
-}
-interface SamplerEntry {
-  wrapS?: number;
-  wrapT?: number;
-}
 interface Document {
-  textures?: TextureEntry[];
-  images?: ImageEntry[];
-  samplers?: SamplerEntry[];
+  textures?: { sampler?: number }[];
+  images?: { bufferView?: number; mimeType?: string }[];
+  samplers?: { wrapS?: number; wrapT?: number }[];
 }
 
-const wrappings: Record<number, Wrapping> = { 33071: ClampToEdgeWrapping, 33648: MirroredRepeatWrapping, 10497: RepeatWrapping };
+const wrappings: Record<number, Wrapping> = {
+  10497: RepeatWrapping, 33071: ClampToEdgeWrapping, 33648: MirroredRepeatWrapping,
+};
 
 export class ImagePlugin implements GLTFLoaderPlugin {
   readonly name = 'images_from_buffers';
   private readonly bitmaps = new Map<number, Promise<ImageBitmap | null>>();
 
-  constructor(private readonly parser: GLTFParser) {}
+  constructor(private readonly parser: GLTFParser) {
+    // What all ways to a texture end in, those of EXT_texture_webp, too.
+    parser.loadTextureImage = (texture: number, source: number) => this.load(texture, source);
+  }
 
-  async loadTexture(index: number): Promise<Texture> {
+  private async load(index: number, source: number): Promise<Texture> {
     const document = this.parser.json as Document;
-    const entry = document.textures?.[index] ?? {};
-    const source = entry.extensions?.EXT_texture_webp?.source ?? entry.source;
-    const sampler = document.samplers?.[entry.sampler ?? -1] ?? {};
-    const texture = new Texture(source === undefined ? undefined : await this.bitmap(document, source));
+    const sampler = document.samplers?.[document.textures?.[index]?.sampler ?? -1] ?? {};
+    const texture = new Texture((await this.bitmap(document, source)) ?? undefined);
     texture.flipY = false;
     texture.wrapS = wrappings[sampler.wrapS ?? 10497] ?? RepeatWrapping;
     texture.wrapT = wrappings[sampler.wrapT ?? 10497] ?? RepeatWrapping;
     texture.magFilter = LinearFilter;
     texture.minFilter = LinearMipmapLinearFilter;
     texture.anisotropy = 4;
-    texture.needsUpdate = true;
+    texture.needsUpdate = texture.image !== null;
     this.parser.associations.set(texture, { textures: index });
     return texture;
   }
 
-  /** Null if the browser can't decode it: the surface is plain then. */
   private bitmap(document: Document, source: number): Promise<ImageBitmap | null> {
     let bitmap = this.bitmaps.get(source);
     if (!bitmap) {
@@ -57,7 +48,8 @@ export class ImagePlugin implements GLTFLoaderPlugin {
     return bitmap;
   }
 
-  private async decode(image: ImageEntry): Promise<ImageBitmap | null> {
+  /** Null if the browser can't: the surface is plain then. */
+  private async decode(image: { bufferView?: number; mimeType?: string }): Promise<ImageBitmap | null> {
     if (image.bufferView === undefined) return null;
     try {
       const bytes = (await this.parser.getDependency('bufferView', image.bufferView)) as ArrayBuffer;

@@ -1,6 +1,6 @@
 // The campus from straight above as an image, for plans. Drawn once.
 
-import { OrthographicCamera, Vector3 } from 'three';
+import { Color, OrthographicCamera, Vector3 } from 'three';
 import type { CampusModel } from './campus_model';
 import type { Stage } from './stage';
 
@@ -25,6 +25,7 @@ export function planImage(stage: Stage, model: CampusModel): HTMLCanvasElement {
   const cut = model.cutHeight;
   hidden.forEach((child) => (child.visible = false));
   scene.fog = null;
+  scene.background = new Color(0x9fab8e);
   model.cut(null);
   scene.add(model.root);
   renderer.setPixelRatio(1);
@@ -38,6 +39,7 @@ export function planImage(stage: Stage, model: CampusModel): HTMLCanvasElement {
   if (!parent) model.root.removeFromParent();
   model.cut(cut);
   scene.fog = fog;
+  scene.background = null;
   hidden.forEach((child) => (child.visible = true));
   renderer.setPixelRatio(old.ratio);
   renderer.setSize(old.width / old.ratio, old.height / old.ratio, false);

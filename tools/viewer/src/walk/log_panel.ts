@@ -35,6 +35,7 @@ export class LogPanel {
           this.list.root,
         );
     this.refine({});
+    scope.resized(this.list.root, () => this.current >= 0 && this.list.reveal(this.current, 'center'));
     scope.add(context.store.on((state) => this.lineAt(state.tick), (index) => this.follow(index)));
   }
 

@@ -25,9 +25,9 @@ export function viewBar(context: WalkContext, overlook: () => void, setShadows: 
   return element(
     'div', { class: 'view-bar', attributes: { role: 'toolbar', 'aria-label': 'View' } },
     modes.root,
-    button({ icon: 'search', label: 'Look at the whole path', key: 'O', class: 'floating', act: overlook }),
-    menu('cut', 'Cut away storeys', cutMenu(context, scope), scope),
-    menu('layers', 'What is shown', layersMenu(context, setShadows, scope), scope),
+    button({ icon: 'expand', label: 'Look at the whole path', key: 'O', class: 'floating', act: overlook }),
+    menu('cut', 'Storeys', 'Cut away storeys', cutMenu(context, scope), scope),
+    menu('layers', 'Show', 'What is shown', layersMenu(context, setShadows, scope), scope),
   );
 }
 
@@ -87,13 +87,13 @@ export function cutAtVisitor(context: WalkContext): number {
   return Math.round((y + height + 0.3) * 20) / 20;
 }
 
-function menu(of: 'cut' | 'layers', label: string, content: HTMLElement, scope: Scope): HTMLElement {
+function menu(of: 'cut' | 'layers', text: string, label: string, content: HTMLElement, scope: Scope): HTMLElement {
   const body = element('div', { class: 'menu-body' }, element('h3', { text: label }), content);
   const show = (open: boolean): void => {
     body.hidden = !open;
     opener.setAttribute('aria-expanded', String(open));
   };
-  const opener = button({ icon: of, label, class: 'floating', act: () => show(body.hidden) });
+  const opener = button({ icon: of, label, text, class: 'floating', act: () => show(body.hidden) });
   const root = element('div', { class: 'menu' }, opener, body);
   show(false);
   scope.listen(document, 'pointerdown', (event) => {
