@@ -31,7 +31,7 @@ export function searchable(row: WalkRow, campus: string): SearchableRow {
     tags: row.tags.map((tag) => tag.toLowerCase()),
     campus: campus.toLowerCase(),
     file: row.file.toLowerCase(),
-    text: `${row.id} ${row.code ?? ''} ${row.message ?? ''} ${row.status_reason ?? ''}`.toLowerCase(),
+    text: `${row.id} ${row.name} ${row.code ?? ''} ${row.message ?? ''} ${row.status_reason ?? ''}`.toLowerCase(),
   };
 }
 

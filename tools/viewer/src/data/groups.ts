@@ -45,22 +45,21 @@ export interface Counts {
   xfail: number;
   failed: number;
   skipped: number;
-  /** bad_input, broken and interrupted. */
-  unfinished: number;
+  bad_input: number;
+  broken: number;
+  interrupted: number;
   seconds: number;
   distance: number;
 }
 
 export function counted(rows: readonly WalkRow[], selected: readonly number[]): Counts {
   const counts: Counts = {
-    total: selected.length, passed: 0, xfail: 0, failed: 0, skipped: 0, unfinished: 0, seconds: 0, distance: 0,
+    total: selected.length, passed: 0, xfail: 0, failed: 0, skipped: 0, bad_input: 0, broken: 0, interrupted: 0, seconds: 0,
+    distance: 0,
   };
   for (const index of selected) {
     const row = rows[index]!;
-    if (row.outcome === 'passed') ++counts[row.expected_to_fail ? 'xfail' : 'passed'];
-    else if (row.outcome === 'failed') ++counts.failed;
-    else if (row.outcome === 'skipped') ++counts.skipped;
-    else ++counts.unfinished;
+    ++counts[row.outcome === 'passed' && row.expected_to_fail ? 'xfail' : row.outcome];
     counts.seconds += row.seconds;
     counts.distance += Number.isFinite(row.distance) ? row.distance : 0;
   }

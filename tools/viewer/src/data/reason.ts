@@ -23,7 +23,8 @@ export interface Reason {
 }
 
 const number = '(-?\\d+(?:\\.\\d+)?)';
-const place = new RegExp(`${number}, ${number}, ${number}`);
+// Not the digits that an id ends with: "tree-009, -4.44, -0.71, 58.00".
+const place = new RegExp(`(?<![\\w./-])${number}, ${number}, ${number}(?!\\w)`);
 const measures: [kind: string, unit: Measure['unit'], pattern: RegExp][] = [
   ['riser', 'm', new RegExp(`riser of ${number} m.*?(?:steps ${number} m|$)`)],
   ['ledge', 'm', new RegExp(`ledge of ${number} m`)],

@@ -27,6 +27,8 @@ export class ListPage {
   private readonly printed = element('div', { class: 'printed' });
   private readonly overview: Overview;
   private selected: number[] = [];
+  /** Of all walks. */
+  private readonly total: Counts;
   private mode: 'walks' | 'against' = 'walks';
   /** Milliseconds that the last filtering took; for tests. */
   filterTime = 0;
@@ -34,6 +36,7 @@ export class ListPage {
   constructor(private readonly report: Report, private readonly store: Store, campuses: Campuses, scope: Scope) {
     const { walks } = report.index;
     this.rows = walks.map((row) => searchable(row, report.campusOf(row)?.name ?? ''));
+    this.total = counted(walks, walks.map((_, index) => index));
     this.list = new VirtualList(scope, 'walks');
     this.list.root.setAttribute('aria-label', 'Walks');
     this.filterBox = element('input', {
@@ -97,17 +100,16 @@ export class ListPage {
 
   private showCounts(counts: Counts, query: string): void {
     const all = this.report.index.walks.length;
-    const total = counted(this.report.index.walks, this.report.index.walks.map((_, index) => index));
+    const { total } = this;
     const chip = (status: string, label: string, count: number): HTMLElement | null =>
       count === 0 ? null : element('button', {
         class: `count-chip ${status}`,
         attributes: { type: 'button', 'aria-pressed': String(has(query, `s:${status}`)) },
         on: { click: () => this.store.set({ query: toggled(this.store.state.query, `s:${status}`) }) },
       }, element('strong', { text: count.toLocaleString('en') }), element('span', { text: label }));
-    const unfinished = (['bad_input', 'broken', 'interrupted'] as const).map((outcome) =>
-      chip(outcome, outcome.replace('_', ' '), this.report.index.walks.filter((row) => row.outcome === outcome).length));
+    const unfinished = (['bad_input', 'broken', 'interrupted'] as const).map((outcome) => chip(outcome, outcome.replace('_', ' '), total[outcome]));
     replace(this.counts,
-      chip('failed', 'failed', total.failed), ...(total.unfinished > 0 ? unfinished : []),
+      chip('failed', 'failed', total.failed), ...unfinished,
       chip('passed', 'passed', total.passed + total.xfail), chip('xfail', 'failed as expected', total.xfail),
       chip('skipped', 'skipped', total.skipped));
     const shown = counts.total === all ? plural(all, 'walk') : `${counts.total.toLocaleString('en')} of ${plural(all, 'walk')}`;

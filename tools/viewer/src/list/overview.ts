@@ -5,6 +5,7 @@ import { isBad } from '../data/groups';
 import { formatLink } from '../data/link';
 import { planPoints } from '../data/path';
 import type { Report } from '../data/report';
+import { channelsOf, Density } from '../plan/density';
 import { colorsOf, fitted, PlanCanvas } from '../plan/plan';
 import { plural } from '../data/text';
 import { later } from '../ui/later';
@@ -14,6 +15,8 @@ interface Track {
   walk: number;
   points: [number, number][];
 }
+
+const many = 200; // paths that are drawn as lines; more become an image
 
 export class Overview {
   readonly root: HTMLElement;
@@ -120,20 +123,8 @@ export class Overview {
     const { walks } = this.report.index;
     const bad = this.tracks.filter((track) => isBad(walks[track.walk]!.outcome));
     const good = this.tracks.filter((track) => !isBad(walks[track.walk]!.outcome));
-    const opacity = good.length > 400 ? 0.35 : good.length > 40 ? 0.6 : 0.9;
-    const slice = 60;
-    const drawSome = (tracks: Track[], color: string, width: number, alpha: number): void => {
-      for (let from = 0; from < tracks.length; from += slice) {
-        const some = tracks.slice(from, from + slice).map((track) => track.points);
-        later(() => {
-          if (round !== this.round || this.scope.isOver) return;
-          layer.drawPaths(some, color, width, alpha);
-          this.schedule();
-        });
-      }
-    };
-    drawSome(good, this.color('--trail'), good.length > 400 ? 1 : 1.5, opacity);
-    drawSome(bad, this.color('--failed'), 2, 0.95);
+    this.drawTracks(layer, round, good, '--trail', 1.5, good.length > 40 ? 0.6 : 0.9);
+    this.drawTracks(layer, round, bad, '--failed', 2, 0.95);
     later(() => {
       if (round !== this.round || this.scope.isOver) return;
       for (const { points } of bad.slice(0, 500)) {
@@ -142,6 +133,33 @@ export class Overview {
       this.schedule();
     });
     this.compose();
+  }
+
+  private drawTracks(layer: PlanCanvas, round: number, tracks: Track[], color: string, width: number, opacity: number): void {
+    const isCurrent = (): boolean => round === this.round && !this.scope.isOver;
+    if (tracks.length <= many) {
+      later(() => {
+        if (isCurrent()) layer.drawPaths(tracks.map((track) => track.points), this.color(color), width, opacity);
+        this.schedule();
+      });
+      return;
+    }
+    const density = new Density(Math.round(layer.width), Math.round(layer.height));
+    for (let from = 0; from < tracks.length; from += many) {
+      later(() => {
+        if (!isCurrent()) return;
+        for (const { points } of tracks.slice(from, from + many)) density.add(points.map(([x, z]) => layer.toPixels(x, z)));
+      });
+    }
+    later(() => {
+      if (!isCurrent()) return;
+      const image = document.createElement('canvas');
+      image.width = Math.round(layer.width);
+      image.height = Math.round(layer.height);
+      image.getContext('2d')!.putImageData(density.image(channelsOf(this.color(color))), 0, 0);
+      layer.context.drawImage(image, 0, 0, layer.width, layer.height);
+      this.schedule();
+    });
   }
 
   /** The layer, and over it the path that is pointed at. */

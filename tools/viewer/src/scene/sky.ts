@@ -17,7 +17,7 @@ void main() {
   vec3 d = normalize(direction);
   float up = clamp(d.y, 0.0, 1.0);
   vec3 sky = mix(vec3(0.83, 0.895, 0.945), vec3(0.34, 0.56, 0.83), pow(up, 0.55));
-  vec3 ground = vec3(0.66, 0.68, 0.68);
+  vec3 ground = vec3(0.74, 0.785, 0.82);
   vec3 color = mix(sky, ground, smoothstep(0.0, -0.12, d.y));
   float near = max(dot(d, sun), 0.0);
   color += vec3(1.0, 0.86, 0.62) * (0.16 * pow(near, 12.0) + 0.5 * pow(near, 900.0));

@@ -1,11 +1,10 @@
 // What authors draw on the campus: points for walk steps, a box for a trigger.
 
-import { BoxGeometry, BufferGeometry, EdgesGeometry, Float32BufferAttribute, Group, Line, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, Vector3 } from 'three';
+import { BoxGeometry, BufferGeometry, EdgesGeometry, Float32BufferAttribute, Group, Line, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, Points, PointsMaterial, type Vector3 } from 'three';
 import type { Point } from '../format';
 import { boxBetween, coordinates, type DrawnBox } from '../data/snippets';
 import type { Hit } from '../scene/picker';
 import type { Stage } from '../scene/stage';
-import { ball } from '../scene/walk_scene';
 import { copyText } from '../ui/clipboard';
 import type { Scope } from '../ui/dom';
 import type { WalkContext } from './context';
@@ -87,11 +86,17 @@ export class AuthorMarks {
 
   private redraw(): void {
     this.root.clear();
-    for (const point of this.points) this.root.add(ball(new Vector3(...point), 0.09, color));
-    if (this.points.length > 1) {
-      const positions = this.points.flatMap(([x, y, z]) => [x, y + 0.05, z]);
-      const geometry = new BufferGeometry().setAttribute('position', new Float32BufferAttribute(positions, 3));
-      this.root.add(new Line(geometry, new LineBasicMaterial({ color, fog: false })));
+    if (this.points.length > 0) {
+      // As large from afar as from near, and never hidden.
+      const geometry = new BufferGeometry().setAttribute('position', new Float32BufferAttribute(this.points.flat(), 3));
+      const look = { color, fog: false, depthTest: false, transparent: true, toneMapped: false };
+      const marks = [
+        new Line(geometry, new LineBasicMaterial(look)),
+        new Points(geometry, new PointsMaterial({ ...look, color: 0xffffff, size: 13, sizeAttenuation: false })),
+        new Points(geometry, new PointsMaterial({ ...look, size: 9, sizeAttenuation: false })),
+      ];
+      marks.forEach((mark, i) => (mark.renderOrder = 10 + i));
+      this.root.add(...marks);
     }
     if (this.box) this.root.add(drawn(this.box));
     this.stage.invalidate();

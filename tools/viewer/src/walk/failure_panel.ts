@@ -68,7 +68,7 @@ function measureBar({ kind, measured, allowed, unit }: Measure): HTMLElement {
   };
   return element('div', { class: 'measure', attributes: { role: 'group', 'aria-label': `${kind} in numbers` } },
     bar(kind, measured, 'bad'),
-    allowed !== null && bar(needs ? 'the body needs' : 'the avatar manages', allowed, 'good'));
+    allowed !== null && bar(needs ? 'needed' : 'possible', allowed, 'good'));
 }
 
 function lastEvents(lines: readonly string[], player: Player): HTMLElement {

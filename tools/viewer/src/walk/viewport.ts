@@ -141,6 +141,7 @@ export class Viewport {
       canvas.setPointerCapture(event.pointerId);
       pointers.set(event.pointerId, { x: event.offsetX, y: event.offsetY });
       pressed = { x: event.offsetX, y: event.offsetY, moved: false };
+      this.hover.hide();
       if (isDrawing() && event.button === 0) this.marks.beginBox(this.pick(event.offsetX, event.offsetY));
     });
     this.scope.listen(canvas, 'pointermove', (event) => {
