@@ -1,0 +1,41 @@
+// Texts at points of the scene, as elements over the canvas.
+
+import { Vector3, type PerspectiveCamera } from 'three';
+import { element } from '../ui/dom';
+
+export interface Label {
+  root: HTMLElement;
+  point: Vector3;
+  /** Smaller than this many metres away it is shown. */
+  within: number;
+}
+
+export class Labels {
+  readonly root = element('div', { class: 'labels', attributes: { 'aria-hidden': 'true' } });
+  private readonly labels = new Set<Label>();
+  private readonly projected = new Vector3();
+
+  add(text: string, point: Vector3, className = '', within = Infinity): Label {
+    const label = { root: element('div', { class: `label ${className}`, text }), point, within };
+    this.labels.add(label);
+    this.root.append(label.root);
+    return label;
+  }
+
+  remove(label: Label): void {
+    this.labels.delete(label);
+    label.root.remove();
+  }
+
+  place(camera: PerspectiveCamera, width: number, height: number): void {
+    for (const { root, point, within } of this.labels) {
+      this.projected.copy(point).project(camera);
+      const isSeen = this.projected.z < 1 && Math.abs(this.projected.x) < 1.1 && Math.abs(this.projected.y) < 1.1;
+      root.hidden = !isSeen || camera.position.distanceTo(point) > within;
+      if (root.hidden) continue;
+      const x = ((this.projected.x + 1) / 2) * width;
+      const y = ((1 - this.projected.y) / 2) * height;
+      root.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px) translate(-50%, -100%)`;
+    }
+  }
+}

@@ -1,0 +1,80 @@
+// Colliders' shapes as geometry: trigger volumes, and outlines of what is in the way.
+
+import {
+  BoxGeometry, CapsuleGeometry, CylinderGeometry, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Matrix4, Mesh,
+  MeshBasicMaterial, SphereGeometry, Vector3, type BufferGeometry,
+} from 'three';
+import type { CampusObject } from '../format';
+
+/** In the world. A mesh has only its bounds. */
+export function geometryOf(object: CampusObject): BufferGeometry {
+  const center = object.center ? new Vector3(...object.center) : middleOf(object);
+  const radius = object.radius ?? 0.5;
+  let geometry: BufferGeometry;
+  switch (object.shape) {
+    case 'sphere':
+      geometry = new SphereGeometry(radius, 24, 14);
+      break;
+    case 'capsule':
+      geometry = new CapsuleGeometry(radius, Math.max(0.001, (object.height ?? 1) - 2 * radius), 6, 20);
+      break;
+    case 'wheel':
+      geometry = new CylinderGeometry(radius, radius, object.width ?? 1, 40).rotateZ(Math.PI / 2);
+      break;
+    case 'box':
+      geometry = new BoxGeometry(...(object.size ?? sizeOf(object)));
+      break;
+    case 'mesh':
+      geometry = new BoxGeometry(...sizeOf(object));
+      return geometry.translate(...middleOf(object).toArray());
+  }
+  return geometry.applyMatrix4(axesOf(object).setPosition(center));
+}
+
+/** Whether a point is inside a trigger's volume. */
+export function contains(object: CampusObject, point: Vector3): boolean {
+  if (object.shape !== 'box' || !object.center || !object.size) {
+    return point.toArray().every((value, i) => value >= object.min[i]! && value <= object.max[i]!);
+  }
+  const local = point.clone().sub(new Vector3(...object.center)).applyMatrix4(axesOf(object).transpose());
+  return local.toArray().every((value, i) => Math.abs(value) <= object.size![i]! / 2);
+}
+
+/** Translucent, with its edges; brighter while the visitor is inside. */
+export class Volume {
+  readonly root = new Group();
+  private readonly faces: MeshBasicMaterial;
+  private readonly edges: LineBasicMaterial;
+
+  constructor(readonly object: CampusObject, private readonly color: number) {
+    const geometry = geometryOf(object);
+    this.faces = new MeshBasicMaterial({ color, transparent: true, opacity: 0.08, depthWrite: false, fog: false });
+    this.edges = new LineBasicMaterial({ color, transparent: true, opacity: 0.5, fog: false });
+    const faces = new Mesh(geometry, this.faces);
+    faces.renderOrder = 5;
+    const edges = new LineSegments(new EdgesGeometry(geometry, 30), this.edges);
+    edges.renderOrder = 6;
+    this.root.add(faces, edges);
+  }
+
+  setActive(active: boolean): void {
+    this.faces.opacity = active ? 0.24 : 0.07;
+    this.edges.opacity = active ? 1 : 0.45;
+    this.faces.color.set(active ? 0xffc53d : this.color);
+    this.edges.color.set(active ? 0xffb000 : this.color);
+  }
+}
+
+function middleOf(object: CampusObject): Vector3 {
+  return new Vector3(...object.min).add(new Vector3(...object.max)).multiplyScalar(0.5);
+}
+
+function sizeOf(object: CampusObject): [number, number, number] {
+  const size = new Vector3(...object.max).sub(new Vector3(...object.min));
+  return [Math.max(size.x, 0.01), Math.max(size.y, 0.01), Math.max(size.z, 0.01)];
+}
+
+function axesOf(object: CampusObject): Matrix4 {
+  const [ax, ay, az, bx, by, bz, cx, cy, cz] = object.axes?.length === 9 ? object.axes : [1, 0, 0, 0, 1, 0, 0, 0, 1];
+  return new Matrix4().makeBasis(new Vector3(ax, ay, az), new Vector3(bx, by, bz), new Vector3(cx, cy, cz));
+}

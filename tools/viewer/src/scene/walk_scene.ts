@@ -1,0 +1,261 @@
+// A walk in 3D: the visitor, its trail, trigger volumes, contacts, its gaze, and what is in its way.
+
+import {
+  ArrowHelper, BufferGeometry, Float32BufferAttribute, Group, Line, LineBasicMaterial, LineSegments, Mesh,
+  MeshBasicMaterial, RingGeometry, SphereGeometry, Vector3, EdgesGeometry,
+} from 'three';
+import type { CampusObject, Finding } from '../format';
+import { isCrouching, isDuring } from '../data/spans';
+import type { Reason } from '../data/reason';
+import type { WalkData } from '../data/report';
+import type { Layers } from '../store';
+import type { WalkContext } from '../walk/context';
+import { directionOf, type Visitor } from './cameras';
+import type { LoadedCampus } from './campuses';
+import { Figure, otherColors, visitorColors } from './figure';
+import type { Label, Labels } from './labels';
+import { contains, geometryOf, Volume } from './shapes';
+import type { Stage } from './stage';
+import { Trail } from './trail';
+
+const defaultAvatar = { radius: 0.3, height: 1.8, eye_height: 1.7 };
+const colors = { trail: 0x2b7cff, other: 0xf08c1e, trigger: 0x35b6d9, contact: 0xff5a2c, gaze: 0xf5d742, failure: 0xff2a2a };
+
+interface Walker {
+  data: WalkData;
+  figure: Figure;
+  trail: Trail | null;
+}
+
+export class WalkScene {
+  private readonly root = new Group();
+  private readonly walkers: Walker[] = [];
+  private readonly volumes: Volume[] = [];
+  private readonly triggers = new Group();
+  private readonly contacts = new Group();
+  private readonly findings = new Group();
+  private readonly obstacle = new Group();
+  private readonly contactMarks: { from: number; to: number; root: Group }[] = [];
+  private readonly gaze: Line;
+  private readonly shownLabels: { label: Label; layer: keyof Layers }[] = [];
+  private obstacleLabels: Label[] = [];
+
+  constructor(
+    private readonly stage: Stage,
+    private readonly loaded: LoadedCampus,
+    private readonly context: WalkContext,
+    private readonly labels: Labels,
+  ) {
+    this.addWalker(context.data, visitorColors, colors.trail, 4, 0);
+    if (context.other) this.addWalker(context.other.data, otherColors, colors.other, 3, 0.03);
+    this.addTriggers();
+    this.addContacts();
+    this.gaze = new Line(
+      new BufferGeometry().setAttribute('position', new Float32BufferAttribute(6, 3)),
+      new LineBasicMaterial({ color: colors.gaze, transparent: true, opacity: 0.9, fog: false }),
+    );
+    this.gaze.frustumCulled = false;
+    this.root.add(this.triggers, this.contacts, this.findings, this.obstacle, this.gaze);
+    this.addParting();
+    stage.scene.add(this.root);
+  }
+
+  get avatar(): typeof defaultAvatar {
+    return this.context.data.details.recording?.avatar ?? defaultAvatar;
+  }
+
+  visitorAt(tick: number): Visitor {
+    const { data } = this.context;
+    const avatar = data.details.recording?.avatar ?? defaultAvatar;
+    const crouching = isCrouching(data.log, tick);
+    const pose = data.path?.at(tick) ?? { x: 0, y: 0, z: 0, yaw: 0, pitch: 0 };
+    const lowered = crouching ? 0.6 : 1;
+    return {
+      pose,
+      eyeHeight: crouching ? (data.details.recording?.avatar.crouch_eye_height ?? avatar.eye_height * 0.6) : avatar.eye_height,
+      height: avatar.height * lowered,
+    };
+  }
+
+  setTick(tick: number, layers: Layers, fromEyes: boolean): void {
+    this.walkers.forEach(({ data, figure, trail }, index) => {
+      if (!data.path) return;
+      const at = Math.min(tick, data.path.lastTick);
+      const { path } = data;
+      figure.set(path.at(at), path.distanceAt(at), tick > at ? 0 : path.speedAt(at), isCrouching(data.log, at));
+      figure.showBody(index > 0 || !fromEyes);
+      figure.showCapsule(layers.capsule && (index > 0 || !fromEyes));
+      trail?.setTick(at);
+      if (trail) trail.root.visible = layers.trail;
+    });
+    this.triggers.visible = layers.triggers;
+    this.contacts.visible = layers.contacts;
+    this.findings.visible = layers.findings;
+    const active = new Set(
+      this.context.spans.filter((span) => span.kind === 'trigger' && isDuring(span, tick)).map((span) => span.object),
+    );
+    for (const volume of this.volumes) volume.setActive(active.has(volume.object.id));
+    for (const { from, to, root } of this.contactMarks) {
+      root.visible = from <= tick;
+      root.scale.setScalar(isDuring({ from, to }, tick) ? 1.6 : 0.8);
+    }
+    for (const { label, layer } of this.shownLabels) label.root.classList.toggle('off', !layers[layer]);
+    this.setGaze(tick, layers.gaze && !fromEyes);
+  }
+
+  /** Lights what is in the way in red; null ends that. */
+  showObstacle(reason: Reason | null): void {
+    this.obstacle.clear();
+    for (const label of this.obstacleLabels.splice(0)) this.labels.remove(label);
+    const index = reason ? (this.context.objects.get(reason.object) ?? -1) : -1;
+    const object = this.context.campus?.objects[index];
+    const at = reason?.at ? new Vector3(...reason.at) : null;
+    if (!reason || (!object && !at)) {
+      this.loaded.obstacle.clear();
+      return;
+    }
+    this.loaded.obstacle.show(object ? this.loaded.model.piecesOf(index) : [], at);
+    if (object && object.shape !== 'mesh') this.obstacle.add(outline(object));
+    if (at) {
+      this.obstacle.add(ball(at, 0.05, colors.failure));
+      this.obstacleLabels.push(this.labels.add(reason.object || 'here', at.clone().add(new Vector3(0, 0.12, 0)), 'failure'));
+      if (reason.tick !== null) this.addMeasure(reason, at, this.visitorAt(reason.tick).pose.y);
+    }
+  }
+
+  showFindings(findings: readonly Finding[]): void {
+    for (const finding of findings) {
+      const at = new Vector3(...finding.at);
+      this.findings.add(ball(at.clone().add(new Vector3(0, 0.25, 0)), 0.14, 0xd946a6));
+      const label = this.labels.add(String(finding.number), at.clone().add(new Vector3(0, 0.5, 0)), 'finding', 120);
+      label.root.title = `${finding.kind} ${finding.subject}: ${finding.text}`;
+      this.shownLabels.push({ label, layer: 'findings' });
+    }
+  }
+
+  /** Triggers that the point is in. */
+  triggersAt(point: Vector3): string[] {
+    return this.volumes.filter((volume) => contains(volume.object, point)).map((volume) => volume.object.id);
+  }
+
+  resize(width: number, height: number): void {
+    this.walkers.forEach(({ trail }) => trail?.resize(width, height));
+  }
+
+  dispose(): void {
+    this.root.removeFromParent();
+    this.walkers.forEach(({ figure, trail }) => (figure.dispose(), trail?.dispose()));
+    this.loaded.obstacle.clear();
+    this.loaded.hovered.clear();
+    this.loaded.model.cut(null);
+    for (const { label } of this.shownLabels) this.labels.remove(label);
+    for (const label of this.obstacleLabels) this.labels.remove(label);
+    this.stage.invalidate();
+  }
+
+  private addWalker(data: WalkData, figureColors: typeof visitorColors, color: number, width: number, lift: number): void {
+    if (!data.path) return;
+    const figure = new Figure(data.details.recording?.avatar ?? defaultAvatar, figureColors);
+    const trail = new Trail(data.path, { color, width, lift });
+    this.root.add(figure.root);
+    trail.addTo(this.root);
+    this.walkers.push({ data, figure, trail });
+  }
+
+  private addTriggers(): void {
+    for (const object of this.context.campus?.objects ?? []) {
+      if (!object.modes.includes('trigger')) continue;
+      const volume = new Volume(object, colors.trigger);
+      this.volumes.push(volume);
+      this.triggers.add(volume.root);
+      const top = new Vector3((object.min[0] + object.max[0]) / 2, object.max[1] + 0.1, (object.min[2] + object.max[2]) / 2);
+      this.shownLabels.push({ label: this.labels.add(object.id, top, 'trigger', 26), layer: 'triggers' });
+    }
+  }
+
+  private addContacts(): void {
+    for (const contact of this.context.data.details.recording?.contacts ?? []) {
+      const root = new Group();
+      root.add(ball(new Vector3(), 0.045, colors.contact));
+      const normal = new Vector3(...contact.normal);
+      if (normal.lengthSq() > 0) {
+        root.add(new ArrowHelper(normal.normalize(), new Vector3(), 0.45, colors.contact, 0.13, 0.08));
+      }
+      root.position.set(...contact.point);
+      this.contacts.add(root);
+      this.contactMarks.push({ from: contact.tick, to: contact.to, root });
+    }
+  }
+
+  /** From the eyes to what is looked at. */
+  private setGaze(tick: number, shown: boolean): void {
+    this.gaze.visible = shown && this.context.data.path !== null;
+    if (!this.gaze.visible) return;
+    const { pose, eyeHeight } = this.visitorAt(tick);
+    const eye = new Vector3(pose.x, pose.y + eyeHeight, pose.z);
+    const direction = directionOf(pose.yaw, pose.pitch);
+    const reach = this.context.data.details.recording?.avatar.gaze_distance ?? 10;
+    const end = eye.clone().addScaledVector(direction, this.loaded.picker.clearance(eye, direction, reach));
+    const position = this.gaze.geometry.getAttribute('position');
+    position.setXYZ(0, ...eye.addScaledVector(direction, 0.15).toArray());
+    position.setXYZ(1, ...end.toArray());
+    position.needsUpdate = true;
+    const isHit = this.context.spans.some((span) => span.kind === 'ray' && isDuring(span, tick));
+    (this.gaze.material as LineBasicMaterial).opacity = isHit ? 1 : 0.4;
+  }
+
+  /** Brackets as high as the riser and as what the visitor can step. */
+  private addMeasure({ measure }: Reason, at: Vector3, foot: number): void {
+    if (!measure || measure.unit !== 'm') return;
+    const isUp = measure.kind === 'riser' || measure.kind === 'ledge' || measure.kind === 'headroom';
+    if (!isUp) return;
+    const bracket = (height: number, color: number, aside: number): Vector3 => {
+      const base = new Vector3(at.x + aside, foot, at.z + aside);
+      const top = base.clone().setY(foot + height);
+      const bar = (y: number): [Vector3, Vector3] => [base.clone().setY(y).add(new Vector3(-0.08, 0, 0)), base.clone().setY(y).add(new Vector3(0.08, 0, 0))];
+      const geometry = new BufferGeometry().setFromPoints([base, top, ...bar(foot), ...bar(foot + height)]);
+      const lines = new LineSegments(geometry, new LineBasicMaterial({ color, depthTest: false, fog: false }));
+      lines.renderOrder = 9;
+      this.obstacle.add(lines);
+      return top;
+    };
+    const top = bracket(measure.measured, colors.failure, 0);
+    this.obstacleLabels.push(this.labels.add(`${measure.kind} ${measure.measured.toFixed(2)} m`, top, 'failure'));
+    if (measure.allowed === null) return;
+    const can = bracket(measure.allowed, 0x3ddc84, 0.2);
+    const word = measure.kind === 'headroom' ? 'needs' : 'steps';
+    this.obstacleLabels.push(this.labels.add(`${word} ${measure.allowed.toFixed(2)} m`, can, 'measure'));
+  }
+
+  private addParting(): void {
+    const { other, data } = this.context;
+    if (!other || other.partsAt === null || !data.path) return;
+    const { x, y, z } = data.path.at(other.partsAt);
+    const ring = new Mesh(
+      new RingGeometry(0.45, 0.6, 40).rotateX(-Math.PI / 2),
+      new MeshBasicMaterial({ color: 0xffffff, transparent: true, opacity: 0.9, depthWrite: false, fog: false }),
+    );
+    ring.position.set(x, y + 0.08, z);
+    ring.renderOrder = 5;
+    this.root.add(ring);
+    const time = (other.partsAt / this.context.ticksPerSecond).toFixed(2);
+    const label = this.labels.add(`paths part here, ${time} s`, new Vector3(x, y + 2.2, z), 'parting');
+    this.shownLabels.push({ label, layer: 'trail' });
+  }
+}
+
+export function ball(at: Vector3, radius: number, color: number): Mesh {
+  const mesh = new Mesh(new SphereGeometry(radius, 14, 10), new MeshBasicMaterial({ color, fog: false, toneMapped: false }));
+  mesh.position.copy(at);
+  return mesh;
+}
+
+function outline(object: CampusObject): LineSegments {
+  const lines = new LineSegments(
+    new EdgesGeometry(geometryOf(object), 20),
+    new LineBasicMaterial({ color: colors.failure, fog: false, depthTest: false, transparent: true, opacity: 0.8 }),
+  );
+  lines.renderOrder = 8;
+  return lines;
+}
+

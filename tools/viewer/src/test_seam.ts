@@ -1,0 +1,66 @@
+// `window.campuswalk`: what tests may ask the page. It changes nothing but by what a user could do, too.
+
+import type { App } from './app';
+import { lastCopied } from './ui/clipboard';
+
+export interface TestSeam {
+  /** Fulfilled when what is shown now is complete; true if a report is shown. */
+  ready(): Promise<boolean>;
+  /** Where the visitor's feet are, metres, as at the time that is shown or at a tick. */
+  visitorAt(tick?: number): { x: number; y: number; z: number; yaw: number; pitch: number } | null;
+  /** What is at a point of the canvas, in CSS pixels from its top left. */
+  pick(x: number, y: number): { point: number[]; objects: string[]; node: string } | null;
+  state(): { page: string; tick: number; ticks: number; playing: boolean; speed: number; camera: string; cut: number | null; tab: string };
+  /** Where the camera is and looks. */
+  camera(): { position: number[]; direction: number[] } | null;
+  /** The last text that was copied. */
+  copied(): string;
+  statistics(): { filterTime: number; frames: number; lastFrame: number; software: boolean };
+}
+
+declare global {
+  interface Window {
+    campuswalk: TestSeam;
+  }
+}
+
+export function exposeForTests(starting: Promise<App | null>): void {
+  let app: App | null = null;
+  const started = starting.then((made) => (app = made));
+  window.campuswalk = {
+    async ready() {
+      const shown = await started;
+      for (let last: Promise<void> | null = null; shown && last !== shown.ready; ) {
+        last = shown.ready;
+        await last;
+      }
+      return shown !== null;
+    },
+    visitorAt: (tick) => app?.walk?.context.data.path?.at(tick ?? app.store.state.tick) ?? null,
+    pick(x, y) {
+      const hit = app?.walk?.viewport?.pick(x, y);
+      const campus = app?.walk?.context.campus;
+      return hit
+        ? { point: hit.point.toArray(), node: hit.piece.node, objects: hit.piece.objects.map((index) => campus?.objects[index]?.id ?? '') }
+        : null;
+    },
+    state() {
+      const { page, tick, playing, speed, camera, cut, tab } = app!.store.state;
+      return { page, tick, playing, speed, camera, cut, tab, ticks: app!.walk?.context.lastTick ?? 0 };
+    },
+    camera() {
+      const camera = app?.walk?.viewport && app.campuses.stage?.camera;
+      if (!camera) return null;
+      const direction = camera.getWorldDirection(camera.position.clone());
+      return { position: camera.position.toArray(), direction: direction.toArray() };
+    },
+    copied: () => lastCopied,
+    statistics() {
+      const stage = app?.walk?.viewport ? app.campuses.stage : null;
+      return {
+        filterTime: app?.list?.filterTime ?? 0, frames: stage?.statistics.frames ?? 0,
+        lastFrame: stage?.statistics.lastFrame ?? 0, software: stage?.isSoftware ?? false,
+      };
+    },
+  };
+}
