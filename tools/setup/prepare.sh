@@ -74,6 +74,14 @@ install_missing() {
         DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $missing
 }
 
+# install_viewer_tools: installs what builds the reports' viewer, unless node and npm are there from elsewhere: such a
+# node's package may come with npm, and Debian's can't be installed beside it.
+install_viewer_tools() {
+    if ! command -v node >/dev/null || ! command -v npm >/dev/null; then
+        install_missing "$root/tools/setup/packages-viewer.txt"
+    fi
+}
+
 # Whether CMake has run since the presets changed, and with these settings.
 is_configured() {
     local build=$1 setting

@@ -88,7 +88,7 @@ std::vector<std::int64_t> plan_of(const RecordedWay& way, std::size_t most) {
     constexpr std::size_t kExamined = 2000;  // of a long way, evenly: the plan is a thumbnail
     std::vector<Vector3d> points;
     const std::size_t stride = way.keys.size() / kExamined + 1;
-    for (std::size_t i = 0; i < way.keys.size(); i += stride) {
+    for (std::size_t i = 0; i + 1 < way.keys.size(); i += stride) {
         points.push_back(point(way.keys[i]));
     }
     points.push_back(point(way.keys.back()));

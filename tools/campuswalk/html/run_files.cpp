@@ -1,6 +1,5 @@
 #include "tools/campuswalk/html/run_files.h"
 
-#include <algorithm>
 #include <system_error>
 
 #include "scene/base/diagnostic.h"
@@ -11,10 +10,20 @@ namespace campuswalk::tools {
 namespace fs = std::filesystem;
 
 std::optional<std::string> read_below(const fs::path& folder, const std::string& path) {
-    std::error_code failed;
-    const fs::path root = fs::canonical(folder, failed);
-    const fs::path file = failed ? fs::path() : fs::canonical(root / path, failed);
-    if (failed || std::ranges::mismatch(root, file).in1 != root.end() || !fs::is_regular_file(file, failed)) {
+    fs::path file = folder;
+    fs::file_status status;
+    for (const fs::path& part : fs::path(path)) {
+        if (part == ".." || part.is_absolute()) {
+            return std::nullopt;
+        }
+        file /= part;
+        std::error_code failed;
+        status = fs::symlink_status(file, failed);
+        if (failed || fs::is_symlink(status)) {
+            return std::nullopt;
+        }
+    }
+    if (!fs::is_regular_file(status)) {
         return std::nullopt;
     }
     try {

@@ -30,7 +30,7 @@ TEST(RecordedWay, IsLinearBetweenKeysAndHoldsUntilACut) {
 }
 
 TEST(RecordedWay, OtherTextIsNone) {
-    for (const std::string text :
+    for (const std::string& text :
          {std::string(), std::string("["), std::string("[]"), std::string("{\"campuswalk_recording\":2}"),
           std::string("{\"campuswalk_recording\":1}"), recording("{}"),
           recording(R"({"tick":[],"x":[],"y":[],"z":[],"cut":[]})"),
@@ -53,7 +53,7 @@ TEST(RecordedWay, ThePlanKeepsTheCorners) {
     const RecordedWay corner =
         way("{\"tick\":[" + ticks + "],\"x\":[" + x + "],\"y\":[" + z + "],\"z\":[" + z + "],\"cut\":[]}");
     EXPECT_EQ(plan_of(corner, 3), (std::vector<std::int64_t>{0, 0, 500, 0, 0, 500}));
-    EXPECT_EQ(plan_of(corner).size(), 48U);
+    EXPECT_EQ(plan_of(corner).size(), 48U);  // 24 points
 }
 
 TEST(RecordedWay, PartsWhereItIsMoreThanAMillimetreOff) {
