@@ -10,7 +10,7 @@ namespace campuswalk::engine {
 
 /// Where the avatar was at a tick, in the units that recordings store: x, y, z in millimetres, yaw and pitch
 /// in tenths of a degree.
-struct WaySample {
+struct PathSample {
     static constexpr std::size_t kSize = 5;
     Tick tick = 0;
     std::array<double, kSize> values = {};
@@ -19,11 +19,11 @@ struct WaySample {
 /// A sample in whole units, and whether the avatar was put there instead of moving there.
 struct KeyFrame {
     Tick tick = 0;
-    std::array<std::int64_t, WaySample::kSize> values = {};
+    std::array<std::int64_t, PathSample::kSize> values = {};
     bool cut = false;
 };
 
-/// Thins a way where it is straight: between two key frames of which the second isn't a cut, every sample
+/// Thins a path where it is straight: between two key frames of which the second isn't a cut, every sample
 /// lies within kHalfUnit of the straight line, positions as well as angles (of these, within a whole unit).
 /// One sample at a time, without looking back.
 class KeyFrames {
@@ -37,23 +37,23 @@ public:
     explicit KeyFrames(Sink sink) : sink_(std::move(sink)) {}
 
     /// Ticks ascend by one. `cut`: the avatar was put there.
-    void add(const WaySample& sample, bool cut);
+    void add(const PathSample& sample, bool cut);
     /// After the last sample.
     void finish();
 
 private:
     void start_from(const KeyFrame& key);
     bool fits(const KeyFrame& end) const;
-    void narrow(const WaySample& sample);
+    void narrow(const PathSample& sample);
 
     Sink sink_;
     bool any_ = false;
     KeyFrame from_;      ///< the last one that was emitted
-    WaySample latest_;   ///< the sample after which nothing was emitted yet
+    PathSample latest_;  ///< the sample after which nothing was emitted yet
     bool open_ = false;  ///< there is such a sample
     /// The slopes, units per tick, of lines from `from_` that pass close enough to every sample since.
-    std::array<double, WaySample::kSize> least_ = {};
-    std::array<double, WaySample::kSize> most_ = {};
+    std::array<double, PathSample::kSize> least_ = {};
+    std::array<double, PathSample::kSize> most_ = {};
 };
 
 }  // namespace campuswalk::engine

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kTurn = 3600.0;         // tenths of a degree
 constexpr double kMillimetres = 1000.0;  // a metre
-constexpr std::array<const char*, WaySample::kSize + 1> kColumns = {"tick", "x", "y", "z", "yaw", "pitch"};
+constexpr std::array<const char*, PathSample::kSize + 1> kColumns = {"tick", "x", "y", "z", "yaw", "pitch"};
 
 // A contact is searched for this far from the body, and rather above its feet than at the ground, metres.
 constexpr double kReach = 0.1;
@@ -65,7 +65,7 @@ std::string json_of(const Walk& walk) {
     return text + member("gaze_distance", avatar.look_distance) + "},\"log\":[";
 }
 
-/// Items on a line each, so that recordings can be read and compared.
+/// Items, one per line, so that recordings can be read and compared.
 template <typename Items, typename Text>
 void write_list(const LineSink& sink, const char* name, const Items& items, const Text& text_of_item) {
     sink(std::string("\"") + name + "\":[");
@@ -124,11 +124,11 @@ void Recording::end() {
                ",\"object\":" + json_text(contact.object) + ",\"point\":" + triple(contact.point) +
                ",\"normal\":" + triple(contact.normal) + "}";
     });
-    std::string way = "\"way\":{";
+    std::string path = "\"way\":{";
     for (std::size_t i = 0; i < columns_.size(); ++i) {
-        way += std::string("\"") + kColumns[i] + "\":[" + columns_[i] + "],";
+        path += std::string("\"") + kColumns[i] + "\":[" + columns_[i] + "],";
     }
-    sink_(way + "\"cut\":[" + cuts_ + "]},\"ticks\":" + std::to_string(last_) + "}");
+    sink_(path + "\"cut\":[" + cuts_ + "]},\"ticks\":" + std::to_string(last_) + "}");
 }
 
 void Recording::add_key(const KeyFrame& key) {

@@ -13,9 +13,9 @@
 
 namespace campuswalk::engine {
 
-/// What a report needs to show a walk again (config/schema/recording.schema.json): the way as key frames with
-/// straight lines between them, its steps, pop-ups and contacts as spans of ticks, and the text log. It grows
-/// with what happens, hardly with the time that it takes.
+/// What a report needs to show a walk again (config/schema/recording.schema.json): the path as key frames
+/// with straight lines between them, its steps, pop-ups and contacts as spans of ticks, and the text log. It
+/// grows with what happens, hardly with the time that it takes.
 class Recording final : public Observer {
 public:
     /// `campus` must outlive it.
@@ -66,7 +66,7 @@ private:
     KeyFrame previous_;
     std::size_t keys_ = 0;
     double yaw_ = 0.0;  ///< of the last sample, tenths of a degree, without jumps by a turn
-    std::array<std::string, WaySample::kSize + 1> columns_;  ///< ticks, then the values: differences as text
+    std::array<std::string, PathSample::kSize + 1> columns_;  ///< ticks, then the values: differences as text
     std::string cuts_;
 
     std::size_t steps_over_ = 0;

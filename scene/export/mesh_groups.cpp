@@ -184,9 +184,9 @@ private:
             MeshGroup& group = groups_.emplace_back();
             group.material = std::get<0>(key);
             group.tags = std::get<1>(key);
-            const Vector3d corner(static_cast<double>(std::get<2>(key)), 0.0,
-                                  static_cast<double>(std::get<3>(key)));
-            group.origin = whole_steps(settings_.cell * corner, settings_.step);
+            const Vector3d low_edge(static_cast<double>(std::get<2>(key)), 0.0,
+                                    static_cast<double>(std::get<3>(key)));
+            group.origin = whole_steps(settings_.cell * low_edge, settings_.step);
         }
         return there->second;
     }

@@ -48,10 +48,13 @@ quietly() {
     fi
 }
 
-# install_missing LIST…: installs the packages of the lists that aren't installed.
+# install_missing LIST…: installs the packages of the lists that aren't installed. Empty names are no lists.
 install_missing() {
-    local packages missing sudo=()
-    packages=$(sort -u "$@")
+    local packages missing list lists=() sudo=()
+    for list in "$@"; do
+        [[ -z $list ]] || lists+=("$list")
+    done
+    packages=$(sort -u "${lists[@]}")
     if ! command -v dpkg-query >/dev/null; then
         command -v cmake >/dev/null ||
             fail "this setup supports Debian 12; elsewhere install what these packages contain: ${packages//$'\n'/ }"
@@ -69,16 +72,18 @@ install_missing() {
         sudo=(sudo)
     fi
     quietly "updating the package lists" "${sudo[@]}" apt-get update -q
+    # Without a sync of each file: npm has hundreds of small packages. If the machine dies meanwhile, install them again.
     # shellcheck disable=SC2086
     quietly "installing $(wc -w <<<"$missing") packages and their dependencies" "${sudo[@]}" env \
-        DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $missing
+        DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends \
+        -o Dpkg::Options::=--force-unsafe-io $missing
 }
 
-# install_viewer_tools: installs what builds the reports' viewer, unless node and npm are there from elsewhere: such a
-# node's package may come with npm, and Debian's can't be installed beside it.
-install_viewer_tools() {
+# Prints the list of what builds the reports' viewer, unless node and npm are there from elsewhere: such a node's package
+# may come with npm, and Debian's can't be installed beside it.
+viewer_packages() {
     if ! command -v node >/dev/null || ! command -v npm >/dev/null; then
-        install_missing "$root/tools/setup/packages-viewer.txt"
+        printf '%s\n' "$root/tools/setup/packages-viewer.txt"
     fi
 }
 

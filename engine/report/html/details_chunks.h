@@ -8,7 +8,7 @@
 
 namespace campuswalk::engine {
 
-/// Collects what a report says of walks, a line each, in chunks of a size that a browser unpacks at once.
+/// Collects what a report says of walks, one per line, in chunks of a size that a browser unpacks at once.
 /// Rows of the index get the chunk and line of their details when the chunk is written.
 class DetailsChunks {
 public:

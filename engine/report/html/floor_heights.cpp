@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double kStep = 0.1;          // metres: heights are told apart by this
+constexpr double kStep = 0.1;          // metres: heights differ by this
 constexpr double kLevel = 0.97;        // cosine of the steepest floor
 constexpr double kApart = 2.2;         // metres: no storey is lower
 constexpr double kLeastArea = 12.0;    // m²: a room

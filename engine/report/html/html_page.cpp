@@ -57,7 +57,7 @@ std::size_t HtmlPage::add_data(std::string_view bytes) {
     return chunks_++;
 }
 
-std::size_t HtmlPage::add_picture(std::string_view bytes, std::string_view media_type) {
+std::size_t HtmlPage::add_image(std::string_view bytes, std::string_view media_type) {
     add_chunk(std::to_string(chunks_), " data-type=\"" + html_escaped(media_type) + "\"", bytes);
     return chunks_++;
 }

@@ -26,7 +26,7 @@ public:
     /// Compresses the bytes and returns the chunk's number.
     std::size_t add_data(std::string_view bytes);
     /// A picture as it is.
-    std::size_t add_picture(std::string_view bytes, std::string_view media_type);
+    std::size_t add_image(std::string_view bytes, std::string_view media_type);
     /// The last chunk, which lists what the others are, and the end.
     void finish(std::string_view index);
 

@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engine/report/html/report_pictures.h"
+#include "engine/report/html/report_images.h"
 #include "engine/report/html/walk_row.h"
 #include "engine/report/result_json.h"
 
@@ -48,7 +48,7 @@ void HtmlReporter::result(const WalkResult& result) {
     Details details = details_of(result, inputs_.read_artifact);
     details_.add(details.line, std::move(details.row), rows_);
     if (inputs_.against) {
-        compare(result, details.way);
+        compare(result, details.path);
     }
     ++walks_;
 }
@@ -56,32 +56,32 @@ void HtmlReporter::result(const WalkResult& result) {
 HtmlReporter::Details HtmlReporter::details_of(const WalkResult& result, const FileReader& read_artifact) {
     Details details;
     std::optional<std::string> recording = recording_of(result, read_artifact);
-    details.way = recording ? read_recorded_way(*recording) : std::nullopt;
+    details.path = recording ? read_recorded_path(*recording) : std::nullopt;
     WalkPlacement placement;
-    placement.campus = campus_of(result, details.way);
-    if (details.way) {
-        placement.plan = plan_of(*details.way);
+    placement.campus = campus_of(result, details.path);
+    if (details.path) {
+        placement.plan = plan_of(*details.path);
     }
-    const std::string pictures = pictures_of(result, read_artifact, placement.thumbnail);
+    const std::string images = images_of(result, read_artifact, placement.thumbnail);
     details.line = "{\"result\":" + to_json_line(result) +
-                   ",\"recording\":" + (details.way ? on_one_line(std::move(*recording)) : "null") +
-                   ",\"pictures\":" + pictures + ",\"source\":" + source_of(result) + "}";
+                   ",\"recording\":" + (details.path ? on_one_line(std::move(*recording)) : "null") +
+                   ",\"pictures\":" + images + ",\"source\":" + source_of(result) + "}";
     details.row = open_walk_row(result, placement);
     return details;
 }
 
 /// Chunk numbers by path. The thumbnail is the first snapshot, or the first picture of a failure.
-std::string HtmlReporter::pictures_of(const WalkResult& result, const FileReader& read_artifact,
-                                      std::ptrdiff_t& thumbnail) {
+std::string HtmlReporter::images_of(const WalkResult& result, const FileReader& read_artifact,
+                                    std::ptrdiff_t& thumbnail) {
     Json chunks = Json::object();
     for (const Artifact& artifact : result.artifacts) {
-        if (!is_still_picture(artifact) || chunks.contains(artifact.path)) {
+        if (!is_still_image(artifact) || chunks.contains(artifact.path)) {
             continue;
         }
         const std::optional<std::string> bytes = read_artifact(artifact.path);
-        const std::optional<ReportPicture> picture = bytes ? report_picture(artifact, *bytes) : std::nullopt;
-        if (picture) {
-            const std::size_t chunk = page_.add_picture(picture->bytes, picture->media_type);
+        const std::optional<ReportImage> image = bytes ? report_image(artifact, *bytes) : std::nullopt;
+        if (image) {
+            const std::size_t chunk = page_.add_image(image->bytes, image->media_type);
             chunks[artifact.path] = chunk;
             thumbnail = thumbnail < 0 ? static_cast<std::ptrdiff_t>(chunk) : thumbnail;
         }
@@ -105,8 +105,8 @@ std::string HtmlReporter::source_of(const WalkResult& result) const {
     return source.empty() ? "null" : dumped(source);
 }
 
-std::ptrdiff_t HtmlReporter::campus_of(const WalkResult& result, const std::optional<RecordedWay>& way) {
-    const std::string file = way ? way->campus_file : inputs_.campus_file_of(result);
+std::ptrdiff_t HtmlReporter::campus_of(const WalkResult& result, const std::optional<RecordedPath>& path) {
+    const std::string file = path ? path->campus_file : inputs_.campus_file_of(result);
     if (file.empty()) {
         return -1;
     }
@@ -131,18 +131,19 @@ void HtmlReporter::add_campus(const ReportCampus& campus) {
     campus_entries_.push_back("{" + campus.entry + ",\"geometry\":" + geometry + "}");
 }
 
-void HtmlReporter::compare(const WalkResult& result, const std::optional<RecordedWay>& way) {
+void HtmlReporter::compare(const WalkResult& result, const std::optional<RecordedPath>& path) {
     seen_.push_back(std::hash<std::string>()(result.id));
     const std::optional<WalkResult> other = inputs_.against->find(result.id);
     if (other && (other->outcome != result.outcome || other->hash != result.hash)) {
-        add_compared(*other, static_cast<std::ptrdiff_t>(walks_), way);
+        add_compared(*other, static_cast<std::ptrdiff_t>(walks_), path);
     }
 }
 
 void HtmlReporter::add_compared(const WalkResult& other, std::ptrdiff_t index,
-                                const std::optional<RecordedWay>& way) {
+                                const std::optional<RecordedPath>& path) {
     Details details = details_of(other, inputs_.against->read_artifact);
-    const std::optional<Tick> parts_at = way && details.way ? parting_tick(*way, *details.way) : std::nullopt;
+    const std::optional<Tick> parts_at =
+        path && details.path ? parting_tick(*path, *details.path) : std::nullopt;
     details.row += ",\"index\":" + std::to_string(index) +
                    ",\"parts_at\":" + (parts_at ? std::to_string(*parts_at) : "null");
     details_.add(details.line, std::move(details.row), against_rows_);

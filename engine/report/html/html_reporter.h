@@ -9,7 +9,7 @@
 
 #include "engine/report/html/details_chunks.h"
 #include "engine/report/html/html_page.h"
-#include "engine/report/html/recorded_way.h"
+#include "engine/report/html/recorded_path.h"
 #include "engine/report/reporter.h"
 
 namespace campuswalk::engine {
@@ -64,17 +64,17 @@ private:
     struct Details {
         std::string line;
         std::string row;
-        std::optional<RecordedWay> way;
+        std::optional<RecordedPath> path;
     };
 
     Details details_of(const WalkResult& result, const FileReader& read_artifact);
-    std::string pictures_of(const WalkResult& result, const FileReader& read_artifact,
-                            std::ptrdiff_t& thumbnail);
+    std::string images_of(const WalkResult& result, const FileReader& read_artifact,
+                          std::ptrdiff_t& thumbnail);
     std::string source_of(const WalkResult& result) const;
-    std::ptrdiff_t campus_of(const WalkResult& result, const std::optional<RecordedWay>& way);
+    std::ptrdiff_t campus_of(const WalkResult& result, const std::optional<RecordedPath>& path);
     void add_campus(const ReportCampus& campus);
-    void compare(const WalkResult& result, const std::optional<RecordedWay>& way);
-    void add_compared(const WalkResult& other, std::ptrdiff_t index, const std::optional<RecordedWay>& way);
+    void compare(const WalkResult& result, const std::optional<RecordedPath>& path);
+    void add_compared(const WalkResult& other, std::ptrdiff_t index, const std::optional<RecordedPath>& path);
     void add_unmatched();
     std::string against_json() const;
     std::string findings_json() const;

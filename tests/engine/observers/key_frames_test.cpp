@@ -11,10 +11,10 @@
 namespace campuswalk::engine {
 namespace {
 
-std::vector<KeyFrame> thinned(const std::vector<WaySample>& samples, const std::vector<Tick>& cuts = {}) {
+std::vector<KeyFrame> thinned(const std::vector<PathSample>& samples, const std::vector<Tick>& cuts = {}) {
     std::vector<KeyFrame> keys;
     KeyFrames frames([&](const KeyFrame& key) { keys.push_back(key); });
-    for (const WaySample& sample : samples) {
+    for (const PathSample& sample : samples) {
         frames.add(sample, std::ranges::find(cuts, sample.tick) != cuts.end());
     }
     frames.finish();
@@ -36,9 +36,9 @@ double shown(const std::vector<KeyFrame>& keys, Tick tick, std::size_t i) {
     return from + share * (static_cast<double>(keys[k + 1].values[i]) - from);
 }
 
-void expect_close(const std::vector<WaySample>& samples, const std::vector<KeyFrame>& keys) {
-    for (const WaySample& sample : samples) {
-        for (std::size_t i = 0; i < WaySample::kSize; ++i) {
+void expect_close(const std::vector<PathSample>& samples, const std::vector<KeyFrame>& keys) {
+    for (const PathSample& sample : samples) {
+        for (std::size_t i = 0; i < PathSample::kSize; ++i) {
             ASSERT_NEAR(shown(keys, sample.tick, i), sample.values[i], i < 3 ? 0.501 : 1.001)
                 << "tick " << sample.tick << ", value " << i;
         }
@@ -47,8 +47,8 @@ void expect_close(const std::vector<WaySample>& samples, const std::vector<KeyFr
 
 using support::Dice;
 
-TEST(KeyFrames, KeepTheEndsOfAStraightWay) {
-    std::vector<WaySample> samples;
+TEST(KeyFrames, KeepTheEndsOfAStraightPath) {
+    std::vector<PathSample> samples;
     for (Tick tick = 0; tick < 1000; ++tick) {
         const auto t = static_cast<double>(tick);
         samples.push_back({tick, {0.3 + 23.3333 * t, -7.77, 5.5 - 1.234 * t, 45.0, 0.0}});
@@ -60,11 +60,11 @@ TEST(KeyFrames, KeepTheEndsOfAStraightWay) {
     expect_close(samples, keys);
 }
 
-TEST(KeyFrames, StayCloseOnAnyWay) {
+TEST(KeyFrames, StayCloseOnAnyPath) {
     Dice dice(7);
-    std::vector<WaySample> samples;
-    std::array<double, WaySample::kSize> at = {1e5, -3e3, -2e5, 0.0, 0.0};
-    std::array<double, WaySample::kSize> speed = {};
+    std::vector<PathSample> samples;
+    std::array<double, PathSample::kSize> at = {1e5, -3e3, -2e5, 0.0, 0.0};
+    std::array<double, PathSample::kSize> speed = {};
     for (Tick tick = 0; tick < 20'000; ++tick) {
         if (dice.below(31) == 0) {
             for (double& each : speed) {
@@ -82,7 +82,7 @@ TEST(KeyFrames, StayCloseOnAnyWay) {
 }
 
 TEST(KeyFrames, FollowAFallWithinHalfAMillimetre) {
-    std::vector<WaySample> samples;
+    std::vector<PathSample> samples;
     for (Tick tick = 0; tick < 120; ++tick) {
         const double seconds = static_cast<double>(tick) / 60.0;
         samples.push_back({tick, {0.0, 10'000.0 - 4905.0 * seconds * seconds, 0.0, 0.0, 0.0}});
@@ -91,7 +91,7 @@ TEST(KeyFrames, FollowAFallWithinHalfAMillimetre) {
 }
 
 TEST(KeyFrames, HoldUntilACut) {
-    std::vector<WaySample> samples;
+    std::vector<PathSample> samples;
     for (Tick tick = 0; tick < 20; ++tick) {
         samples.push_back({tick, {tick < 10 ? 10.0 * static_cast<double>(tick) : 9000.0, 0, 0, 0, 0}});
     }
@@ -106,7 +106,8 @@ TEST(KeyFrames, HoldUntilACut) {
 }
 
 TEST(KeyFrames, TwoCutsInARow) {
-    const std::vector<WaySample> samples = {{0, {0, 0, 0, 0, 0}}, {1, {5, 0, 0, 0, 0}}, {2, {9, 0, 0, 0, 0}}};
+    const std::vector<PathSample> samples = {
+        {0, {0, 0, 0, 0, 0}}, {1, {5, 0, 0, 0, 0}}, {2, {9, 0, 0, 0, 0}}};
     const std::vector<KeyFrame> keys = thinned(samples, {0, 1, 2});
     ASSERT_EQ(keys.size(), 3U);
     EXPECT_TRUE(keys[0].cut && keys[1].cut && keys[2].cut);

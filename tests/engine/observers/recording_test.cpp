@@ -66,7 +66,7 @@ double turns_apart(double a, double b) {
     return std::abs(turns - std::round(turns)) * 3600.0;
 }
 
-void expect_way(const Recorded& walk) {
+void expect_path(const Recorded& walk) {
     for (Tick tick = 0; tick <= walk.summary.ticks; ++tick) {
         const AvatarState& avatar = walk.recorder.at(tick);
         const auto t = static_cast<double>(tick);
@@ -85,7 +85,7 @@ TEST(Recording, ShowsEveryTickOfAWalk) {
         campus, walk_of({spawn_at({1, 0, 2}), walk_to(3.0, -1.0), turn_by(270), turn_by(-300),
                          look_at({"up", {0, 4, 0}, true}), jump_up(3.0, 1.0), teleport_to({-2, 0, 1}, 1.0),
                          walk_to(-2.5, 2.5), set_height(1.0), follow({{-1, 0, 2}, {0, 0, -2}, {2, 0, 1}})}));
-    expect_way(walk);
+    expect_path(walk);
     EXPECT_EQ(walk.json.at("ticks"), walk.summary.ticks);
     EXPECT_EQ(walk.json.at("way").at("cut").size(), 2U);
     EXPECT_LT(walk.json.at("way").at("tick").size(), static_cast<std::size_t>(walk.summary.ticks) / 2);
@@ -95,7 +95,7 @@ TEST(Recording, ShowsAFallOutOfTheWorld) {
     const scene::Campus campus = level_campus(3.0);
     const Recorded walk = recorded(campus, walk_of({spawn_at({0, 0, 0}), walk_to(20.0, 0.0)}));
     EXPECT_FALSE(walk.summary.passed);
-    expect_way(walk);
+    expect_path(walk);
 }
 
 TEST(Recording, ContainsTheLogAsItIs) {

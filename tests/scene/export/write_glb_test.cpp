@@ -189,7 +189,7 @@ std::size_t open_edges(const std::vector<Triangle>& triangles) {
         std::ranges::count_if(edges, [](const auto& edge) { return edge.second == 1; }));
 }
 
-TEST(WriteGlb, GroupsMeetWithoutACrack) {
+TEST(WriteGlb, GroupsJoinWithoutACrack) {
     const Model model = hills(150);  // nine squares of 64 m
     const GlbFile glb = write(model, 0.1);
     EXPECT_LT(glb.triangles, glb.source_triangles / 2);

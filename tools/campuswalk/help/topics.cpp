@@ -184,6 +184,10 @@ gives what a single run would have reported, and exit code 1 if a shard's report
 there twice or of another run. 'campuswalk replay 1.jsonl --verify' repeats the walks of a
 report, with the same projects and timeouts, and compares hashes.
 
+  campuswalk run --reporter html=report.html                opens in a browser, from disk, offline
+  campuswalk run --record report --reporter jsonl=1.jsonl   leaves what it takes in DIR of '--output DIR'
+  campuswalk report 1.jsonl -o report.html --output DIR     makes it of that, also elsewhere
+
 Pictures go to DIR of '--output DIR' (out): WALK/SNAPSHOT.png, and for a failure WALK/failure-eyes.png,
 failure-beside.png (what is in the way, ringed) and failure-above.png.
 'expect: [log: {golden: true}]' compares a walk's log with its golden log,

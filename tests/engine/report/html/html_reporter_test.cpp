@@ -78,9 +78,9 @@ Page opened(std::string html) {
         const std::size_t quote = page.html.find('"', number);
         const std::size_t text = page.html.find('>', quote) + 1;
         const std::size_t end = page.html.find("</script>", text);
-        const bool picture = page.html.substr(quote, text - quote).find("data-type") != std::string::npos;
+        const bool image = page.html.substr(quote, text - quote).find("data-type") != std::string::npos;
         const std::string bytes = from_base64(page.html.substr(text, end - text));
-        page.chunks[page.html.substr(number, quote - number)] = picture ? bytes : gunzipped(bytes);
+        page.chunks[page.html.substr(number, quote - number)] = image ? bytes : gunzipped(bytes);
     }
     return page;
 }

@@ -14,8 +14,8 @@
 
 namespace campuswalk::engine {
 
-/// The way of a walk, read from its recording (engine/observers/recording.h).
-struct RecordedWay {
+/// The path of a walk, read from its recording (engine/observers/recording.h).
+struct RecordedPath {
     struct Key {
         Tick tick = 0;
         std::array<std::int64_t, 3> at = {};  ///< foot, millimetres
@@ -29,14 +29,14 @@ struct RecordedWay {
 };
 
 /// None for text that isn't a recording, such as one of another version.
-std::optional<RecordedWay> read_recorded_way(std::string_view recording);
+std::optional<RecordedPath> read_recorded_path(std::string_view recording);
 
-/// The way seen from above in at most `most` points: x, z, x, z, … in whole decimetres, each minus the one
+/// The path seen from above in at most `most` points: x, z, x, z, … in whole decimetres, each minus the one
 /// before. Points are left out where they are missed least.
-std::vector<std::int64_t> plan_of(const RecordedWay& way, std::size_t most = 24);
+std::vector<std::int64_t> plan_of(const RecordedPath& path, std::size_t most = 24);
 
-/// The first tick at which the ways are more than a millimetre apart along an axis; none if they never are.
+/// The first tick at which the paths are more than a millimetre apart along an axis; none if they never are.
 /// Where one ends before the other, they part.
-std::optional<Tick> parting_tick(const RecordedWay& a, const RecordedWay& b);
+std::optional<Tick> parting_tick(const RecordedPath& a, const RecordedPath& b);
 
 }  // namespace campuswalk::engine

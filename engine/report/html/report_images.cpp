@@ -1,4 +1,4 @@
-#include "engine/report/html/report_pictures.h"
+#include "engine/report/html/report_images.h"
 
 #include <cstdint>
 #include <span>
@@ -21,12 +21,12 @@ bool is_compared(const Artifact& artifact) {
 
 }  // namespace
 
-bool is_still_picture(const Artifact& artifact) {
+bool is_still_image(const Artifact& artifact) {
     return artifact.media_type == "image/png" || artifact.media_type == "image/jpeg" ||
            artifact.media_type == "image/webp";
 }
 
-std::optional<ReportPicture> report_picture(const Artifact& artifact, std::string_view bytes) {
+std::optional<ReportImage> report_image(const Artifact& artifact, std::string_view bytes) {
     std::string reason;
     const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
     const auto decoded = scene::decode_image(std::span(data, bytes.size()), reason);
@@ -35,10 +35,10 @@ std::optional<ReportPicture> report_picture(const Artifact& artifact, std::strin
     }
     const scene::PixelView pixels{decoded->width, decoded->height, decoded->rgba};
     if (is_compared(artifact)) {
-        return ReportPicture{scene::encode_webp_lossless(pixels), "image/webp"};
+        return ReportImage{scene::encode_webp_lossless(pixels), "image/webp"};
     }
     const scene::Pixels shown = scene::shrunk_to_fit(pixels, kMaxWidth, kMaxHeight);
-    return ReportPicture{scene::encode_webp(shown.view(), kQuality), "image/webp"};
+    return ReportImage{scene::encode_webp(shown.view(), kQuality), "image/webp"};
 }
 
 }  // namespace campuswalk::engine

@@ -1,4 +1,4 @@
-#include "engine/report/html/recorded_way.h"
+#include "engine/report/html/recorded_path.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ using Json = nlohmann::json;
 
 constexpr double kApart = 1.0;  // millimetres, along an axis
 
-Vector3d point(const RecordedWay::Key& key) {
+Vector3d point(const RecordedPath::Key& key) {
     return {static_cast<double>(key.at[0]), static_cast<double>(key.at[1]), static_cast<double>(key.at[2])};
 }
 
@@ -29,33 +29,33 @@ std::vector<std::int64_t> summed(const Json& differences) {
     return values;
 }
 
-RecordedWay way_of(const Json& recording) {
-    RecordedWay way;
-    way.campus_file = recording.at("campus").at("file").get<std::string>();
+RecordedPath path_of(const Json& recording) {
+    RecordedPath path;
+    path.campus_file = recording.at("campus").at("file").get<std::string>();
     const Json& stored = recording.at("way");
     const std::vector<std::int64_t> ticks = summed(stored.at("tick"));
     const std::vector<std::int64_t> x = summed(stored.at("x"));
     const std::vector<std::int64_t> y = summed(stored.at("y"));
     const std::vector<std::int64_t> z = summed(stored.at("z"));
     for (std::size_t i = 0; i < ticks.size(); ++i) {
-        way.keys.push_back({ticks[i], {x.at(i), y.at(i), z.at(i)}, false});
+        path.keys.push_back({ticks[i], {x.at(i), y.at(i), z.at(i)}, false});
     }
     for (const Json& index : stored.at("cut")) {
-        way.keys.at(index.get<std::size_t>()).cut = true;
+        path.keys.at(index.get<std::size_t>()).cut = true;
     }
-    return way;
+    return path;
 }
 
 /// Twice the area of the triangle that a point makes with its neighbours: how much it is missed.
-double weight(const std::array<Vector3d, 3>& corner) {
-    const Vector3d u = corner[1] - corner[0];
-    const Vector3d v = corner[2] - corner[0];
+double weight(const std::array<Vector3d, 3>& vertex) {
+    const Vector3d u = vertex[1] - vertex[0];
+    const Vector3d v = vertex[2] - vertex[0];
     return std::abs(u.x() * v.z() - u.z() * v.x());
 }
 
 }  // namespace
 
-Vector3d RecordedWay::at(Tick tick) const {
+Vector3d RecordedPath::at(Tick tick) const {
     const auto after = std::ranges::upper_bound(keys, tick, {}, &Key::tick);
     if (after == keys.begin()) {
         return point(keys.front());
@@ -68,14 +68,14 @@ Vector3d RecordedWay::at(Tick tick) const {
     return point(from) + share * (point(*after) - point(from));
 }
 
-std::optional<RecordedWay> read_recorded_way(std::string_view recording) {
+std::optional<RecordedPath> read_recorded_path(std::string_view recording) {
     const Json json = Json::parse(recording, nullptr, false);
     if (!json.is_object() || json.value("campuswalk_recording", Json()) != 1) {
         return std::nullopt;
     }
     try {
-        RecordedWay way = way_of(json);
-        return way.keys.empty() ? std::nullopt : std::optional(std::move(way));
+        RecordedPath path = path_of(json);
+        return path.keys.empty() ? std::nullopt : std::optional(std::move(path));
     } catch (const Json::exception&) {
         return std::nullopt;
     } catch (const std::out_of_range&) {
@@ -84,14 +84,14 @@ std::optional<RecordedWay> read_recorded_way(std::string_view recording) {
 }
 
 // Visvalingam and Whyatt, "Line generalisation by repeated elimination of points", 1993.
-std::vector<std::int64_t> plan_of(const RecordedWay& way, std::size_t most) {
-    constexpr std::size_t kExamined = 2000;  // of a long way, evenly: the plan is a thumbnail
+std::vector<std::int64_t> plan_of(const RecordedPath& path, std::size_t most) {
+    constexpr std::size_t kExamined = 2000;  // of a long path, evenly: the plan is a thumbnail
     std::vector<Vector3d> points;
-    const std::size_t stride = way.keys.size() / kExamined + 1;
-    for (std::size_t i = 0; i + 1 < way.keys.size(); i += stride) {
-        points.push_back(point(way.keys[i]));
+    const std::size_t stride = path.keys.size() / kExamined + 1;
+    for (std::size_t i = 0; i + 1 < path.keys.size(); i += stride) {
+        points.push_back(point(path.keys[i]));
     }
-    points.push_back(point(way.keys.back()));
+    points.push_back(point(path.keys.back()));
     while (points.size() > std::max<std::size_t>(2, most)) {
         std::size_t least = 1;
         double least_weight = std::numeric_limits<double>::infinity();
@@ -118,7 +118,7 @@ std::vector<std::int64_t> plan_of(const RecordedWay& way, std::size_t most) {
     return plan;
 }
 
-std::optional<Tick> parting_tick(const RecordedWay& a, const RecordedWay& b) {
+std::optional<Tick> parting_tick(const RecordedPath& a, const RecordedPath& b) {
     const Tick end = std::min(a.keys.back().tick, b.keys.back().tick);
     for (Tick tick = 0; tick <= end; ++tick) {
         if ((a.at(tick) - b.at(tick)).cwiseAbs().maxCoeff() > kApart) {
