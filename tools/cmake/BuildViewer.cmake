@@ -14,7 +14,7 @@ else()
     find_program(CAMPUSWALK_NODE node)
     find_program(CAMPUSWALK_NPM npm)
     if(NOT CAMPUSWALK_NODE OR NOT CAMPUSWALK_NPM)
-        message(FATAL_ERROR "HTML reports need node and npm (Debian: apt-get install nodejs npm); configure with "
+        message(FATAL_ERROR "HTML reports need node and npm: run tools/setup-report, or configure with "
                             "-DCAMPUSWALK_HTML=OFF to do without, or with -DCAMPUSWALK_VIEWER_BUNDLE=FOLDER")
     endif()
     # Packages are installed beside a copy of their list: nothing is written into the sources.

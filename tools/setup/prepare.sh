@@ -79,12 +79,14 @@ install_missing() {
         -o Dpkg::Options::=--force-unsafe-io $missing
 }
 
+has_viewer_tools() {
+    command -v node >/dev/null && command -v npm >/dev/null
+}
+
 # Prints the list of what builds the reports' viewer, unless node and npm are there from elsewhere: such a node's package
 # may come with npm, and Debian's can't be installed beside it.
 viewer_packages() {
-    if ! command -v node >/dev/null || ! command -v npm >/dev/null; then
-        printf '%s\n' "$root/tools/setup/packages-viewer.txt"
-    fi
+    has_viewer_tools || printf '%s\n' "$root/tools/setup/packages-viewer.txt"
 }
 
 # Whether CMake has run since the presets changed, and with these settings.

@@ -105,7 +105,7 @@ TEST(Recording, ContainsTheLogAsItIs) {
     ASSERT_EQ(walk.json.at("log").size() + 1, walk.log.size());  // the header isn't in it
     for (std::size_t i = 0; i + 1 < walk.log.size(); ++i) {
         std::string line = walk.log[i + 1];
-        if (const std::size_t at = line.find('\xff'); at != std::string::npos) {
+        for (std::size_t at = 0; (at = line.find('\xff')) != std::string::npos;) {
             line.replace(at, 1, "\xef\xbf\xbd");
         }
         EXPECT_EQ(walk.json["log"][i], line);
