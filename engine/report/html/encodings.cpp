@@ -34,10 +34,9 @@ std::string base64(std::string_view bytes) {
     return text;
 }
 
-std::string gzip(std::string_view bytes) {
-    constexpr int kLevel = 6;
+std::string gzip(std::string_view bytes, int effort) {
     const std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor(
-        libdeflate_alloc_compressor(kLevel));
+        libdeflate_alloc_compressor(effort));
     if (compressor == nullptr) {
         throw std::bad_alloc();
     }

@@ -9,7 +9,8 @@ namespace campuswalk::engine {
 std::string base64(std::string_view bytes);
 
 /// RFC 1952. The same bytes give the same file: no name and no time in it.
-std::string gzip(std::string_view bytes);
+/// `effort` from 1, the fastest, to 12.
+std::string gzip(std::string_view bytes, int effort = 6);
 
 /// Text of an HTML element or of an attribute in double quotes. Bytes that aren't UTF-8 become U+FFFD.
 std::string html_escaped(std::string_view text);

@@ -53,7 +53,10 @@ void HtmlPage::begin(std::string_view title) {
 }
 
 std::size_t HtmlPage::add_data(std::string_view bytes) {
-    add_chunk(std::to_string(chunks_), "", gzip(bytes));
+    constexpr std::size_t kLarge = std::size_t{1} << 20U;  // geometry, which is packed already
+    constexpr int kFast = 2;
+    constexpr int kUsual = 6;
+    add_chunk(std::to_string(chunks_), "", gzip(bytes, bytes.size() > kLarge ? kFast : kUsual));
     return chunks_++;
 }
 

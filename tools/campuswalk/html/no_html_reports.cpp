@@ -4,8 +4,9 @@
 namespace campuswalk::tools {
 
 void require_html_reports(const std::filesystem::path& subject) {
-    throw error_about(subject, "not-built",
-                      "this build writes no HTML reports: run tools/setup-report, or configure with CAMPUSWALK_HTML=ON");
+    throw error_about(
+        subject, "not-built",
+        "this build writes no HTML reports: run tools/setup-report, or configure with CAMPUSWALK_HTML=ON");
 }
 
 void write_campus_bundles(const std::filesystem::path&, const CampusesByFile&, ReportGeometry) {}

@@ -24,6 +24,7 @@
 #include "tools/campuswalk/run/cases/run_fingerprint.h"
 #include "tools/campuswalk/run/plan/plan.h"
 #include "tools/campuswalk/run/plan/run_settings.h"
+#include "tools/campuswalk/run/results/background_reporter.h"
 #include "tools/campuswalk/run/results/last_run.h"
 #include "tools/campuswalk/run/results/reports.h"
 #include "tools/campuswalk/run/results/run_key.h"
@@ -369,7 +370,7 @@ private:
             request.walks.emplace_back(each.result.file);
         }
         style.html = [request](engine::TextSink sink) {
-            return make_html_reporter(request, std::move(sink));
+            return std::make_unique<BackgroundReporter>(make_html_reporter(request, std::move(sink)));
         };
         return style;
     }
