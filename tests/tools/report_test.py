@@ -112,6 +112,12 @@ class Reports(ReportCase):
         self.assertEqual(page.index["walks"][0]["name"], name)
         self.assertIn(name, page.index["title"])
 
+    def test_a_run_can_leave_the_models_out(self):
+        self.run_walks("--reporter", "html=r.html", "--report-geometry", "boxes")
+        campus = self.page("r.html").index["campuses"][0]
+        self.assertEqual((campus["geometry"], len(campus["objects"])), (None, 3))
+        self.assertFalse([name for name in os.listdir(self.path("out/campuses")) if name.endswith(".glb")])
+
     def test_an_html_report_needs_a_file(self):
         self.assert_refused(self.run_walks("--reporter", "html"), "--reporter: error bad-value: html=report.html")
 
@@ -181,6 +187,17 @@ class LaterReports(ReportCase):
         self.assertIsNone(page.details(page.index["walks"][0])["recording"])
         self.assertEqual(page.index["walks"][0]["campus"], 0)
 
+    def test_models_are_imported_as_for_a_run(self):
+        shutil.rmtree(self.path("out/campuses"))
+        page = Page(self.report_bytes("--no-cache", "--sandbox", "off", "--title", "Nightly <b>").decode())
+        self.assertEqual(page.index["title"], "Nightly <b>")
+        self.assertIn("<title>Nightly &lt;b&gt;</title>", page.html)
+        self.assertTrue(page.geometry()["nodes"])
+
+    def report_bytes(self, *arguments):
+        self.passes("report", "r.jsonl", "-o", "later.html", *arguments)
+        return self.read("later.html")
+
     def test_without_either_there_are_the_results(self):
         shutil.rmtree(self.path("out/campuses"))
         self.hide("small.campus.yaml")
@@ -190,8 +207,7 @@ class LaterReports(ReportCase):
         self.assertTrue(page.details(page.index["walks"][0])["recording"]["log"])
 
     def page_of_report(self, *arguments):
-        self.passes("report", "r.jsonl", "-o", "later.html", *arguments)
-        return self.page("later.html")
+        return Page(self.report_bytes(*arguments).decode())
 
     def test_geometry(self):
         simplified = self.page_of_report().index["campuses"][0]
