@@ -126,7 +126,7 @@ class Explore(ProgramCase):
         no_gate = YARD.replace(box("shed/gate-leaf", (4.4, 0, -5.13), (5.05, 2.2, -5.07)), "")
         self.write("yard.campus.yaml", no_gate)
         self.passes("explore", "yard.campus.yaml", "--min-width", "1.3", "--write-walks", "walks",
-                    "--avatar", "{profile: adult, radius: 0.35}")
+                    "--avatar", "{radius: 0.35, profile: adult}")
         walk, = [name for name in os.listdir(self.path("walks")) if "-narrow-" in name]
         self.assertIn(b"radius: 0.65", self.read("walks/" + walk))
         self.passes("run", "walks/" + walk, "--rendering-backend", "none")
@@ -196,10 +196,43 @@ class Explore(ProgramCase):
     def test_the_same_bytes_for_any_number_of_workers(self):
         texts = set()
         for workers in ("1", "2", "3"):
-            done = self.passes("explore", "yard.campus.yaml", "--json", "r.json", "-j", workers)
+            done = self.passes("explore", "yard.campus.yaml", "--json", "r.json", "-j", workers, "--no-cache")
             with open(self.path("r.json"), encoding="utf-8") as file:
                 texts.add(done.out + file.read())
         self.assertEqual(1, len(texts))
+
+    def test_crouching_leads_under_what_is_low(self):
+        """A shed behind a sill of 1.2 m: below half the body's height it is too low for crouching, too."""
+        for ceiling, reached in ((1.2, True), (1.05, False)):
+            self.write("yard.campus.yaml", YARD.replace(
+                box("shed/gate-leaf", (4.4, 0, -5.13), (5.05, 2.2, -5.07)),
+                box("shed/gate-leaf", (4.4, ceiling, -6.2), (5.6, 2.2, -5)) +
+                box("shed/lamp", (5.5, 1.4, -8.5), (6.5, 1.7, -7.5), "trigger")))
+            upright = self.report("--no-cache")
+            self.assertFalse(self.subject(upright, "place", "shed")["reached"])
+            self.assertEqual(0, upright["crouched_area"])
+            crouching = self.report("--allow", "crouch", "--no-cache")
+            self.assertEqual(reached, self.subject(crouching, "place", "shed")["reached"], ceiling)
+            # Beyond the sill one stands up: the lamp hangs above a body that crouches, of 1.08 m.
+            self.assertEqual(reached, self.subject(crouching, "trigger", "shed/lamp")["reached"], ceiling)
+            if reached:
+                self.assertTrue(0.5 < crouching["crouched_area"] < 3.5, crouching["crouched_area"])
+            else:
+                barrier = crouching["islands"][self.subject(crouching, "place", "shed")["island"]]["barrier"]
+                self.assertEqual("headroom", barrier["kind"])
+                self.assertAlmostEqual(1.05, barrier["measured"], delta=0.01)
+                self.assertAlmostEqual(1.08, barrier["allowed"], delta=0.001)
+        self.passes("explore", "yard.campus.yaml", "--allow", "crouch", "--write-walks", "walks", "--no-cache")
+        self.assert_walks_show_their_findings("walks")
+
+    def test_crouching_is_what_the_step_crouch_does(self):
+        self.write("yard.campus.yaml", YARD.replace(box("shed/gate-leaf", (4.4, 0, -5.13), (5.05, 2.2, -5.07)),
+                                                    box("shed/gate-leaf", (4.4, 1.2, -6.2), (5.6, 2.2, -5))))
+        steps = "campus: yard.campus.yaml\navatar: adult\nsteps:\n  - spawn: start\n%s  - walk_to: [5, -3]\n  - walk_to: [5, -8]\n"
+        self.write("in.walk.yaml", steps % "  - crouch: on\n")
+        self.passes("run", "in.walk.yaml", "--rendering-backend", "none")
+        self.write("in.walk.yaml", steps % "")
+        self.assertEqual(1, self.run_program("run", "in.walk.yaml", "--rendering-backend", "none").code)
 
     def test_plans_are_the_same_bytes_again(self):
         """In a build without rendering, they are refused instead."""
