@@ -218,6 +218,14 @@ void ColliderBuilder::add_object(const ColliderDescription& collider, const std:
                                collider.popup_rule, selection});
 }
 
+ContentHash hash_of_all(const std::vector<ContentHash>& models) {
+    ContentHasher hasher;
+    for (const ContentHash& model : models) {
+        hasher.add_hash(model);
+    }
+    return hasher.result();
+}
+
 }  // namespace
 
 Campus load_campus(CampusDescription description, std::unique_ptr<collision::BroadPhase> broad_phase,
@@ -251,8 +259,11 @@ Campus load_campus(CampusDescription description, std::unique_ptr<collision::Bro
     for (const Building& building : campus.description.buildings) {
         check_globs(campus.models, building.nodes, diagnostics);
     }
-    const bool cacheable = cache != nullptr && tree == collision::TreeKind::bvh8 &&
-                           scenes.contents.size() == campus.models.size();
+    const bool is_known = cache != nullptr && scenes.contents.size() == campus.models.size();
+    if (is_known) {
+        campus.contents = hash_of_all(scenes.contents);
+    }
+    const bool cacheable = is_known && tree == collision::TreeKind::bvh8;
     CachedMeshes meshes = cacheable
                               ? CachedMeshes(*cache, campus.description, campus.origin.at, scenes.contents)
                               : CachedMeshes();

@@ -12,6 +12,7 @@
 
 #include "collision/world/world.h"
 #include "scene/cache/cache_folder.h"
+#include "scene/cache/content_hash.h"
 #include "scene/campus/campus_description.h"
 #include "scene/campus/node_selection.h"
 #include "scene/import/import_model.h"
@@ -40,6 +41,8 @@ struct Campus {
     Origin origin = {};
     /// What the models were read from: scene files, buffers and textures.
     std::set<std::filesystem::path> files = {};
+    /// The hash of all that the models depend on; none without a cache.
+    std::optional<ContentHash> contents = {};
     /// Textures that are missing or can't be decoded: images don't show the campus as it should look.
     std::vector<Diagnostic> texture_warnings = {};
 

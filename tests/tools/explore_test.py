@@ -234,6 +234,47 @@ class Explore(ProgramCase):
         self.write("in.walk.yaml", steps % "")
         self.assertEqual(1, self.run_program("run", "in.walk.yaml", "--rendering-backend", "none").code)
 
+    def test_a_report_is_cached_by_body_and_objects(self):
+        environment = dict(os.environ, CAMPUSWALK_CACHE_DIR=self.path("cache"))
+
+        def explore(*arguments):
+            done = self.passes("explore", "yard.campus.yaml", "--json", "r.json", *arguments, env=environment)
+            cached = [name for name in os.listdir(self.path("cache")) if name.endswith(".reach.campuswalk")]
+            return done.out + self.read("r.json").decode(), cached
+
+        first, cached = explore()
+        self.assertEqual(1, len(cached))
+        self.assertEqual((first, cached), explore())
+        self.assertEqual((first, cached), explore("--require", "corner", "-j", "1"))
+        for number, arguments in enumerate((("--avatar", "{profile: adult, radius: 0.31}"), ("--allow", "jump"),
+                                            ("--disable", "stage"), ("--min-width", "1"), ("--allow", "crouch"))):
+            other, cached = explore(*arguments)
+            self.assertEqual(2 + number, len(cached), arguments)
+            self.assertEqual(other, explore("--no-cache", *arguments)[0], arguments)
+        self.write("yard.campus.yaml", YARD.replace("[7, 0.45, 7]", "[7, 0.45, 6]"))
+        self.assertNotEqual(first, explore()[0])
+
+    def test_a_cached_report_is_what_is_printed(self):
+        """Shown by a report that is put in another's place."""
+        environment = dict(os.environ, CAMPUSWALK_CACHE_DIR=self.path("cache"))
+        names = []
+        for arguments in ((), ("--disable", "stage")):
+            printed = self.passes("explore", "yard.campus.yaml", *arguments, env=environment).out
+            names += [name for name in os.listdir(self.path("cache")) if ".reach." in name and name not in names]
+        os.replace(self.path("cache/" + names[1]), self.path("cache/" + names[0]))
+        self.assertEqual(printed, self.passes("explore", "yard.campus.yaml", env=environment).out)
+
+    def test_a_damaged_report_is_made_anew(self):
+        environment = dict(os.environ, CAMPUSWALK_CACHE_DIR=self.path("cache"))
+        first = self.passes("explore", "yard.campus.yaml", env=environment).out
+        name, = [name for name in os.listdir(self.path("cache")) if name.endswith(".reach.campuswalk")]
+        whole = self.read("cache/" + name)
+        for damaged in (whole[:-1], b"", whole[:200] + bytes([whole[200] ^ 1]) + whole[201:]):
+            with open(self.path("cache/" + name), "wb") as file:
+                file.write(damaged)
+            self.assertEqual(first, self.passes("explore", "yard.campus.yaml", env=environment).out)
+            self.assertEqual(whole, self.read("cache/" + name))
+
     def test_plans_are_the_same_bytes_again(self):
         """In a build without rendering, they are refused instead."""
         images = []

@@ -18,6 +18,7 @@
 #include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/explore/avatar_text.h"
+#include "tools/campuswalk/explore/cached_report.h"
 #include "tools/campuswalk/explore/coverage.h"
 #include "tools/campuswalk/explore/findings.h"
 #include "tools/campuswalk/explore/geojson.h"
@@ -26,6 +27,7 @@
 #include "tools/campuswalk/explore/report_text.h"
 #include "tools/campuswalk/explore/storey_plans.h"
 #include "tools/campuswalk/images/images.h"
+#include "tools/campuswalk/loading/cache_choice.h"
 #include "tools/campuswalk/loading/model_importer.h"
 #include "tools/campuswalk/loading/walk_loader.h"
 #include "tools/campuswalk/run/plan/find_walks.h"
@@ -223,8 +225,9 @@ int explore_campus(const ExploreOptions& options) {
     settings.progress = [&](std::size_t nodes) {
         progress.show("explored " + std::to_string(nodes) + " places");
     };
-    const engine::WalkReport report =
-        engine::report_walks(*campus, avatar, worlds, settings, options.min_width);
+    const engine::WalkReport report = explore::cached_report(
+        {options.campus, *campus, avatar, settings, options.min_width}, model_cache(),
+        [&] { return engine::report_walks(*campus, avatar, worlds, settings, options.min_width); });
     progress.hide();
     const std::vector<explore::Finding> findings = explore::find_findings(*campus, report);
     explore::print_report(*campus, report, avatar, findings);
