@@ -171,9 +171,9 @@ void take_nodes(ArchiveReader& in, WalkTile& tile) {
     const std::size_t count = in.take_count(sizeof(WalkNode));
     require(count <= WalkTile::kMaxNodes, "a tile in it has too many nodes");
     for (const WalkNode& node : in.take_all<WalkNode>(count)) {
-        require(node.gait < kEnd<Gait> && node.steering <= Stride::kLetGo &&
-                    node.parent_tile <= WalkNode::kStart,
-                "a node in it is of no known kind");
+        require(
+            node.gait < kEnd<Gait> && node.steering <= Stride::kLetGo && node.parent_tile <= WalkNode::kStart,
+            "a node in it is of no known kind");
         tile.add(node);
     }
 }
@@ -189,9 +189,9 @@ void take_tile(ArchiveReader& in, Reader& fields, WalkSpace& space) {
     take_nodes(in, tile);
     fields(tile.keyframes, tile.far_parents, tile.drops);
     const auto by_node = [](const auto& a, const auto& b) { return a.node < b.node; };
-    require(std::ranges::is_sorted(tile.keyframes, by_node) &&
-                std::ranges::is_sorted(tile.far_parents, by_node),
-            "its nodes are out of order");
+    require(
+        std::ranges::is_sorted(tile.keyframes, by_node) && std::ranges::is_sorted(tile.far_parents, by_node),
+        "its nodes are out of order");
     const auto is_node = [&](const auto& entry) { return entry.node < tile.nodes.size(); };
     require(std::ranges::all_of(tile.drops, is_node), "a node in it is out of range");
 }

@@ -66,9 +66,8 @@ TEST(ReportFile, BringsBackWhatWasWritten) {
     const Reported was = reported();
     ASSERT_FALSE(was.report.islands.empty());
     ASSERT_FALSE(was.report.holes.empty());
-    ASSERT_TRUE(std::ranges::any_of(was.report.islands, [](const IslandReport& entry) {
-        return entry.barrier.has_value();
-    }));
+    ASSERT_TRUE(std::ranges::any_of(was.report.islands,
+                                    [](const IslandReport& entry) { return entry.barrier.has_value(); }));
     const std::vector<std::byte> bytes = archive_report(was.report);
     const WalkReport read = read_report_file(bytes, was.campus.objects.size());
 
@@ -141,8 +140,7 @@ TEST(ReportFile, IsRejectedWhenItsChainsGoInACircle) {
         tile.nodes[n].parent_tile = 4;
         tile.nodes[n].parent = static_cast<std::uint16_t>(1 - n);
     }
-    EXPECT_THROW(read_report_file(archive_report(was.report), was.campus.objects.size()),
-                 scene::DamagedFile);
+    EXPECT_THROW(read_report_file(archive_report(was.report), was.campus.objects.size()), scene::DamagedFile);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include "engine/walkspace/report_file.h"
 #include "scene/base/binary_archive.h"
 #include "scene/cache/content_hash.h"
-#include "scene/cache/file_hash.h"
+#include "tools/campuswalk/loading/campus_hash.h"
 
 namespace campuswalk::tools::explore {
 
@@ -56,23 +56,20 @@ void add(ContentHasher& hasher, const engine::ExploreSettings& settings) {
 
 /// None if it isn't known what the campus was read from.
 std::optional<ContentHash> key_of(const ReportInputs& inputs, const scene::CacheFolder& cache) {
-    const std::optional<ContentHash> file = scene::hash_of_file(inputs.campus_file, &cache);
-    if (!file || !inputs.campus.contents) {
+    const std::optional<ContentHash> campus = hash_of_campus(inputs.campus, inputs.campus_file, cache);
+    if (!campus) {
         return std::nullopt;
     }
     ContentHasher hasher;
     hasher.add_text(kReportKind);
-    hasher.add_hash(scene::program_hash(&cache));
-    hasher.add_hash(*file);
-    hasher.add_hash(*inputs.campus.contents);
+    hasher.add_hash(*campus);
     add(hasher, inputs.avatar);
     add(hasher, inputs.settings);
     hasher.add_number(inputs.min_width);
     return hasher.result();
 }
 
-std::optional<WalkReport> find(const ContentHash& key, const scene::CacheFolder& cache,
-                               std::size_t objects) {
+std::optional<WalkReport> find(const ContentHash& key, const scene::CacheFolder& cache, std::size_t objects) {
     try {
         const auto file = cache.find(key, kReportKind);
         return file ? std::optional(engine::read_report_file(file->bytes(), objects)) : std::nullopt;
