@@ -95,10 +95,16 @@ TEST_F(CachedRoute, IsOnlyForTheVerySame) {
         [&] { step_.target.point.y() += 1e-9; },
         [&] { step_.target.has_height = false; },
         [&] { step_.target.label = "table"; },
-        [&] { step_.through.push_back({"gate", {0, 0, 0}, false}); },
-        [&] { step_.avoid.push_back({NamePattern{{}, "pond"}, {}, 0.0}); },
+        [&] {
+            step_.through.push_back({"gate", {0, 0, 0}, false});
+        },
+        [&] {
+            step_.avoid.push_back({NamePattern{{}, "pond"}, {}, 0.0});
+        },
         [&] { step_.avoid.back().objects->glob = "tree"; },
-        [&] { step_.avoid.push_back({std::nullopt, {"", {1, 0, 1}, false}, 2.0}); },
+        [&] {
+            step_.avoid.push_back({std::nullopt, {"", {1, 0, 1}, false}, 2.0});
+        },
         [&] { step_.avoid.back().radius = 3.0; },
         [&] { step_.prefer = RoutePreference::wide; },
         [&] { step_.within = 0.1; },
@@ -117,7 +123,9 @@ TEST_F(CachedRoute, IsOnlyForTheVerySame) {
         [&] { settings_.strides.body.skin = 0.01; },
         [&] { settings_.solids.ignored_layers = 2; },
         [&] { settings_.solids.disabled = &disabled; },
-        [&] { disabled = {true, false}; },
+        [&] {
+            disabled = {true, false};
+        },
     };
     for (std::size_t i = 0; i < changes.size(); ++i) {
         changes[i]();

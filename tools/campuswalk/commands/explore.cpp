@@ -28,6 +28,7 @@
 #include "tools/campuswalk/explore/storey_plans.h"
 #include "tools/campuswalk/images/images.h"
 #include "tools/campuswalk/loading/cache_choice.h"
+#include "tools/campuswalk/loading/campus_hash.h"
 #include "tools/campuswalk/loading/model_importer.h"
 #include "tools/campuswalk/loading/walk_loader.h"
 #include "tools/campuswalk/run/plan/find_walks.h"
@@ -225,9 +226,13 @@ int explore_campus(const ExploreOptions& options) {
     settings.progress = [&](std::size_t nodes) {
         progress.show("explored " + std::to_string(nodes) + " places");
     };
-    const engine::WalkReport report = explore::cached_report(
-        {options.campus, *campus, avatar, settings, options.min_width}, model_cache(),
-        [&] { return engine::report_walks(*campus, avatar, worlds, settings, options.min_width); });
+    const scene::CacheFolder* cache = model_cache();
+    const explore::ReportInputs inputs{
+        cache != nullptr ? hash_of_campus(*campus, options.campus, *cache) : std::nullopt,
+        campus->objects.size(), avatar, settings, options.min_width};
+    const engine::WalkReport report = explore::cached_report(inputs, cache, [&] {
+        return engine::report_walks(*campus, avatar, worlds, settings, options.min_width);
+    });
     progress.hide();
     const std::vector<explore::Finding> findings = explore::find_findings(*campus, report);
     explore::print_report(*campus, report, avatar, findings);

@@ -7,8 +7,6 @@
 
 #include "engine/walkspace/report_file.h"
 #include "scene/base/binary_archive.h"
-#include "scene/cache/content_hash.h"
-#include "tools/campuswalk/loading/campus_hash.h"
 
 namespace campuswalk::tools::explore {
 
@@ -54,15 +52,10 @@ void add(ContentHasher& hasher, const engine::ExploreSettings& settings) {
     }
 }
 
-/// None if it isn't known what the campus was read from.
-std::optional<ContentHash> key_of(const ReportInputs& inputs, const scene::CacheFolder& cache) {
-    const std::optional<ContentHash> campus = hash_of_campus(inputs.campus, inputs.campus_file, cache);
-    if (!campus) {
-        return std::nullopt;
-    }
+ContentHash key_of(const ReportInputs& inputs) {
     ContentHasher hasher;
     hasher.add_text(kReportKind);
-    hasher.add_hash(*campus);
+    hasher.add_hash(*inputs.campus);
     add(hasher, inputs.avatar);
     add(hasher, inputs.settings);
     hasher.add_number(inputs.min_width);
@@ -82,17 +75,17 @@ std::optional<WalkReport> find(const ContentHash& key, const scene::CacheFolder&
 
 WalkReport cached_report(const ReportInputs& inputs, const scene::CacheFolder* cache,
                          const std::function<WalkReport()>& make) {
-    const std::optional<ContentHash> key = cache != nullptr ? key_of(inputs, *cache) : std::nullopt;
-    if (!key) {
+    if (cache == nullptr || !inputs.campus) {
         return make();
     }
-    if (std::optional<WalkReport> known = find(*key, *cache, inputs.campus.objects.size())) {
+    const ContentHash key = key_of(inputs);
+    if (std::optional<WalkReport> known = find(key, *cache, inputs.objects)) {
         return std::move(*known);
     }
     WalkReport report = make();
     const std::vector<std::byte> bytes = engine::archive_report(report);
     const std::span<const std::byte> buffer(bytes);
-    cache->store(*key, kReportKind, std::span(&buffer, 1));
+    cache->store(key, kReportKind, std::span(&buffer, 1));
     return report;
 }
 

@@ -1,19 +1,20 @@
 #pragma once
 
-#include <filesystem>
+#include <cstddef>
 #include <functional>
+#include <optional>
 
 #include "engine/script/avatar.h"
 #include "engine/walkspace/walk_report.h"
 #include "scene/cache/cache_folder.h"
-#include "scene/campus/campus.h"
+#include "scene/cache/content_hash.h"
 
 namespace campuswalk::tools::explore {
 
 /// What a report depends on.
 struct ReportInputs {
-    const std::filesystem::path& campus_file;
-    const scene::Campus& campus;
+    std::optional<scene::ContentHash> campus;  ///< of all that it was read from; none: isn't known
+    std::size_t objects = 0;                   ///< of the campus
     const engine::AvatarProfile& avatar;
     const engine::ExploreSettings& settings;
     double min_width = 0.0;

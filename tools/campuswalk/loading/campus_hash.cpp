@@ -6,7 +6,8 @@ namespace campuswalk::tools {
 
 using scene::ContentHash;
 
-std::optional<ContentHash> hash_of_campus(const scene::Campus& campus, const std::filesystem::path& campus_file,
+std::optional<ContentHash> hash_of_campus(const scene::Campus& campus,
+                                          const std::filesystem::path& campus_file,
                                           const scene::CacheFolder& cache) {
     const std::optional<ContentHash> file = scene::hash_of_file(campus_file, &cache);
     if (!file || !campus.contents) {
