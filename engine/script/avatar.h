@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +28,12 @@ struct AvatarProfile {
 
 inline double running_speed(const AvatarProfile& avatar) {
     return avatar.run_speed.value_or(2.0 * avatar.speed);
+}
+
+/// While it crouches, metres; no less than it is wide.
+inline double crouched_height(const AvatarProfile& avatar) {
+    constexpr double kCrouchedShare = 0.6;
+    return std::max(2.0 * avatar.radius, kCrouchedShare * avatar.height);
 }
 
 /// Where the avatar is at the end of a tick.

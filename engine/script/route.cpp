@@ -4,6 +4,14 @@
 
 namespace campuswalk::engine {
 
+Tick Route::ticks() const {
+    Tick sum = 0;
+    for (const RoutePiece& piece : pieces) {
+        sum += piece.ticks;
+    }
+    return sum;
+}
+
 double Route::length() const {
     double sum = 0.0;
     for (std::size_t i = 1; i < path.size(); ++i) {

@@ -25,8 +25,9 @@ struct RoutePiece {
 struct Route {
     std::vector<RoutePiece> pieces;
     std::vector<Eigen::Vector3d> path;  ///< of the feet: the start, then the end of each tick
+    bool searched = false;              ///< found by walking everywhere, which takes long
 
-    Tick ticks() const { return static_cast<Tick>(path.size()) - 1; }
+    Tick ticks() const;
     double length() const;  ///< metres
     double climb() const;   ///< of all that goes up, metres
 };

@@ -47,12 +47,19 @@ RouteSettings BodyRoutes::settings(double speed) const {
     settings.strides.seconds = 1.0 / sim_.ticks_per_second;
     settings.strides.walk_speed = speed;
     settings.solids = body_.solids();
-    settings.ground = ground_;
+    settings.ground = memory_ != nullptr ? &memory_->ground : nullptr;
     return settings;
 }
 
 PlannedRoute BodyRoutes::plan(const GoToStep& step, double speed) {
-    RouteSettings settings = this->settings(speed);
+    const RouteSettings settings = this->settings(speed);
+    const auto plan = [&] { return plan_anew(step, settings); };
+    return memory_ != nullptr && memory_->cache
+               ? cached_route({step, body_.mover_state(), settings}, *memory_->cache, plan)
+               : plan();
+}
+
+PlannedRoute BodyRoutes::plan_anew(const GoToStep& step, RouteSettings settings) const {
     settings.keep_out = keep_out_of(campus_, step.avoid, settings.strides.body);
     if (step.prefer == RoutePreference::wide) {
         settings.is_tight = tight_places(campus_.world, settings.solids, settings.strides.body);

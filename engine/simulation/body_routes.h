@@ -5,7 +5,7 @@
 #include "engine/script/route_planner.h"
 #include "engine/script/walk.h"
 #include "engine/simulation/body.h"
-#include "engine/walkspace/ground_map.h"
+#include "engine/simulation/route_memory.h"
 #include "engine/walkspace/route.h"
 #include "scene/campus/campus.h"
 
@@ -15,9 +15,9 @@ namespace campuswalk::engine {
 /// enabled at that tick.
 class BodyRoutes final : public RoutePlanner {
 public:
-    /// All must outlive it; `ground` is what RouteSettings::ground is.
-    BodyRoutes(const scene::Campus& campus, const SimSettings& sim, const Body& body, GroundMaps* ground)
-        : campus_(campus), sim_(sim), body_(body), ground_(ground) {}
+    /// All must outlive it; `memory` may be null.
+    BodyRoutes(const scene::Campus& campus, const SimSettings& sim, const Body& body, RouteMemory* memory)
+        : campus_(campus), sim_(sim), body_(body), memory_(memory) {}
 
     PlannedRoute plan(const GoToStep& step, double speed) override;
 
@@ -26,12 +26,13 @@ public:
     std::string describe_route_round(const Target& target, double within) const;
 
 private:
+    PlannedRoute plan_anew(const GoToStep& step, RouteSettings settings) const;
     RouteSettings settings(double speed) const;
 
     const scene::Campus& campus_;
     const SimSettings& sim_;
     const Body& body_;
-    GroundMaps* ground_;
+    RouteMemory* memory_;
 };
 
 }  // namespace campuswalk::engine

@@ -41,14 +41,14 @@ Walk moves_of(const Walk& walk) {
 }  // namespace
 
 std::vector<scene::Diagnostic> check_go_to(const scene::Campus& campus, const Walk& walk,
-                                           GroundMaps* ground) {
+                                           RouteMemory* memory) {
     std::vector<scene::Diagnostic> diagnostics;
     if (std::ranges::none_of(walk.steps, is_go_to) || walk.status.kind == WalkStatus::Kind::skip ||
         must_be_unreachable(walk.status)) {
         return diagnostics;
     }
     for (Walk moves = moves_of(walk); !moves.steps.empty(); end_with_go_to(moves.steps)) {
-        Simulation simulation(campus, moves, ground);
+        Simulation simulation(campus, moves, memory);
         while (!simulation.finished()) {
             simulation.step();
         }

@@ -130,8 +130,8 @@ WalkSummary run_walk(Simulation& simulation, const scene::Campus& campus, const 
 }  // namespace
 
 WalkSummary run_walk(const scene::Campus& campus, const Walk& walk, std::span<Observer* const> observers,
-                     GroundMaps* ground) {
-    Simulation simulation(campus, walk, ground);
+                     RouteMemory* memory) {
+    Simulation simulation(campus, walk, memory);
     return run_walk(simulation, campus, walk, observers);
 }
 

@@ -11,7 +11,7 @@
 #include "engine/record/observer.h"
 #include "engine/script/intent.h"
 #include "engine/script/walk.h"
-#include "engine/walkspace/ground_map.h"
+#include "engine/simulation/route_memory.h"
 #include "scene/campus/campus.h"
 
 namespace campuswalk::engine {
@@ -30,9 +30,9 @@ struct WalkSummary {
 
 /// Plays the walk from its first step to its last, evaluates the expectations and passes each tick record to
 /// the observers, in their order. Deterministic: the same campus and walk produce the same records.
-/// `ground`: see RouteSettings::ground.
+/// `memory` may be null.
 WalkSummary run_walk(const scene::Campus& campus, const Walk& walk, std::span<Observer* const> observers,
-                     GroundMaps* ground = nullptr);
+                     RouteMemory* memory = nullptr);
 
 /// The same with an avatar that `intents` moves; of the walk's steps only those that it returns are executed.
 WalkSummary run_walk(const scene::Campus& campus, const Walk& walk, IntentSource& intents,

@@ -20,9 +20,9 @@ const char* cause_of(const Intent& intent) {
 
 }  // namespace
 
-Simulation::Simulation(const scene::Campus& campus, const Walk& walk, GroundMaps* ground)
+Simulation::Simulation(const scene::Campus& campus, const Walk& walk, RouteMemory* memory)
     : state_(campus, walk),
-      routes_(campus, walk.sim, state_.body, ground),
+      routes_(campus, walk.sim, state_.body, memory),
       script_(std::in_place, walk, &routes_),
       intents_(*script_) {}
 

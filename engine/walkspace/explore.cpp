@@ -102,6 +102,7 @@ private:
         node.cell = space_.tiles[tile].index_of(cell) & 1023U;
         node.parent_tile = WalkNode::kStart;
         node.returns = 1;
+        node.low = workers_.front().strider.has_headroom(at) ? 0 : 1;
         return {tile, *add_node(tile, node, at, 0, kStridesBetweenKeyframes)};
     }
 
@@ -409,6 +410,7 @@ private:
         node.steers_after = arrival.stride.steers_after & 7U;
         node.returns = arrival.returns ? 1 : 0;
         node.hangs = arrival.hangs ? 1 : 0;
+        node.low = worker.strider.has_headroom(arrival.at) ? 0 : 1;
         if (!add_node(tile, node, arrival.at, arrival.ticks, arrival.since_keyframe)) {
             worker.bounds.insert(Bound::levels);
         }

@@ -169,6 +169,7 @@ private:
 
     /// Walks everywhere until the target is reached; wherever that way can't be followed, another is guessed.
     std::optional<NoRoute> search() {
+        route_.searched = true;
         for (int searches = 1;; ++searches) {
             WalkSpace space = explore(worlds_, explore_settings());
             if (!space.goal) {

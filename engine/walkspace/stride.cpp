@@ -40,6 +40,12 @@ Vec3 edge_below(const collision::MoverState& state) {
     return {state.foot.x(), std::max(state.foot.y(), state.support_y), state.foot.z()};
 }
 
+collision::MoverSettings StrideSettings::upright_body() const {
+    collision::MoverSettings upright = body;
+    upright.height = full_height.value_or(body.height);
+    return upright;
+}
+
 Strider::Strider(const collision::World& world, const StrideSettings& settings,
                  const collision::QueryFilter& filter)
     : world_(&world),
@@ -138,8 +144,8 @@ StrideEnd Strider::put_down(const Vec3& foot) {
     end.clean = false;
     path_.clear();
     obstructed_ticks_ = 0;
-    const auto placement = collision::nearest_free_placement(*world_, filter_, foot, settings_.body.radius,
-                                                             settings_.body.height, kPlacementSearch);
+    const auto placement = collision::nearest_free_placement(
+        *world_, filter_, foot, settings_.body.radius, settings_.upright_body().height, kPlacementSearch);
     if (!placement) {
         end.kind = StrideEnd::Kind::gone;
         return end;
@@ -157,6 +163,11 @@ StrideEnd Strider::put_down(const Vec3& foot) {
 bool Strider::hangs(const GroundState& at) const {
     const double rise = settings_.body.radius * (1.0 - settings_.body.min_up);
     return at.support_y - at.foot.y() > rise + kStepRise;
+}
+
+bool Strider::has_headroom(const GroundState& at) {
+    return !settings_.full_height ||
+           mover_.resized(state_of(at), *settings_.full_height, upright_cache_).has_value();
 }
 
 void Strider::tick(const Vec3& desired) {

@@ -62,10 +62,15 @@ collision::MoverState state_of(const GroundState& at);
 /// The body that strides, and how fast, per tick of `seconds`.
 struct StrideSettings {
     collision::MoverSettings body;
+    /// Of a body that has crouched and may stand up: its full height, metres. It is put down with that.
+    std::optional<double> full_height = {};
     double seconds = 1.0 / 60.0;
     double walk_speed = 1.4;  ///< metres per second
     double run_speed = 2.8;
     double jump_speed = 2.8;  ///< metres per second upwards, at take-off
+
+    /// The body where it has headroom, see Strider::has_headroom.
+    collision::MoverSettings upright_body() const;
 };
 
 /// A body in a world, for one thread. Each stride depends on its arguments alone.
@@ -90,6 +95,8 @@ public:
     /// Whether the body hangs over an edge: what carries it is higher beside it than any ground is that it
     /// stands on.
     bool hangs(const GroundState& at) const;
+    /// Whether a body that has crouched has room to stand up; true for others.
+    bool has_headroom(const GroundState& at);
 
     /// The feet at the end of each tick of the last stride.
     const std::vector<collision::Vec3>& path() const { return path_; }
@@ -119,6 +126,7 @@ private:
     double steepest_rise_;  ///< per metre ahead, on walkable ground
     collision::CapsuleMover mover_;
     collision::MoverCache cache_;
+    collision::MoverCache upright_cache_;  ///< of the body at its full height
     collision::MoverState state_;
     collision::MoveTrace trace_;
     bool obstructed_ = false;   ///< in the last tick it didn't get as far ahead as desired

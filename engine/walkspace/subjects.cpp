@@ -40,6 +40,7 @@ public:
         : s_(search),
           world_(search.campus.world),
           body_(search.settings.strides.body),
+          upright_(search.settings.strides.upright_body()),
           strider_(search.worlds[0], search.settings.strides, search.settings.solids) {}
 
     std::vector<Subject> run() {
@@ -178,7 +179,7 @@ private:
     /// Nodes whose body may overlap the box, the nearest to its middle first.
     std::vector<WalkNodeId> nodes_near(const Aabb& box, std::size_t most) const {
         std::vector<std::pair<double, WalkNodeId>> near;
-        for (const WalkNodeId& node : s_.reached.nodes_touching(box, body_)) {
+        for (const WalkNodeId& node : s_.reached.nodes_touching(box, upright_)) {
             near.emplace_back((s_.reached.position(node) - box.center()).squaredNorm(), node);
         }
         const auto end = near.begin() + static_cast<std::ptrdiff_t>(std::min(most, near.size()));
@@ -190,18 +191,24 @@ private:
         return nodes;
     }
 
+    /// The body as it is at the node: upright where it has headroom.
+    const collision::MoverSettings& body_at(const WalkNodeId& node) const {
+        return s_.reached.node(node).low != 0 ? body_ : upright_;
+    }
+
     void find_trigger(ObjectId id, Subject& subject) {
-        const auto overlaps = [&](const Vec3& foot, double radius) {
-            return collision::overlap_span(world_, id, body_.core(foot), radius, Vec3::Zero()).has_value();
+        const auto overlaps = [&](const WalkNodeId& node, const Vec3& foot, double slack) {
+            return collision::overlap_span(world_, id, body_at(node).core(foot), body_.radius + slack,
+                                           Vec3::Zero())
+                .has_value();
         };
         std::size_t exact = 0;
         for (const WalkNodeId& node : nodes_near(world_.bounds(id), 1U << 20U)) {
-            const double slack = kOffCenter * s_.reached.grid.cell + 0.01;
-            if (!overlaps(s_.reached.position(node), body_.radius + slack)) {
+            if (!overlaps(node, s_.reached.position(node), kOffCenter * s_.reached.grid.cell + 0.01)) {
                 continue;
             }
             const Vec3 foot = s_.reached.state_at(node, strider_).foot;
-            if (overlaps(foot, body_.radius)) {
+            if (overlaps(node, foot, 0.0)) {
                 subject.reached = true;
                 subject.at = foot;
                 subject.node = node;
@@ -257,7 +264,8 @@ private:
         const std::vector<WalkNodeId> eyes = nodes_near(near, 1U << 20U);
         const std::size_t every = std::max<std::size_t>(1, eyes.size() / kMostEyes);
         for (std::size_t i = 0; i < eyes.size(); i += every) {
-            const Vec3 eye = s_.reached.position(eyes[i]) + Vec3(0, s_.avatar.eye_height, 0);
+            const double stature = body_at(eyes[i]).height / upright_.height;
+            const Vec3 eye = s_.reached.position(eyes[i]) + Vec3(0, stature * s_.avatar.eye_height, 0);
             for (const Vec3& point : points) {
                 const Vec3 path = point - eye;
                 const double distance = path.norm();
@@ -300,6 +308,7 @@ private:
     const SubjectSearch& s_;
     const collision::World& world_;
     const collision::MoverSettings& body_;
+    const collision::MoverSettings upright_;
     Strider strider_;
     std::vector<Subject> subjects_;
 };

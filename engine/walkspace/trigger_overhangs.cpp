@@ -21,7 +21,7 @@ public:
     OverhangFinder(const scene::Campus& campus, const WorkerWorlds& worlds, const ExploreSettings& settings,
                    const WalkSpace& space, const Storeys& storeys)
         : world_(campus.world),
-          body_(settings.strides.body),
+          body_(settings.strides.upright_body()),
           space_(space),
           storeys_(storeys),
           strider_(worlds[0], settings.strides, settings.solids) {
@@ -60,7 +60,7 @@ private:
         const collision::Aabb& bounds = world_.bounds(trigger);
         for (const WalkNodeId& node : space_.nodes_touching(bounds, body_)) {
             Entry& entry = entries[storeys_.of(node)];
-            if (entry.is_made_for) {
+            if (entry.is_made_for || space_.node(node).low != 0) {
                 continue;
             }
             const Vec3 foot = space_.position(node);
@@ -108,7 +108,7 @@ private:
     }
 
     const collision::World& world_;
-    const collision::MoverSettings& body_;
+    const collision::MoverSettings body_;
     const WalkSpace& space_;
     const Storeys& storeys_;
     Strider strider_;

@@ -11,6 +11,16 @@ GridCell first_cell_of(const GridCell& cell) {
     return first_of_square(cell, WalkTile::kCells);
 }
 
+/// Of the cells of the nodes that count, m².
+template <typename Counts>
+double area_of(const WalkSpace& space, const Counts& counts) {
+    std::size_t count = 0;
+    for (const WalkTile& tile : space.tiles) {
+        count += static_cast<std::size_t>(std::ranges::count_if(tile.nodes, counts));
+    }
+    return static_cast<double>(count) * space.grid.cell * space.grid.cell;
+}
+
 }  // namespace
 
 const char* name_of(Bound bound) {
@@ -35,12 +45,11 @@ std::size_t WalkSpace::node_count() const {
 }
 
 double WalkSpace::area() const {
-    std::size_t count = 0;
-    for (const WalkTile& tile : tiles) {
-        count += static_cast<std::size_t>(
-            std::ranges::count_if(tile.nodes, [](const WalkNode& node) { return node.hangs == 0; }));
-    }
-    return static_cast<double>(count) * grid.cell * grid.cell;
+    return area_of(*this, [](const WalkNode& node) { return node.hangs == 0; });
+}
+
+double WalkSpace::low_area() const {
+    return area_of(*this, [](const WalkNode& node) { return node.hangs == 0 && node.low == 1; });
 }
 
 collision::Vec3 WalkSpace::position(const WalkNodeId& ref) const {

@@ -52,6 +52,8 @@ public:
     std::size_t node_count() const;
     /// m² of cells, each level counted; bodies that hang over an edge stand on no ground of their own.
     double area() const;
+    /// Of it, where a body that has crouched can't stand up.
+    double low_area() const;
     const WalkNode& node(const WalkNodeId& ref) const { return tiles[ref.tile].nodes[ref.node]; }
     GridCell cell_of(const WalkNodeId& ref) const { return tiles[ref.tile].cell_of(node(ref)); }
     /// The middle of the node's cell, at the node's height: the foot is within a cell's half diagonal.

@@ -38,6 +38,7 @@ struct WalkNode {
     std::uint32_t returns : 1 = 0;      ///< one can walk back to the parent
     std::uint32_t steers_after : 3 = 0;
     std::uint32_t hangs : 1 = 0;  ///< see Strider::hangs
+    std::uint32_t low : 1 = 0;    ///< no headroom to stand up, see Strider::has_headroom
 
     static constexpr std::uint32_t kFarParent = 9;  ///< in another tile: see WalkTile::far_parents
     static constexpr std::uint32_t kStart = 10;     ///< no parent: a start

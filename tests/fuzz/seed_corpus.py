@@ -111,14 +111,21 @@ def write_archives(program, corpus, folder):
     write_file(os.path.join(school, "cube.obj"), cube)
     write_file(os.path.join(school, "cube.campus.yaml"),
                b"scenes: [{file: cube.obj}]\ncolliders: [{id: all, nodes: '*', shape: mesh, mode: solid}]\n")
+    write_file(os.path.join(school, "shelves.campus.yaml"),
+               b"scenes: [{file: cube.obj}]\ncolliders:\n"
+               b"  - {id: floor, shape: box, center: [0, -0.5, 0], size: [2, 1, 2], mode: solid}\n"
+               b"  - {id: shelf, shape: box, center: [0, 0.45, -0.8], size: [1.6, 0.9, 0.4], mode: solid}\n"
+               b"  - {id: in, shape: box, center: [0, 1, 0], size: [1, 1, 1], mode: trigger}\n"
+               b"spawns: {start: {at: [0, 0, 0]}}\nplaces: {top: [0, 0.9, -0.8]}\n")
     environment = {**os.environ, "CAMPUSWALK_CACHE_DIR": cache}
-    for name in ("school.campus.yaml", "cube.campus.yaml"):
-        subprocess.run([program, "validate", name], cwd=school, env=environment, check=True, stdout=subprocess.DEVNULL)
+    for command in (["validate", "school.campus.yaml"], ["validate", "cube.campus.yaml"],
+                    ["explore", "shelves.campus.yaml"]):
+        subprocess.run([program, *command], cwd=school, env=environment, check=True, stdout=subprocess.DEVNULL)
     for path in glob.glob(os.path.join(cache, "*.campuswalk")):
         data = read(path)
         kind = path.split(".")[-2]
         name = "%s-%d" % (kind, len(data))
-        for target in {"model": ["model-file", "import-answer"], "trees": ["tree-file"]}.get(kind, []):
+        for target in {"model": ["model-file", "import-answer"], "trees": ["tree-file"], "reach": ["walk-space"]}.get(kind, []):
             write(corpus, target, name, data[ARCHIVE_HEADER:])
         if kind in ("model", "trees"):
             write(corpus, "archive", name, data)

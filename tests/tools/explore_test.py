@@ -126,7 +126,7 @@ class Explore(ProgramCase):
         no_gate = YARD.replace(box("shed/gate-leaf", (4.4, 0, -5.13), (5.05, 2.2, -5.07)), "")
         self.write("yard.campus.yaml", no_gate)
         self.passes("explore", "yard.campus.yaml", "--min-width", "1.3", "--write-walks", "walks",
-                    "--avatar", "{profile: adult, radius: 0.35}")
+                    "--avatar", "{radius: 0.35, profile: adult}")
         walk, = [name for name in os.listdir(self.path("walks")) if "-narrow-" in name]
         self.assertIn(b"radius: 0.65", self.read("walks/" + walk))
         self.passes("run", "walks/" + walk, "--rendering-backend", "none")
@@ -196,10 +196,84 @@ class Explore(ProgramCase):
     def test_the_same_bytes_for_any_number_of_workers(self):
         texts = set()
         for workers in ("1", "2", "3"):
-            done = self.passes("explore", "yard.campus.yaml", "--json", "r.json", "-j", workers)
+            done = self.passes("explore", "yard.campus.yaml", "--json", "r.json", "-j", workers, "--no-cache")
             with open(self.path("r.json"), encoding="utf-8") as file:
                 texts.add(done.out + file.read())
         self.assertEqual(1, len(texts))
+
+    def test_crouching_leads_under_what_is_low(self):
+        """A shed behind a sill of 1.2 m: below half the body's height it is too low for crouching, too."""
+        for ceiling, reached in ((1.2, True), (1.05, False)):
+            self.write("yard.campus.yaml", YARD.replace(
+                box("shed/gate-leaf", (4.4, 0, -5.13), (5.05, 2.2, -5.07)),
+                box("shed/gate-leaf", (4.4, ceiling, -6.2), (5.6, 2.2, -5)) +
+                box("shed/lamp", (5.5, 1.4, -8.5), (6.5, 1.7, -7.5), "trigger")))
+            upright = self.report("--no-cache")
+            self.assertFalse(self.subject(upright, "place", "shed")["reached"])
+            self.assertEqual(0, upright["crouched_area"])
+            crouching = self.report("--allow", "crouch", "--no-cache")
+            self.assertEqual(reached, self.subject(crouching, "place", "shed")["reached"], ceiling)
+            # Beyond the sill one stands up: the lamp hangs above a body that crouches, of 1.08 m.
+            self.assertEqual(reached, self.subject(crouching, "trigger", "shed/lamp")["reached"], ceiling)
+            if reached:
+                self.assertTrue(0.5 < crouching["crouched_area"] < 3.5, crouching["crouched_area"])
+            else:
+                barrier = crouching["islands"][self.subject(crouching, "place", "shed")["island"]]["barrier"]
+                self.assertEqual("headroom", barrier["kind"])
+                self.assertAlmostEqual(1.05, barrier["measured"], delta=0.01)
+                self.assertAlmostEqual(1.08, barrier["allowed"], delta=0.001)
+        self.passes("explore", "yard.campus.yaml", "--allow", "crouch", "--write-walks", "walks", "--no-cache")
+        self.assert_walks_show_their_findings("walks")
+
+    def test_crouching_is_what_the_step_crouch_does(self):
+        self.write("yard.campus.yaml", YARD.replace(box("shed/gate-leaf", (4.4, 0, -5.13), (5.05, 2.2, -5.07)),
+                                                    box("shed/gate-leaf", (4.4, 1.2, -6.2), (5.6, 2.2, -5))))
+        steps = "campus: yard.campus.yaml\navatar: adult\nsteps:\n  - spawn: start\n%s  - walk_to: [5, -3]\n  - walk_to: [5, -8]\n"
+        self.write("in.walk.yaml", steps % "  - crouch: on\n")
+        self.passes("run", "in.walk.yaml", "--rendering-backend", "none")
+        self.write("in.walk.yaml", steps % "")
+        self.assertEqual(1, self.run_program("run", "in.walk.yaml", "--rendering-backend", "none").code)
+
+    def test_a_report_is_cached_by_body_and_objects(self):
+        environment = dict(os.environ, CAMPUSWALK_CACHE_DIR=self.path("cache"))
+
+        def explore(*arguments):
+            done = self.passes("explore", "yard.campus.yaml", "--json", "r.json", *arguments, env=environment)
+            cached = [name for name in os.listdir(self.path("cache")) if name.endswith(".reach.campuswalk")]
+            return done.out + self.read("r.json").decode(), cached
+
+        first, cached = explore()
+        self.assertEqual(1, len(cached))
+        self.assertEqual((first, cached), explore())
+        self.assertEqual((first, cached), explore("--require", "corner", "-j", "1"))
+        for number, arguments in enumerate((("--avatar", "{profile: adult, radius: 0.31}"), ("--allow", "jump"),
+                                            ("--disable", "stage"), ("--min-width", "1"), ("--allow", "crouch"))):
+            other, cached = explore(*arguments)
+            self.assertEqual(2 + number, len(cached), arguments)
+            self.assertEqual(other, explore("--no-cache", *arguments)[0], arguments)
+        self.write("yard.campus.yaml", YARD.replace("[7, 0.45, 7]", "[7, 0.45, 6]"))
+        self.assertNotEqual(first, explore()[0])
+
+    def test_a_cached_report_is_what_is_printed(self):
+        """Shown by a report that is put in another's place."""
+        environment = dict(os.environ, CAMPUSWALK_CACHE_DIR=self.path("cache"))
+        names = []
+        for arguments in ((), ("--disable", "stage")):
+            printed = self.passes("explore", "yard.campus.yaml", *arguments, env=environment).out
+            names += [name for name in os.listdir(self.path("cache")) if ".reach." in name and name not in names]
+        os.replace(self.path("cache/" + names[1]), self.path("cache/" + names[0]))
+        self.assertEqual(printed, self.passes("explore", "yard.campus.yaml", env=environment).out)
+
+    def test_a_damaged_report_is_made_anew(self):
+        environment = dict(os.environ, CAMPUSWALK_CACHE_DIR=self.path("cache"))
+        first = self.passes("explore", "yard.campus.yaml", env=environment).out
+        name, = [name for name in os.listdir(self.path("cache")) if name.endswith(".reach.campuswalk")]
+        whole = self.read("cache/" + name)
+        for damaged in (whole[:-1], b"", whole[:200] + bytes([whole[200] ^ 1]) + whole[201:]):
+            with open(self.path("cache/" + name), "wb") as file:
+                file.write(damaged)
+            self.assertEqual(first, self.passes("explore", "yard.campus.yaml", env=environment).out)
+            self.assertEqual(whole, self.read("cache/" + name))
 
     def test_plans_are_the_same_bytes_again(self):
         """In a build without rendering, they are refused instead."""

@@ -20,8 +20,7 @@ namespace {
 
 constexpr std::array kSwitch = {Choice<bool>{"on", true}, Choice<bool>{"off", false}};
 
-constexpr double kJumpHeight = 0.4;     // metres: an untrained adult from standing
-constexpr double kCrouchedShare = 0.6;  // of the full height
+constexpr double kJumpHeight = 0.4;  // metres: an untrained adult from standing
 
 /// The keys that the steps along a path have in common.
 template <typename StepAlongPath>
@@ -279,7 +278,7 @@ Step read_crouch(const CheckedNode& node, StepContext& context) {
     const double lowest = 2.0 * avatar.radius;
     CrouchStep step;
     step.mark = node.mark();
-    step.height = std::max(lowest, kCrouchedShare * avatar.height);
+    step.height = crouched_height(avatar);
     if (!node.is_map()) {
         if (!node.choice(kSwitch).value_or(true)) {
             step.height = avatar.height;

@@ -8,6 +8,7 @@
 
 #include "collision/mesh/mesh_collider.h"
 #include "collision/mesh/mesh_query.h"
+#include "engine/walkspace/report_file.h"
 #include "scene/base/checksum.h"
 #include "scene/cache/tree_file.h"
 #include "scene/campus/bake_mesh.h"
@@ -92,6 +93,20 @@ void read_answer(Bytes bytes) {
     }
 }
 
+/// Of a campus of three objects.
+void read_report(Bytes bytes) {
+    try {
+        const engine::WalkReport report = engine::read_report_file(forged(engine::kReportFile, bytes), 3);
+        for (std::uint32_t tile = 0; tile < report.space.tiles.size(); ++tile) {
+            for (std::uint16_t node = 0; node < report.space.tiles[tile].nodes.size(); ++node) {
+                report.storeys.list.at(report.storeys.of({tile, node}));
+                report.space.parent({tile, node});
+            }
+        }
+    } catch (const scene::DamagedFile&) {
+    }
+}
+
 /// Whole files, whose header may be damaged as well.
 void read_archive(Bytes bytes) {
     const auto whole = std::as_bytes(bytes);
@@ -106,7 +121,8 @@ void read_archive(Bytes bytes) {
 }
 
 constexpr std::array kTargets = {Target{"model-file", read_model}, Target{"tree-file", read_trees},
-                                 Target{"import-answer", read_answer}, Target{"archive", read_archive}};
+                                 Target{"import-answer", read_answer}, Target{"walk-space", read_report},
+                                 Target{"archive", read_archive}};
 
 }  // namespace
 

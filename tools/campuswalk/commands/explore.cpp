@@ -4,14 +4,12 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <regex>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "collision/world/bullet_broad_phase.h"
 #include "config/loader/load_run.h"
-#include "engine/events/decimals.h"
 #include "engine/walkspace/walk_report.h"
 #include "scene/base/atomic_file.h"
 #include "scene/base/glob.h"
@@ -19,6 +17,8 @@
 #include "tools/campuswalk/base/status_line.h"
 #include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/commands/commands.h"
+#include "tools/campuswalk/explore/avatar_text.h"
+#include "tools/campuswalk/explore/cached_report.h"
 #include "tools/campuswalk/explore/coverage.h"
 #include "tools/campuswalk/explore/findings.h"
 #include "tools/campuswalk/explore/geojson.h"
@@ -27,6 +27,8 @@
 #include "tools/campuswalk/explore/report_text.h"
 #include "tools/campuswalk/explore/storey_plans.h"
 #include "tools/campuswalk/images/images.h"
+#include "tools/campuswalk/loading/cache_choice.h"
+#include "tools/campuswalk/loading/campus_hash.h"
 #include "tools/campuswalk/loading/model_importer.h"
 #include "tools/campuswalk/loading/walk_loader.h"
 #include "tools/campuswalk/run/plan/find_walks.h"
@@ -37,9 +39,9 @@ namespace {
 
 struct ExploreOptions {
     std::filesystem::path campus;
-    std::string avatar = "adult";
+    std::string avatar = "adult";                ///< as a walk says it
     std::vector<std::string> from;               ///< spawns; empty: all
-    std::vector<std::string> allow;              ///< run, jump
+    std::vector<std::string> allow;              ///< run, jump, crouch
     std::vector<std::string> disable;            ///< globs over objects
     std::vector<std::string> required;           ///< places, or "all"
     std::vector<std::string> fail_on;            ///< kinds of findings
@@ -54,6 +56,13 @@ struct ExploreOptions {
 };
 
 const char* const kFromOption = "--from";
+const char* const kUsualAvatar = "adult";
+
+/// As a walk beside the campus would read it.
+engine::AvatarProfile avatar_of(const std::string& text, const ExploreOptions& options,
+                                const scene::CampusDescription& campus) {
+    return config::read_avatar_text(text, "--avatar", options.campus.parent_path(), campus, search_paths());
+}
 
 collision::Vec3 spawn_position(const scene::CampusDescription& campus, const std::string& name) {
     std::vector<std::string> names;
@@ -78,6 +87,10 @@ engine::ExploreSettings settings_for(const ExploreOptions& options, const scene:
     settings.solids.disabled = &disabled;
     settings.run = has(options.allow, "run");
     settings.jump = has(options.allow, "jump");
+    if (has(options.allow, "crouch")) {  // what is walked upright is walked like that, too
+        settings.strides.full_height = avatar.height;
+        settings.strides.body.height = engine::crouched_height(avatar);
+    }
     if (!options.from.empty()) {
         settings.starts.clear();
         for (const std::string& name : options.from) {
@@ -177,23 +190,19 @@ void write_plans(const scene::Campus& campus, const engine::WalkReport& report,
     }
 }
 
-/// The avatar of `--avatar`, as wide as `--min-width`: as a walk says it.
-std::string wide_avatar(const ExploreOptions& options, const engine::AvatarProfile& avatar) {
-    static const std::regex kSize(R"(,\s*(radius|height)\s*:[^,}]*)");  // would be there twice
-    const std::string text = std::regex_replace(options.avatar, kSize, "");
-    const std::size_t end = text.rfind('}');
-    const std::string profile = end == std::string::npos ? "{profile: " + text : text.substr(0, end);
-    return profile + ", radius: " + engine::fixed(0.5 * options.min_width, 4) +
-           ", height: " + engine::fixed(std::max(avatar.height, options.min_width), 4) + "}";
-}
-
 void write_walks(const ExploreOptions& options, const scene::Campus& walked,
                  const engine::AvatarProfile& avatar, const engine::WalkReport& report,
                  const std::vector<explore::Finding>& findings) {
     std::error_code ignored;
     const std::filesystem::path campus = std::filesystem::proximate(
         std::filesystem::absolute(options.campus), std::filesystem::absolute(*options.walks), ignored);
-    const explore::WalkHeader header{campus.generic_string(), options.avatar, wide_avatar(options, avatar),
+    const engine::AvatarProfile usual = avatar_of(kUsualAvatar, options, walked.description);
+    const auto text_of = [&](const engine::AvatarProfile& body) {
+        return explore::avatar_text(body, kUsualAvatar, usual);
+    };
+    const engine::AvatarProfile body = has(options.allow, "crouch") ? explore::crouched(avatar) : avatar;
+    const explore::WalkHeader header{campus.generic_string(), text_of(body),
+                                     text_of(explore::widened(body, options.min_width)),
                                      walked.world.bounds().min.y()};
     for (const explore::MinimalWalk& walk : explore::minimal_walks(report, findings, header)) {
         scene::write_file_atomically(*options.walks / (walk.name + std::string(config::kWalkSuffix)),
@@ -206,8 +215,7 @@ int explore_campus(const ExploreOptions& options) {
     WalkLoader loader;
     const std::shared_ptr<const scene::Campus> campus = loader.load_campus(options.campus);
     check_places(options, campus->description);
-    const engine::AvatarProfile avatar = config::read_avatar_text(
-        options.avatar, "--avatar", options.campus.parent_path(), campus->description, search_paths());
+    const engine::AvatarProfile avatar = avatar_of(options.avatar, options, campus->description);
     const std::vector<engine::Walk> walks = options.covered_by.empty()
                                                 ? std::vector<engine::Walk>()
                                                 : walks_on_campus(loader, options.campus, options.covered_by);
@@ -218,8 +226,13 @@ int explore_campus(const ExploreOptions& options) {
     settings.progress = [&](std::size_t nodes) {
         progress.show("explored " + std::to_string(nodes) + " places");
     };
-    const engine::WalkReport report =
-        engine::report_walks(*campus, avatar, worlds, settings, options.min_width);
+    const scene::CacheFolder* cache = model_cache();
+    const explore::ReportInputs inputs{
+        cache != nullptr ? hash_of_campus(*campus, options.campus, *cache) : std::nullopt,
+        campus->objects.size(), avatar, settings, options.min_width};
+    const engine::WalkReport report = explore::cached_report(inputs, cache, [&] {
+        return engine::report_walks(*campus, avatar, worlds, settings, options.min_width);
+    });
     progress.hide();
     const std::vector<explore::Finding> findings = explore::find_findings(*campus, report);
     explore::print_report(*campus, report, avatar, findings);
@@ -262,7 +275,7 @@ void add_explore(Command program, CommandAction& chosen) {
         {.names = kFromOption, .help = "Start at this spawn only; may be repeated", .value = "SPAWN"},
         options->from);
     command.choices({.names = "--allow", .help = "What the visitor may do besides walking; may be repeated"},
-                    {"run", "jump"}, options->allow);
+                    {"run", "jump", "crouch"}, options->allow);
     add_disable(command, options->disable);
     command.option({.names = "--require",
                     .help = "Exit with 1 unless this place is reached, or 'all'; may be repeated",

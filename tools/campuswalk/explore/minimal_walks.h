@@ -18,7 +18,7 @@ struct MinimalWalk {
 /// What the walks have in common.
 struct WalkHeader {
     std::string campus;  ///< the campus file, from the walks' folder
-    std::string avatar;  ///< as written after `avatar:`
+    std::string avatar;  ///< as written after `avatar:`; as low as it crouches, if it may
     /// Of the visitor for whom passages are too narrow, likewise.
     std::string wide_avatar;
     double bottom = 0.0;  ///< the lowest height of the world, metres

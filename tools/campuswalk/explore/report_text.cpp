@@ -46,6 +46,9 @@ void print_reached(const WalkReport& report) {
                    fixed(storey.low, 2).c_str(), fixed(storey.high, 2).c_str(),
                    fixed(storey.area, 1).c_str());
     }
+    if (const double low = report.space.low_area(); low > 0.0) {
+        print_line("  of that crouching only  %s m²", fixed(low, 1).c_str());
+    }
     for (const engine::Bound bound : report.space.bounds) {
         print_line("  incomplete: %s", text_of(bound));
     }

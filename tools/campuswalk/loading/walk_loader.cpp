@@ -6,6 +6,7 @@
 #include "engine/simulation/check_go_to.h"
 #include "engine/simulation/check_walk.h"
 #include "tools/campuswalk/loading/cache_choice.h"
+#include "tools/campuswalk/loading/campus_hash.h"
 #include "tools/campuswalk/loading/model_importer.h"
 
 namespace campuswalk::tools {
@@ -63,7 +64,7 @@ LoadedWalk WalkLoader::ready(config::SharedRun run) {
     LoadedWalk loaded;
     const BuiltCampus& built = build(run.walk.campus, *run.campus, run.walk.sim.tree, warnings);
     loaded.campus = built.campus;
-    loaded.ground = built.ground;
+    loaded.routes = built.routes;
     loaded.walk = std::move(run.walk);
     loaded.walk.origin = loaded.campus->origin;
     warn_(warnings);
@@ -75,7 +76,7 @@ LoadedWalk WalkLoader::ready(config::SharedRun run) {
 }
 
 void WalkLoader::check_go_to(const LoadedWalk& loaded) {
-    warn_(engine::check_go_to(*loaded.campus, loaded.walk, loaded.ground.get()));
+    warn_(engine::check_go_to(*loaded.campus, loaded.walk, loaded.routes.get()));
 }
 
 std::shared_ptr<const scene::Campus> WalkLoader::load_campus(const fs::path& campus_file) {
@@ -107,6 +108,11 @@ const WalkLoader::BuiltCampus& WalkLoader::build(const fs::path& file,
             built.campus = std::make_shared<scene::Campus>(
                 scene::load_campus(description, collision::make_bullet_broad_phase(), warnings,
                                    model_importer(at_once), model_cache(), at_once, tree));
+            if (const scene::CacheFolder* cache = model_cache()) {
+                if (const auto contents = hash_of_campus(*built.campus, file, *cache)) {
+                    built.routes->cache = engine::RouteCache{cache, *contents};
+                }
+            }
         } catch (const scene::InputError& error) {
             broken_.emplace(key, error);
             throw;

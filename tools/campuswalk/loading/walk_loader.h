@@ -10,7 +10,7 @@
 
 #include "config/loader/load_run.h"
 #include "engine/script/walk.h"
-#include "engine/walkspace/ground_map.h"
+#include "engine/simulation/route_memory.h"
 #include "scene/campus/campus.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/command_line/command.h"
@@ -25,7 +25,7 @@ config::SearchPaths search_paths();
 struct LoadedWalk {
     engine::Walk walk;
     std::shared_ptr<const scene::Campus> campus;
-    std::shared_ptr<engine::GroundMaps> ground;  ///< of the campus; for one thread
+    std::shared_ptr<engine::RouteMemory> routes;  ///< of the campus; for one thread
 };
 
 /// Reads walks; those on the same campus with the same kind of trees share it. Warnings are reported at once;
@@ -53,7 +53,7 @@ public:
 private:
     struct BuiltCampus {
         std::shared_ptr<const scene::Campus> campus;
-        std::shared_ptr<engine::GroundMaps> ground = std::make_shared<engine::GroundMaps>();
+        std::shared_ptr<engine::RouteMemory> routes = std::make_shared<engine::RouteMemory>();
     };
 
     const BuiltCampus& build(const std::filesystem::path& file, const scene::CampusDescription& description,

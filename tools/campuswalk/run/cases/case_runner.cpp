@@ -60,7 +60,7 @@ bool fails_regardless_of_goldens(std::vector<engine::Failure> failures, const en
 
 /// What a log doesn't tell of a failure, by playing the walk again up to its tick.
 void complete_scene(const LoadedWalk& loaded, engine::FailureScene& scene) {
-    engine::Simulation simulation(*loaded.campus, loaded.walk, loaded.ground.get());
+    engine::Simulation simulation(*loaded.campus, loaded.walk, loaded.routes.get());
     engine::StateHistory history;
     do {
         history.on_tick(simulation.step());
@@ -142,7 +142,7 @@ void draw_frames(const Case& played, const PlaySettings& settings, std::size_t p
             *loaded.campus, loaded.walk, settings.sequence, part, parts,
             [&send](std::string_view frame) { send(Topic::frame, frame); }, *renderers);
         engine::Observer* const observers[] = {frames.get()};
-        engine::run_walk(*loaded.campus, loaded.walk, observers, loaded.ground.get());
+        engine::run_walk(*loaded.campus, loaded.walk, observers, loaded.routes.get());
     } catch (const std::exception& error) {
         problem = error.what();
     }
@@ -230,7 +230,7 @@ void CaseRunner::play_into(WalkResult& result, const Case& played, FrameHelpers*
     append(records.observers(), observers);
 
     engine::WalkSummary summary =
-        engine::run_walk(*loaded.campus, loaded.walk, observers, loaded.ground.get());
+        engine::run_walk(*loaded.campus, loaded.walk, observers, loaded.routes.get());
     result.ticks = summary.ticks;
     result.events = summary.events;
     result.distance = summary.distance;

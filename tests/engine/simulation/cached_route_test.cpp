@@ -1,0 +1,147 @@
+// Routes and reasons that other processes found: the same again, and never another's.
+
+#include "engine/simulation/cached_route.h"
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/temporary_folder.h"
+
+namespace campuswalk::engine {
+namespace {
+
+using Eigen::Vector3d;
+
+class CachedRoute : public testing::Test {
+protected:
+    CachedRoute() {
+        step_.target = {"desk", {4, 0.2, -12}, true};
+        state_.foot = {0, 0, 12};
+        state_.grounded = true;
+        settings_.strides.walk_speed = 1.4;
+    }
+
+    /// What would have to be planned.
+    PlannedRoute answer(const PlannedRoute& planned) {
+        return cached_route({step_, state_, settings_}, cache_, [&] {
+            ++plans_;
+            return planned;
+        });
+    }
+
+    support::TemporaryFolder home_;
+    scene::CacheFolder folder_{home_.path()};
+    RouteCache cache_{&folder_, scene::hash_of(std::as_bytes(std::span("campus")))};
+    GoToStep step_;
+    collision::MoverState state_;
+    RouteSettings settings_;
+    int plans_ = 0;
+};
+
+PlannedRoute searched() {
+    PlannedRoute planned;
+    planned.route.pieces = {{{"", {1.0 / 3.0, 0, 2}, false}, 0.05, std::nullopt, 17},
+                            {{"desk", {4, 0.2, -12}, true}, 0.25, Vector3d(0.02, 0, 1e-9), 600}};
+    planned.route.searched = true;
+    return planned;
+}
+
+PlannedRoute no_route() {
+    return {{}, "riser of 0.45 m at stair, 3.20, 0.45, -1.00; the avatar steps 0.30 m"};
+}
+
+TEST_F(CachedRoute, IsTheSameAgain) {
+    answer(searched());
+    const PlannedRoute again = answer(no_route());
+    EXPECT_EQ(plans_, 1);
+    EXPECT_EQ(again.why_not, "");
+    ASSERT_EQ(again.route.pieces.size(), 2U);
+    EXPECT_EQ(again.route.ticks(), 617);
+    const PlannedRoute planned = searched();
+    for (std::size_t i = 0; i < 2; ++i) {
+        const RoutePiece& piece = again.route.pieces[i];
+        EXPECT_EQ(piece.target.label, planned.route.pieces[i].target.label);
+        EXPECT_EQ(piece.target.point, planned.route.pieces[i].target.point);
+        EXPECT_EQ(piece.target.has_height, planned.route.pieces[i].target.has_height);
+        EXPECT_EQ(piece.within, planned.route.pieces[i].within);
+        EXPECT_EQ(piece.stride, planned.route.pieces[i].stride);
+    }
+}
+
+TEST_F(CachedRoute, TellsWhyThereIsNone) {
+    answer(no_route());
+    EXPECT_EQ(answer(searched()).why_not, no_route().why_not);
+    EXPECT_EQ(plans_, 1);
+}
+
+TEST_F(CachedRoute, IsNotWorthAFileIfItWasGuessed) {
+    PlannedRoute guessed = searched();
+    guessed.route.searched = false;
+    answer(guessed);
+    answer(guessed);
+    EXPECT_EQ(plans_, 2);
+    EXPECT_TRUE(std::filesystem::is_empty(home_.path()));
+}
+
+TEST_F(CachedRoute, IsOnlyForTheVerySame) {
+    answer(no_route());
+    std::vector<bool> disabled{false, true};
+    const std::vector<std::function<void()>> changes = {
+        [&] { cache_.campus.bytes[0] ^= 1; },
+        [&] { step_.target.point.y() += 1e-9; },
+        [&] { step_.target.has_height = false; },
+        [&] { step_.target.label = "table"; },
+        [&] {
+            step_.through.push_back({"gate", {0, 0, 0}, false});
+        },
+        [&] {
+            step_.avoid.push_back({NamePattern{{}, "pond"}, {}, 0.0});
+        },
+        [&] { step_.avoid.back().objects->glob = "tree"; },
+        [&] {
+            step_.avoid.push_back({std::nullopt, {"", {1, 0, 1}, false}, 2.0});
+        },
+        [&] { step_.avoid.back().radius = 3.0; },
+        [&] { step_.prefer = RoutePreference::wide; },
+        [&] { step_.within = 0.1; },
+        [&] { state_.foot.x() += 1e-12; },
+        [&] { state_.support_y = 0.1; },
+        [&] { state_.vertical_speed = -1.0; },
+        [&] { state_.slide_velocity.z() = 0.5; },
+        [&] { state_.fall_from = 2.0; },
+        [&] { state_.grounded = false; },
+        [&] { settings_.strides.walk_speed = 1.5; },
+        [&] { settings_.strides.seconds = 1.0 / 30.0; },
+        [&] { settings_.strides.body.height = 1.08; },
+        [&] { settings_.strides.body.radius = 0.31; },
+        [&] { settings_.strides.body.step_height = 0.4; },
+        [&] { settings_.strides.body.min_up = 0.5; },
+        [&] { settings_.strides.body.skin = 0.01; },
+        [&] { settings_.solids.ignored_layers = 2; },
+        [&] { settings_.solids.disabled = &disabled; },
+        [&] {
+            disabled = {true, false};
+        },
+    };
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+        changes[i]();
+        answer(no_route());
+        EXPECT_EQ(plans_, 2 + static_cast<int>(i)) << "change " << i;
+    }
+}
+
+TEST_F(CachedRoute, IsPlannedAnewIfItsFileIsDamaged) {
+    answer(no_route());
+    for (const auto& entry : std::filesystem::directory_iterator(home_.path())) {
+        std::filesystem::resize_file(entry.path(), std::filesystem::file_size(entry.path()) - 1);
+    }
+    EXPECT_FALSE(answer(searched()).route.pieces.empty());
+    EXPECT_EQ(plans_, 2);
+}
+
+}  // namespace
+}  // namespace campuswalk::engine

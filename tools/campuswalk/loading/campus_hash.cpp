@@ -1,0 +1,25 @@
+#include "tools/campuswalk/loading/campus_hash.h"
+
+#include "scene/cache/file_hash.h"
+
+namespace campuswalk::tools {
+
+using scene::ContentHash;
+
+std::optional<ContentHash> hash_of_campus(const scene::Campus& campus,
+                                          const std::filesystem::path& campus_file,
+                                          const scene::CacheFolder& cache) {
+    const std::optional<ContentHash> file = scene::hash_of_file(campus_file, &cache);
+    if (!file || campus.contents.size() != campus.models.size()) {
+        return std::nullopt;
+    }
+    scene::ContentHasher hasher;
+    hasher.add_hash(scene::program_hash(&cache));
+    hasher.add_hash(*file);
+    for (const ContentHash& model : campus.contents) {
+        hasher.add_hash(model);
+    }
+    return hasher.result();
+}
+
+}  // namespace campuswalk::tools
