@@ -139,7 +139,11 @@ export class Overview {
     const isCurrent = (): boolean => round === this.round && !this.scope.isOver;
     if (tracks.length <= many) {
       later(() => {
-        if (isCurrent()) layer.drawPaths(tracks.map((track) => track.points), this.color(color), width, opacity);
+        if (!isCurrent()) return;
+        const paths = tracks.map((track) => track.points);
+        // Light edges, so that they are seen on a campus of any colour.
+        layer.drawPaths(paths, '#ffffff', width + 2, 0.5);
+        layer.drawPaths(paths, this.color(color), width, opacity);
         this.schedule();
       });
       return;

@@ -25,7 +25,9 @@ function drawPlan(
   canvas: HTMLCanvasElement, report: Report, row: WalkRow, points: readonly [number, number][], theme: Element,
 ): void {
   const plan = new PlanCanvas(canvas);
-  const [min, max] = boundsOf(points, 6);
+  const [low, high] = boundsOf(points, 0);
+  const margin = Math.min(6, Math.max(1.5, 0.2 * Math.max(high[0]! - low[0]!, high[2]! - low[2]!)));
+  const [min, max] = boundsOf(points, margin);
   plan.resize(width, height);
   plan.view = fitted(min, max, width, height, 3);
   plan.drawCampus(report.campusOf(row), null, colorsOf(theme));
@@ -33,5 +35,5 @@ function drawPlan(
   const color = style.getPropertyValue(isBad(row.outcome) ? '--failed' : '--trail').trim();
   plan.drawPath({ points, color, width: 2 });
   const [x, z] = points.at(-1)!;
-  plan.drawMark({ x, z, color }, 3);
+  plan.drawMark({ x, z, color }, 2.5);
 }

@@ -1,13 +1,15 @@
 // The campus in 3D: its geometry, or boxes of its objects where the report has none.
 
 import {
-  Box3, BoxGeometry, Color, DoubleSide, FrontSide, Group, Mesh, MeshBasicMaterial, MeshLambertMaterial, Plane, Vector3,
+  Box3, BoxGeometry, Color, DoubleSide, EdgesGeometry, FrontSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial, Plane, Vector3,
   type BufferGeometry, type Material, type MeshStandardMaterial, type Object3D,
 } from 'three';
 import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
 import { MeshoptDecoder } from 'three/examples/jsm/libs/meshopt_decoder.module.js';
 import type { CampusEntry } from '../format';
 import { ImagePlugin } from './image_plugin';
+
+const mostWithEdges = 150_000; // triangles
 
 /** A piece of the geometry, and which objects it belongs to. */
 export interface Piece {
@@ -34,6 +36,7 @@ export class CampusModel {
     const model = new CampusModel(campus);
     if (glb) await model.addGeometry(glb);
     else model.addBoxes();
+    if (model.isPlain()) model.addEdges();
     if (model.bounds.isEmpty()) model.bounds.set(new Vector3(...campus.min), new Vector3(...campus.max));
     return model;
   }
@@ -81,6 +84,30 @@ export class CampusModel {
     this.root.add(gltf.scene);
   }
 
+  /** Whether next to nothing has a texture: surfaces of one colour can't be told apart where they join. */
+  private isPlain(): boolean {
+    let textured = 0;
+    let all = 0;
+    for (const { mesh, material } of this.pieces) {
+      const count = trianglesOf(mesh);
+      all += count;
+      if ((material as MeshLambertMaterial).map) textured += count;
+    }
+    return textured < 0.1 * all && all < mostWithEdges;
+  }
+
+  private addEdges(): void {
+    const material = new LineBasicMaterial({ color: 0x1d2630, transparent: true, opacity: 0.42 });
+    this.materials.add(material);
+    for (const { mesh } of this.pieces) {
+      const edges = new LineSegments(new EdgesGeometry(mesh.geometry, 28), material);
+      edges.matrixAutoUpdate = false;
+      edges.matrix.copy(mesh.matrixWorld);
+      edges.renderOrder = 2;
+      this.root.add(edges);
+    }
+  }
+
   private addBoxes(): void {
     const solid = new MeshLambertMaterial({ color: 0xb9c0c8 });
     const ground = new MeshLambertMaterial({ color: 0x9fa890 });
@@ -111,6 +138,11 @@ export class CampusModel {
     this.bounds.union(bounds);
     this.pieces.push({ mesh, objects, node, material, bounds });
   }
+}
+
+function trianglesOf(mesh: Mesh): number {
+  const { geometry } = mesh;
+  return (geometry.getIndex()?.count ?? geometry.getAttribute('position').count) / 3;
 }
 
 /** A node's extras are the mesh's, or of the group that holds its parts. */

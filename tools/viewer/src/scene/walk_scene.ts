@@ -114,11 +114,14 @@ export class WalkScene {
       this.loaded.obstacle.clear();
       return;
     }
-    this.loaded.obstacle.show(object ? this.loaded.model.piecesOf(index) : [], at);
+    const pieces = object ? this.loaded.model.piecesOf(index) : [];
+    this.loaded.obstacle.show(pieces, at);
     if (object && object.shape !== 'mesh') this.obstacle.add(outline(object));
+    // A shape without nodes of the model is drawn itself.
+    if (object && object.shape !== 'mesh' && pieces.length === 0) this.obstacle.add(filled(object, colors.failure, 0.4));
     if (at) {
       this.obstacle.add(ball(at, 0.05, colors.failure));
-      this.obstacleLabels.push(this.labels.add(reason.object || 'here', at.clone().add(new Vector3(0, 0.12, 0)), 'failure'));
+      this.obstacleLabels.push(this.labels.add(reason.object || 'here', at, 'failure', Infinity, 'below'));
       if (reason.tick !== null) this.addMeasure(reason, at, this.visitorAt(reason.tick).pose.y);
     }
   }
@@ -220,11 +223,11 @@ export class WalkScene {
       return top;
     };
     const top = bracket(measure.measured, colors.failure, 0);
-    this.obstacleLabels.push(this.labels.add(`${measure.kind} ${measure.measured.toFixed(2)} m`, top, 'failure'));
+    this.obstacleLabels.push(this.labels.add(`${measure.kind} ${measure.measured.toFixed(2)} m`, top, 'failure', Infinity, 'left'));
     if (measure.allowed === null) return;
     const can = bracket(measure.allowed, 0x3ddc84, 0.2);
     const word = measure.kind === 'headroom' ? 'needs' : 'steps';
-    this.obstacleLabels.push(this.labels.add(`${word} ${measure.allowed.toFixed(2)} m`, can, 'measure'));
+    this.obstacleLabels.push(this.labels.add(`${word} ${measure.allowed.toFixed(2)} m`, can, 'measure', Infinity, 'right'));
   }
 
   private addParting(): void {
@@ -250,10 +253,19 @@ export function ball(at: Vector3, radius: number, color: number): Mesh {
   return mesh;
 }
 
+export function filled(object: CampusObject, color: number, opacity: number): Mesh {
+  const material = new MeshBasicMaterial({
+    color, transparent: true, opacity, depthWrite: false, fog: false, polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -2,
+  });
+  const mesh = new Mesh(geometryOf(object), material);
+  mesh.renderOrder = 7;
+  return mesh;
+}
+
 function outline(object: CampusObject): LineSegments {
   const lines = new LineSegments(
     new EdgesGeometry(geometryOf(object), 20),
-    new LineBasicMaterial({ color: colors.failure, fog: false, depthTest: false, transparent: true, opacity: 0.8 }),
+    new LineBasicMaterial({ color: colors.failure, fog: false, transparent: true, opacity: 0.9 }),
   );
   lines.renderOrder = 8;
   return lines;

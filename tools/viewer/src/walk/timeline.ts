@@ -172,7 +172,7 @@ export class Timeline {
       const width = this.pixelsOf(step.to) - x;
       const failed = failedLines.has(`${step.file}:${step.line}`);
       this.band(canvas, step.from, step.to, top.steps, rows.steps, failed ? color('failed') : color('step'), i % 2 ? 1 : 0.72);
-      if (width < 40) return;
+      if (width < 56) return;
       canvas.save();
       canvas.beginPath();
       canvas.rect(x, 0, width - 4, height);

@@ -60,8 +60,8 @@ function cutMenu(context: WalkContext, scope: Scope): HTMLElement {
   const value = element('output', {});
   const choices = element('div', { class: 'cut-storeys' },
     choice('All', null),
-    ...storeys.slice(0, -1).map((y, i) => choice(`Storey ${i}`, (storeys[i + 1] ?? y + 3) - 0.35)),
-    storeys.length > 0 ? choice(`Storey ${storeys.length - 1}`, storeys[storeys.length - 1]! + 2.2) : null);
+    ...storeys.slice(0, -1).map((y, i) => choice(`${i}: ${y.toFixed(1)} m`, (storeys[i + 1] ?? y + 3) - 0.35)),
+    storeys.length > 0 ? choice(`${storeys.length - 1}: ${storeys[storeys.length - 1]!.toFixed(1)} m`, storeys[storeys.length - 1]! + 2.2) : null);
   scope.add(store.on((state) => state.cut, (cut) => {
     height.value = String(cut ?? highest);
     value.textContent = cut === null ? 'nothing cut' : `above ${cut.toFixed(1)} m`;
@@ -75,7 +75,7 @@ function cutMenu(context: WalkContext, scope: Scope): HTMLElement {
 
   function choice(text: string, cut: number | null): HTMLElement {
     return element('button', {
-      class: 'segment', text, attributes: { type: 'button', 'data-cut': String(cut) }, on: { click: () => store.set({ cut }) },
+      class: 'segment', text, attributes: { type: 'button', 'data-cut': String(cut), 'aria-label': cut === null ? 'All storeys' : `Up to storey ${text}` }, on: { click: () => store.set({ cut }) },
     });
   }
 }

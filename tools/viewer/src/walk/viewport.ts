@@ -86,9 +86,13 @@ export class Viewport {
     if (points.length === 0) return;
     const center = points.reduce((sum, [x, z]) => sum.add(new Vector3(x, 0, z)), new Vector3()).divideScalar(points.length);
     const reach = Math.max(...points.map(([x, z]) => Math.hypot(x - center.x, z - center.z)));
-    center.y = this.scene.visitorAt(0).pose.y;
+    const heights = [...(this.context.data.path?.y ?? [0])];
+    const highest = heights.reduce((most, y) => Math.max(most, y));
+    center.y = (highest + heights.reduce((least, y) => Math.min(least, y))) / 2;
     this.context.store.set({ camera: 'orbit' });
     this.rig.overlook(center, Math.max(12, reach * 2.2));
+    this.update(0);
+    if (this.isHidden()) this.context.store.set({ cut: highest + this.scene.avatar.height + 0.4 });
     this.stage.invalidate();
   }
 
@@ -98,6 +102,15 @@ export class Viewport {
     const clip = new Vector2((x / this.width) * 2 - 1, 1 - (y / this.height) * 2);
     const direction = new Vector3(clip.x, clip.y, 0.5).unproject(camera).sub(camera.position).normalize();
     return this.loaded.picker.cast(camera.position.clone(), direction);
+  }
+
+  /** Whether less than half of the path can be seen. */
+  private isHidden(): boolean {
+    const { path } = this.context.data;
+    if (!path) return false;
+    const samples = Array.from({ length: 16 }, (_, i) => path.at((path.lastTick * (i + 0.5)) / 16));
+    const seen = samples.filter(({ x, y, z }) => this.loaded.picker.sees(this.stage.camera.position, new Vector3(x, y + 0.5, z)));
+    return seen.length < samples.length / 2;
   }
 
   private cut(height: number | null): void {
@@ -217,8 +230,11 @@ export class Viewport {
   private showHover(hit: Hit | null, event: PointerEvent): void {
     if (!this.hover.show(hit, event.offsetX, event.offsetY, this.width)) return;
     const object = this.hover.object;
-    const isGround = object >= 0 && this.context.campus?.objects[object]?.id === 'ground';
-    this.loaded.hovered.show(object >= 0 && !isGround ? this.loaded.model.piecesOf(object) : [], hit?.point ?? null);
+    const bounds = this.context.campus?.objects[object];
+    // Ground under the pointer is no news.
+    const isGround = bounds !== undefined && bounds.max[0] - bounds.min[0] > 60 && bounds.max[2] - bounds.min[2] > 60;
+    const pieces = object >= 0 && !isGround ? this.loaded.model.piecesOf(object) : [];
+    this.loaded.hovered.show(pieces.length === 0 && object >= 0 && !isGround && hit ? [hit.piece] : pieces, hit?.point ?? null);
     this.stage.invalidate();
   }
 
