@@ -13,6 +13,8 @@ export interface TestSeam {
   state(): { page: string; tick: number; ticks: number; playing: boolean; speed: number; camera: string; cut: number | null; tab: string };
   /** Where the camera is and looks. */
   camera(): { position: number[]; direction: number[] } | null;
+  /** The scene, or the list's plan, as a PNG's data: address: what is drawn without any text over it. */
+  picture(width: number, height: number): string | null;
   /** The last text that was copied. */
   copied(): string;
   statistics(): { filterTime: number; frames: number; lastFrame: number; software: boolean };
@@ -53,6 +55,10 @@ export function exposeForTests(starting: Promise<App | null>): void {
       if (!camera) return null;
       const direction = camera.getWorldDirection(camera.position.clone());
       return { position: camera.position.toArray(), direction: direction.toArray() };
+    },
+    picture(width, height) {
+      const stage = app?.walk?.viewport && app.campuses.stage;
+      return stage ? stage.picture(width, height) : (document.querySelector<HTMLCanvasElement>('.overview canvas')?.toDataURL() ?? null);
     },
     copied: () => lastCopied,
     statistics() {

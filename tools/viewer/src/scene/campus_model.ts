@@ -91,7 +91,7 @@ export class CampusModel {
     for (const { mesh, material } of this.pieces) {
       const count = trianglesOf(mesh);
       all += count;
-      if ((material as MeshLambertMaterial).map) textured += count;
+      if ((material as MeshLambertMaterial).map && mesh.geometry.hasAttribute('uv')) textured += count;
     }
     return textured < 0.1 * all && all < mostWithEdges;
   }

@@ -94,6 +94,18 @@ export class Stage {
     this.draw();
   }
 
+  /** What the camera sees, as a PNG's data: address. */
+  picture(width: number, height: number): string {
+    const { clientWidth, clientHeight } = this.canvas;
+    const ratio = this.renderer.getPixelRatio();
+    this.renderer.setPixelRatio(1);
+    this.resize(width, height);
+    const address = this.canvas.toDataURL('image/png');
+    this.renderer.setPixelRatio(ratio);
+    this.resize(clientWidth, clientHeight);
+    return address;
+  }
+
   invalidate(): void {
     this.pending ||= requestAnimationFrame((time) => {
       this.pending = 0;

@@ -41,7 +41,7 @@ function failureCard(context: WalkContext, player: Player, index: number, show: 
     reason.measure && measureBar(reason.measure),
     scene && facts(failure.scene ? [
       ['where', scene.position.map((value) => value.toFixed(2)).join(', ')],
-      ['in the way', reason.object],
+      ['object', reason.object],
       ['in or near', scene.building],
       ['nearest', scene.nearest ? `${scene.nearest}, ${scene.nearest_distance.toFixed(2)} m` : ''],
     ] : []),

@@ -66,9 +66,10 @@ export class Viewport {
     const { pose, height } = this.scene.visitorAt(tick);
     const body = new Vector3(pose.x, pose.y + height * 0.55, pose.z);
     const at = reason.at ? new Vector3(...reason.at) : body.clone().add(directionOf(pose.yaw, 0).multiplyScalar(0.5));
-    // A place far off is no obstacle of this body.
-    const obstacle = at.distanceTo(body) < 12 ? at : body.clone().lerp(at, 12 / at.distanceTo(body));
+    const obstacle = at;
     const ahead = obstacle.clone().sub(body).setY(0);
+    // What can't be reached may be far away: then as if the visitor stood before it.
+    if (at.distanceTo(body) > 6) body.copy(at).addScaledVector(ahead.clone().normalize(), -1.2);
     if (ahead.lengthSq() < 1e-4) ahead.copy(directionOf(pose.yaw, 0));
     this.context.store.set({ camera: 'orbit' });
     this.rig.lookFrom(viewOf(this.loaded.picker, body, obstacle, ahead.normalize()));
