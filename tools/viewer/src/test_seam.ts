@@ -8,6 +8,11 @@ export interface TestSeam {
   ready(): Promise<boolean>;
   /** Where the visitor's feet are, metres, as at the time that is shown or at a tick. */
   visitorAt(tick?: number): { x: number; y: number; z: number; yaw: number; pitch: number } | null;
+  /** Where the figure stands in the scene; and all of them, where two walks are compared. */
+  figure(): number[] | null;
+  figures(): number[][];
+  /** Ids of the objects that are lit as being in the way. */
+  lit(): string[];
   /** What is at a point of the canvas, in CSS pixels from its top left. */
   pick(x: number, y: number): { point: number[]; objects: string[]; node: string } | null;
   state(): { page: string; tick: number; ticks: number; playing: boolean; speed: number; camera: string; cut: number | null; tab: string };
@@ -39,6 +44,9 @@ export function exposeForTests(starting: Promise<App | null>): void {
       return shown !== null;
     },
     visitorAt: (tick) => app?.walk?.context.data.path?.at(tick ?? app.store.state.tick) ?? null,
+    figure: () => app?.walk?.viewport?.figures[0] ?? null,
+    figures: () => app?.walk?.viewport?.figures ?? [],
+    lit: () => app?.walk?.viewport?.litObjects ?? [],
     pick(x, y) {
       const hit = app?.walk?.viewport?.pick(x, y);
       const campus = app?.walk?.context.campus;

@@ -39,6 +39,7 @@ export class WalkScene {
   private readonly gaze: Line;
   private readonly shownLabels: { label: Label; layer: keyof Layers }[] = [];
   private obstacleLabels: Label[] = [];
+  private obstacleId = '';
 
   constructor(
     private readonly stage: Stage,
@@ -77,6 +78,15 @@ export class WalkScene {
     };
   }
 
+  get figures(): number[][] {
+    return this.walkers.map(({ figure }) => figure.root.position.toArray());
+  }
+
+  /** Ids of what is lit as an obstacle. */
+  get litObjects(): string[] {
+    return this.obstacleId === '' ? [] : [this.obstacleId];
+  }
+
   setTick(tick: number, layers: Layers, fromEyes: boolean): void {
     this.walkers.forEach(({ data, figure, trail }, index) => {
       if (!data.path) return;
@@ -109,6 +119,7 @@ export class WalkScene {
     for (const label of this.obstacleLabels.splice(0)) this.labels.remove(label);
     const index = reason ? (this.context.objects.get(reason.object) ?? -1) : -1;
     const object = this.context.campus?.objects[index];
+    this.obstacleId = object?.id ?? '';
     const at = reason?.at ? new Vector3(...reason.at) : null;
     if (!reason || (!object && !at)) {
       this.loaded.obstacle.clear();

@@ -245,8 +245,13 @@ export class Viewport {
     this.stage.invalidate();
   }
 
-  /** For tests and the minimap. */
-  visitorAt(tick: number): { x: number; y: number; z: number } {
-    return this.scene.visitorAt(tick).pose;
+  /** Where the figures stand now. */
+  get figures(): number[][] {
+    this.update(0);
+    return this.scene.figures;
+  }
+
+  get litObjects(): string[] {
+    return this.scene.litObjects;
   }
 }
