@@ -36,8 +36,12 @@ export function ready(page) {
 
 /** Goes to another address of the report. */
 export async function go(page, hash) {
-  await page.evaluate((to) => (location.hash = to), hash);
-  await page.waitForTimeout(50);
+  await page.evaluate((to) => {
+    if (location.hash === to || (to === '#' && location.hash === '')) return undefined;
+    const changed = new Promise((resolve) => addEventListener('hashchange', resolve, { once: true }));
+    location.hash = to;
+    return changed.then(() => undefined);
+  }, hash);
   await ready(page);
 }
 

@@ -67,7 +67,6 @@ spawns:
   writeFileSync(join(folder, 'greets.walk.yaml'), `# ${hostile}
 campus: hostile.campus.yaml
 avatar: adult
-tags: [${text(hostile)}, ${text(bidi)}]
 camera: {width: 320, height: 180}
 steps:
   - spawn: start

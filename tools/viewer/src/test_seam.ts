@@ -48,6 +48,7 @@ export function exposeForTests(starting: Promise<App | null>): void {
     figures: () => app?.walk?.viewport?.figures ?? [],
     lit: () => app?.walk?.viewport?.litObjects ?? [],
     pick(x, y) {
+      app?.walk?.viewport?.refresh();
       const hit = app?.walk?.viewport?.pick(x, y);
       const campus = app?.walk?.context.campus;
       return hit
@@ -59,6 +60,7 @@ export function exposeForTests(starting: Promise<App | null>): void {
       return { page, tick, playing, speed, camera, cut, tab, ticks: app!.walk?.context.lastTick ?? 0 };
     },
     camera() {
+      app?.walk?.viewport?.refresh();
       const camera = app?.walk?.viewport && app.campuses.stage?.camera;
       if (!camera) return null;
       const direction = camera.getWorldDirection(camera.position.clone());

@@ -66,10 +66,14 @@ export class LogPanel {
 
   private follow(index: number): void {
     if (index === this.current) return;
-    this.list.visibleRows.get(this.current)?.classList.remove('current');
+    this.mark(this.current, false);
     this.current = index;
     if (index >= 0) this.list.reveal(index, 'center');
-    this.list.visibleRows.get(index)?.classList.add('current');
+    this.mark(index, true);
+  }
+
+  private mark(row: number, current: boolean): void {
+    this.list.visibleRows.get(row)?.firstElementChild?.classList.toggle('current', current);
   }
 
   private line(row: number): HTMLElement {

@@ -245,9 +245,14 @@ export class Viewport {
     this.stage.invalidate();
   }
 
+  /** Brings camera and scene to the state at once, before the next drawing does. */
+  refresh(): void {
+    this.update(0);
+  }
+
   /** Where the figures stand now. */
   get figures(): number[][] {
-    this.update(0);
+    this.refresh();
     return this.scene.figures;
   }
 
