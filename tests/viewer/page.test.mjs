@@ -1,13 +1,17 @@
 // Real reports in a real Chromium. Needs the program; see support/reports.mjs.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
-import { readdirSync, readFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { spawnSync } from 'node:child_process';
+import { copyFileSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
 import { ask, go, launch, open, ready } from './support/browser.mjs';
 import { detailsOf, readIndex, rewritten, withIndex } from './support/page_file.mjs';
 import { readDepth } from './support/png.mjs';
-import { bidi, hostile, makeReports } from './support/reports.mjs';
+import { bidi, hostile, makeReports, program } from './support/reports.mjs';
 
+// UPDATE_IMAGES=1 writes them anew.
+const images = join(dirname(fileURLToPath(import.meta.url)), 'images');
 let reports;
 let browser;
 let page;
@@ -384,6 +388,30 @@ test('a comparison lists what changed, and shows both paths', async () => {
   assert.match(await compared.locator('.label.parting').textContent(), /part/);
   assert.deepEqual(compared.complaints, []);
   await compared.context().close();
+});
+
+describe('the pictures of', () => {
+  const views = [
+    ['list', () => reports.report, '#'],
+    ['walk', () => reports.report, '#walk=first-tour.walk.yaml&t=170'],
+    ['failure', () => reports.report, '#walk=to-the-bench.walk.yaml'],
+    ['comparison', () => reports.compared, '#walk=to-the-bench.walk.yaml&against=1'],
+  ];
+  for (const [name, report, hash] of views) {
+    test(`${name} are as they were`, async () => {
+      const fresh = await open(browser, report(), { hash });
+      const address = await ask(fresh, 'picture', 320, 180);
+      await fresh.context().close();
+      const actual = join(reports.folder, `${name}.png`);
+      writeFileSync(actual, Buffer.from(address.split(',')[1], 'base64'));
+      const expected = join(images, `${name}.png`);
+      if (process.env.UPDATE_IMAGES) copyFileSync(actual, expected);
+      // Colours may round otherwise on another processor; lines may lie half a pixel elsewhere in another Chromium.
+      const limits = ['--max-diff-pixel-ratio', '0.01', '--min-tile-ssim', '0.8'];
+      const compared = spawnSync(program, ['imgdiff', expected, actual, ...limits], { encoding: 'utf8' });
+      assert.equal(compared.status, 0, `${compared.stdout}${compared.stderr}`);
+    });
+  }
 });
 
 test('hostile names stay text', async () => {

@@ -19,7 +19,7 @@ export interface TestSeam {
   /** Where the camera is and looks. */
   camera(): { position: number[]; direction: number[] } | null;
   /** The scene, or the list's plan, as a PNG's data: address: what is drawn without any text over it. */
-  picture(width: number, height: number): string | null;
+  picture(width: number, height: number): Promise<string | null>;
   /** The last text that was copied. */
   copied(): string;
   statistics(): { filterTime: number; frames: number; lastFrame: number; software: boolean };
@@ -66,9 +66,10 @@ export function exposeForTests(starting: Promise<App | null>): void {
       const direction = camera.getWorldDirection(camera.position.clone());
       return { position: camera.position.toArray(), direction: direction.toArray() };
     },
-    picture(width, height) {
+    async picture(width, height) {
+      app?.walk?.viewport?.refresh();
       const stage = app?.walk?.viewport && app.campuses.stage;
-      return stage ? stage.picture(width, height) : (document.querySelector<HTMLCanvasElement>('.overview canvas')?.toDataURL() ?? null);
+      return stage ? stage.picture(width, height) : ((await app?.list?.overview.picture(width, height)) ?? null);
     },
     copied: () => lastCopied,
     statistics() {

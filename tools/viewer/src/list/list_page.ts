@@ -25,7 +25,7 @@ export class ListPage {
   private readonly totals = element('p', { class: 'totals', attributes: { role: 'status' } });
   private readonly empty = element('div', { class: 'list-empty' });
   private readonly printed = element('div', { class: 'printed' });
-  private readonly overview: Overview;
+  readonly overview: Overview;
   private selected: number[] = [];
   /** Of all walks. */
   private readonly total: Counts;

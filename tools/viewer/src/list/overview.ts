@@ -33,6 +33,8 @@ export class Overview {
   private layer: PlanCanvas | null = null;
   /** Counts the drawings, so that an old one ends when a new one begins. */
   private round = 0;
+  /** Called when all paths are drawn. */
+  private complete: () => void = () => {};
 
   constructor(private readonly report: Report, private readonly campuses: Campuses, private readonly scope: Scope) {
     const canvas = element('canvas', { attributes: { role: 'img', 'aria-label': 'Plan of the campus with the paths of all listed walks' } });
@@ -62,6 +64,20 @@ export class Overview {
     // When there is nothing else to do, the real campus is drawn under the paths.
     const later = setTimeout(() => void this.loadImage(), 150);
     scope.add(() => clearTimeout(later));
+  }
+
+  /** The plan in a size of its own, as a PNG's data: address. */
+  async picture(width: number, height: number): Promise<string> {
+    await this.loadImage();
+    const size = [this.plan.width, this.plan.height] as const;
+    const completed = new Promise<void>((resolve) => (this.complete = resolve));
+    this.plan.resize(width, height);
+    this.draw();
+    await completed;
+    const address = this.plan.canvas.toDataURL('image/png');
+    this.plan.resize(...size);
+    this.draw();
+    return address;
   }
 
   show(selected: readonly number[]): void {
@@ -130,7 +146,8 @@ export class Overview {
       for (const { points } of bad.slice(0, 500)) {
         layer.drawMark({ x: points.at(-1)![0], z: points.at(-1)![1], color: this.color('--failed') }, 3.5);
       }
-      this.schedule();
+      this.compose();
+      this.complete();
     });
     this.compose();
   }

@@ -98,6 +98,8 @@ export class CampusModel {
 
   private addEdges(): void {
     const material = new LineBasicMaterial({ color: 0x1d2630, transparent: true, opacity: 0.42 });
+    // Surfaces a little farther away than their edges.
+    for (const surface of this.materials) Object.assign(surface, { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
     this.materials.add(material);
     for (const { mesh } of this.pieces) {
       const edges = new LineSegments(new EdgesGeometry(mesh.geometry, 28), material);

@@ -9,13 +9,14 @@ import type { Pose } from '../data/path';
 
 export interface FigureColors {
   coat: number;
+  bag: number;
   trousers: number;
   skin: number;
   hair: number;
 }
 
-export const visitorColors: FigureColors = { coat: 0x2f6fde, trousers: 0x2c3442, skin: 0xe2b08d, hair: 0x3a2a1f };
-export const otherColors: FigureColors = { coat: 0xe08a1e, trousers: 0x4a4038, skin: 0xe2b08d, hair: 0x3a2a1f };
+export const visitorColors: FigureColors = { coat: 0x2f6fde, bag: 0x18315c, trousers: 0x2c3442, skin: 0xe2b08d, hair: 0x3a2a1f };
+export const otherColors: FigureColors = { coat: 0xe08a1e, bag: 0x5c3d12, trousers: 0x4a4038, skin: 0xe2b08d, hair: 0x3a2a1f };
 
 /** Proportions of an adult of height 1. */
 const hip = 0.51;
@@ -36,6 +37,7 @@ export class Figure {
     const coat = new MeshLambertMaterial({ color: colors.coat });
     const cloth = new MeshLambertMaterial({ color: colors.trousers });
     const skin = new MeshLambertMaterial({ color: colors.skin });
+    const bag = new MeshLambertMaterial({ color: colors.bag });
     const hair = new MeshLambertMaterial({ color: colors.hair });
 
     const torso = this.part(new CapsuleGeometry(0.088, 0.185, 6, 14), coat, 0, 0.675, 0);
@@ -44,6 +46,9 @@ export class Figure {
     hips.scale.set(1.08 * girth, 0.8, 0.8 * girth);
     const shoulders = this.part(new CapsuleGeometry(0.043, 0.17 * girth, 6, 14).rotateZ(Math.PI / 2), coat, 0, 0.785, 0);
     shoulders.scale.set(1, 1, 0.92);
+    // Shows from afar which way the visitor faces.
+    const pack = this.part(new CapsuleGeometry(0.062, 0.1, 6, 12), bag, 0, 0.7, 0.085 * girth);
+    pack.scale.set(1, 1, 0.62);
     this.part(new CapsuleGeometry(0.026, 0.05, 4, 10), skin, 0, 0.855, 0);
     const head = this.part(new SphereGeometry(0.062, 18, 14), skin, 0, 0.93, -0.006);
     head.scale.set(0.86, 1.12, 0.98);

@@ -100,6 +100,8 @@ export class Stage {
     const ratio = this.renderer.getPixelRatio();
     this.renderer.setPixelRatio(1);
     this.resize(width, height);
+    for (const animation of this.animations) animation(0);
+    this.draw();
     const address = this.canvas.toDataURL('image/png');
     this.renderer.setPixelRatio(ratio);
     this.resize(clientWidth, clientHeight);

@@ -132,8 +132,10 @@ export class WalkScene {
     if (object && object.shape !== 'mesh' && pieces.length === 0) this.obstacle.add(filled(object, colors.failure, 0.4));
     if (at) {
       this.obstacle.add(ball(at, 0.05, colors.failure));
-      this.obstacleLabels.push(this.labels.add(reason.object || 'here', at, 'failure', Infinity, 'below'));
-      if (reason.tick !== null) this.addMeasure(reason, at, this.visitorAt(reason.tick).pose.y);
+      const foot = reason.tick === null ? null : this.visitorAt(reason.tick).pose.y;
+      if (foot === null || !this.addMeasure(reason, at, foot)) {
+        this.obstacleLabels.push(this.labels.add(reason.object || 'here', at, 'failure', Infinity, 'below'));
+      }
     }
   }
 
@@ -218,11 +220,10 @@ export class WalkScene {
     (this.gaze.material as LineBasicMaterial).opacity = isHit ? 1 : 0.4;
   }
 
-  /** Brackets as high as the riser and as what the visitor can step. */
-  private addMeasure({ measure }: Reason, at: Vector3, foot: number): void {
-    if (!measure || measure.unit !== 'm') return;
-    const isUp = measure.kind === 'riser' || measure.kind === 'ledge' || measure.kind === 'headroom';
-    if (!isUp) return;
+  /** Brackets as high as the riser and as what the visitor can step; false if there is nothing to measure so. */
+  private addMeasure({ measure, object }: Reason, at: Vector3, foot: number): boolean {
+    const isUp = measure !== null && /^(riser|ledge|headroom)$/.test(measure.kind);
+    if (!isUp) return false;
     const bracket = (height: number, color: number, aside: number): Vector3 => {
       const base = new Vector3(at.x + aside, foot, at.z + aside);
       const top = base.clone().setY(foot + height);
@@ -234,11 +235,12 @@ export class WalkScene {
       return top;
     };
     const top = bracket(measure.measured, colors.failure, 0);
-    this.obstacleLabels.push(this.labels.add(`${measure.kind} ${measure.measured.toFixed(2)} m`, top, 'failure', Infinity, 'left'));
-    if (measure.allowed === null) return;
+    this.obstacleLabels.push(this.labels.add(`${object || 'here'}: ${measure.kind} ${measure.measured.toFixed(2)} m`, top, 'failure', Infinity, 'left'));
+    if (measure.allowed === null) return true;
     const can = bracket(measure.allowed, 0x3ddc84, 0.2);
     const word = measure.kind === 'headroom' ? 'needs' : 'steps';
     this.obstacleLabels.push(this.labels.add(`${word} ${measure.allowed.toFixed(2)} m`, can, 'measure', Infinity, 'right'));
+    return true;
   }
 
   private addParting(): void {
