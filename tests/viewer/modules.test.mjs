@@ -13,10 +13,27 @@ const modules = {};
 
 before(async () => {
   folder = mkdtempSync(join(tmpdir(), 'campuswalk-modules-'));
-  const names = ['data/log', 'data/path', 'data/filter', 'data/groups', 'data/link', 'data/reason', 'data/snippets', 'data/spans', 'data/text', 'scene/triangle_tree'];
+  const names = [
+    'data/log',
+    'data/path',
+    'data/filter',
+    'data/groups',
+    'data/link',
+    'data/reason',
+    'data/snippets',
+    'data/spans',
+    'data/text',
+    'scene/triangle_tree',
+  ];
   await build({
-    entryPoints: names.map((name) => join(root, 'tools/viewer/src', `${name}.ts`)), outbase: join(root, 'tools/viewer/src'), outdir: folder,
-    outExtension: { '.js': '.mjs' }, bundle: true, format: 'esm', platform: 'node', logLevel: 'error',
+    entryPoints: names.map((name) => join(root, 'tools/viewer/src', `${name}.ts`)),
+    outbase: join(root, 'tools/viewer/src'),
+    outdir: folder,
+    outExtension: { '.js': '.mjs' },
+    bundle: true,
+    format: 'esm',
+    platform: 'node',
+    logLevel: 'error',
   });
   for (const name of names) Object.assign(modules, await import(pathToFileURL(join(folder, `${name}.mjs`)).href));
 });
@@ -24,7 +41,9 @@ after(() => rmSync(folder, { recursive: true, force: true }));
 
 describe('a log line', () => {
   test('is read as it was written', () => {
-    const line = modules.parseLogLine('000386    6.433333 trigger.enter    gatehouse/arch    pos=0.000,-1.440,80.000 at=0.714');
+    const line = modules.parseLogLine(
+      '000386    6.433333 trigger.enter    gatehouse/arch    pos=0.000,-1.440,80.000 at=0.714',
+    );
     assert.equal(line.tick, 386);
     assert.equal(line.seconds, 6.433333);
     assert.equal(line.kind, 'trigger.enter');
@@ -33,9 +52,14 @@ describe('a log line', () => {
     assert.equal(modules.fieldOf(line, 'at'), '0.714');
   });
   test('has quoted names and texts', () => {
-    const line = modules.parseLogLine('000001 0.016667 popup.open "a \\"b\\" c" title="x=1, \\\\ y\\nz" body="\\xe2\\x80\\xae\u603b" n=2');
+    const line = modules.parseLogLine(
+      '000001 0.016667 popup.open "a \\"b\\" c" title="x=1, \\\\ y\\nz" body="\\xe2\\x80\\xae\u603b" n=2',
+    );
     assert.equal(line.object, 'a "b" c');
-    assert.deepEqual(line.fields.map((field) => field.value), ['x=1, \\ y\nz', '\u202E\u603b', '2']);
+    assert.deepEqual(
+      line.fields.map((field) => field.value),
+      ['x=1, \\ y\nz', '\u202E\u603b', '2'],
+    );
   });
   test('without details has an object', () => {
     assert.deepEqual(modules.parseLogLine('000729   12.150000 popup.close      gatehouse').fields, []);
@@ -58,7 +82,15 @@ describe('a log line', () => {
 });
 
 describe('a path', () => {
-  const frames = { tick: [0, 10, 10, 1, 9], x: [0, 1000, 0, 5000, 500], y: [60, 0, 0, 0, 0], z: [17000, 0, -2000, 0, 0], yaw: [0, 900, 0, 0, 2700], pitch: [0, 0, 0, -100, 0], cut: [3] };
+  const frames = {
+    tick: [0, 10, 10, 1, 9],
+    x: [0, 1000, 0, 5000, 500],
+    y: [60, 0, 0, 0, 0],
+    z: [17000, 0, -2000, 0, 0],
+    yaw: [0, 900, 0, 0, 2700],
+    pitch: [0, 0, 0, -100, 0],
+    cut: [3],
+  };
   const at = (tick) => new modules.Path(frames).at(tick);
   test('is linear between key frames', () => {
     assert.deepEqual([at(5).x, at(5).y, at(5).z], [0.5, 0.06, 17]);
@@ -75,16 +107,35 @@ describe('a path', () => {
     const path = new modules.Path(frames);
     assert.equal(path.distanceAt(10), 1);
     assert.equal(path.distanceAt(30), 3.5);
-    assert.deepEqual(path.pieces(), [[0, 2], [3, 4]]);
+    assert.deepEqual(path.pieces(), [
+      [0, 2],
+      [3, 4],
+    ]);
   });
   test('of a row is coded in decimetres', () => {
-    assert.deepEqual(modules.planPoints([10, -20, 5, 5]), [[1, -2], [1.5, -1.5]]);
+    assert.deepEqual(modules.planPoints([10, -20, 5, 5]), [
+      [1, -2],
+      [1.5, -1.5],
+    ]);
   });
 });
 
 const row = (changes) => ({
-  id: 'walks/a.walk.yaml', file: 'walks/a.walk.yaml', name: 'a', project: '', repetition: 0, tags: [], outcome: 'passed',
-  expected_to_fail: false, seconds: 1, ticks: 60, distance: 2, campus: 0, chunk: 0, line: 0, ...changes,
+  id: 'walks/a.walk.yaml',
+  file: 'walks/a.walk.yaml',
+  name: 'a',
+  project: '',
+  repetition: 0,
+  tags: [],
+  outcome: 'passed',
+  expected_to_fail: false,
+  seconds: 1,
+  ticks: 60,
+  distance: 2,
+  campus: 0,
+  chunk: 0,
+  line: 0,
+  ...changes,
 });
 
 describe('a filter', () => {
@@ -105,7 +156,9 @@ describe('a filter', () => {
     assert.ok(!matches('!s:failed', { outcome: 'failed' }) && matches('-@x', { tags: ['y'] }));
   });
   test('keeps quoted words together', () => {
-    assert.ok(matches('"two words"', { message: 'of two words here' }) && !matches('"two words"', { message: 'words two' }));
+    assert.ok(
+      matches('"two words"', { message: 'of two words here' }) && !matches('"two words"', { message: 'words two' }),
+    );
     assert.ok(matches('@"a b"', { tags: ['a b'] }) && matches('!"two words', { message: 'words two' }));
   });
   test('can be toggled by words', () => {
@@ -115,10 +168,21 @@ describe('a filter', () => {
 });
 
 test('failures come first, in groups of a file', () => {
-  const rows = [row({}), row({ file: 'b', outcome: 'passed' }), row({ file: 'b', outcome: 'failed', project: 'x' }), row({ file: 'c', outcome: 'broken' })];
+  const rows = [
+    row({}),
+    row({ file: 'b', outcome: 'passed' }),
+    row({ file: 'b', outcome: 'failed', project: 'x' }),
+    row({ file: 'c', outcome: 'broken' }),
+  ];
   const groups = modules.grouped(rows, [0, 1, 2, 3]);
-  assert.deepEqual(groups.map((group) => group.walks), [[2, 1], [3], [0]]);
-  assert.deepEqual(groups.map((group) => group.failed), [1, 1, 0]);
+  assert.deepEqual(
+    groups.map((group) => group.walks),
+    [[2, 1], [3], [0]],
+  );
+  assert.deepEqual(
+    groups.map((group) => group.failed),
+    [1, 1, 0],
+  );
   const counts = modules.counted(rows, [0, 1, 2, 3]);
   assert.deepEqual([counts.passed, counts.failed, counts.broken, counts.seconds], [2, 1, 1, 4]);
 });
@@ -134,26 +198,50 @@ describe('a reason', () => {
   const ids = new Set(['fountain', 'planter/planter-01', 'tree/lime/tree-lime-009']);
   const failure = (message, code = 'blocked') => ({ code, message, file: '', line: 0, column: 0, scene: { tick: 10 } });
   test('has a place, an object and a measure', () => {
-    const reason = modules.reasonOf(failure('go_to x: riser of 0.45 m at tree/lime/tree-lime-009, -4.44, -0.71, 58.00; the avatar steps 0.30 m'), [], ids);
+    const reason = modules.reasonOf(
+      failure('go_to x: riser of 0.45 m at tree/lime/tree-lime-009, -4.44, -0.71, 58.00; the avatar steps 0.30 m'),
+      [],
+      ids,
+    );
     assert.deepEqual(reason.at, [-4.44, -0.71, 58]);
     assert.equal(reason.object, 'tree/lime/tree-lime-009');
     assert.deepEqual(reason.measure, { kind: 'riser', unit: 'm', measured: 0.45, allowed: 0.3 });
   });
   test('is measured in metres or degrees', () => {
-    const measure = (text) => { const { kind, measured, allowed } = modules.measureIn(text); return [kind, measured, allowed]; };
-    assert.deepEqual(measure('headroom of 1.50 m under a, 1.00, 2.00, 3.00; the body needs 1.80 m'), ['headroom', 1.5, 1.8]);
+    const measure = (text) => {
+      const { kind, measured, allowed } = modules.measureIn(text);
+      return [kind, measured, allowed];
+    };
+    assert.deepEqual(measure('headroom of 1.50 m under a, 1.00, 2.00, 3.00; the body needs 1.80 m'), [
+      'headroom',
+      1.5,
+      1.8,
+    ]);
     assert.deepEqual(measure('slope of 61.0 degrees at 1.00, 2.00, 3.00; the avatar walks up 50.0'), ['slope', 61, 50]);
-    assert.deepEqual(measure('the opening at a, 1.00, 2.00, 3.00 is 0.50 m wide, the body needs 0.60 m'), ['opening', 0.5, 0.6]);
+    assert.deepEqual(measure('the opening at a, 1.00, 2.00, 3.00 is 0.50 m wide, the body needs 0.60 m'), [
+      'opening',
+      0.5,
+      0.6,
+    ]);
     assert.deepEqual(measure('ledge of 2.00 m at a, 1.00, 2.00, 3.00; no way up'), ['ledge', 2, null]);
     assert.equal(modules.measureIn('it is closed off'), null);
   });
   test('comes from the last obstacle where the message has none', () => {
-    const log = modules.parseLog(['000009 0.15 avatar.blocked desk pos=0,0,0 by=fountain why="riser of 0.52 m at fountain, 0.00, 0.36, 13.26; the avatar steps 0.30 m"']);
-    const reason = modules.reasonOf(failure('desk was not reached: the avatar came within 3.580 m', 'reaches'), log, ids);
+    const log = modules.parseLog([
+      '000009 0.15 avatar.blocked desk pos=0,0,0 by=fountain why="riser of 0.52 m at fountain, 0.00, 0.36, 13.26; the avatar steps 0.30 m"',
+    ]);
+    const reason = modules.reasonOf(
+      failure('desk was not reached: the avatar came within 3.580 m', 'reaches'),
+      log,
+      ids,
+    );
     assert.deepEqual([reason.object, reason.at, reason.measure.measured], ['fountain', [0, 0.36, 13.26], 0.52]);
   });
   test('is split into expected and actual', () => {
-    assert.deepEqual(modules.expectedAndActual("'popup.open *' occurred once, expected at least 4"), { actual: "'popup.open *' occurred once", expected: 'at least 4' });
+    assert.deepEqual(modules.expectedAndActual("'popup.open *' occurred once, expected at least 4"), {
+      actual: "'popup.open *' occurred once",
+      expected: 'at least 4',
+    });
     assert.equal(modules.expectedAndActual('not expected, but 0,24 was reached'), null);
     assert.equal(modules.expectedAndActual("'a b' never occurred"), null);
   });
@@ -162,17 +250,34 @@ describe('a reason', () => {
 describe('a snippet', () => {
   test('is YAML', () => {
     assert.equal(modules.walkToStep([1.23456, -0.0001, 7]), '- walk_to: [1.235, 0, 7]');
-    assert.equal(modules.followStep([[0, 0, 0], [1, 0, 2]]), '- follow:\n    - [0, 0, 0]\n    - [1, 0, 2]');
+    assert.equal(
+      modules.followStep([
+        [0, 0, 0],
+        [1, 0, 2],
+      ]),
+      '- follow:\n    - [0, 0, 0]\n    - [1, 0, 2]',
+    );
   });
   test('of a box is centred, and turned as the YAML turns', () => {
     const box = modules.boxBetween([0, 1, 0], [2, 1, -4], 2.4, 0);
-    assert.equal(modules.triggerCollider(box, 'hall/door', 'hall'), ['- id: hall/door', '  building: hall', '  mode: trigger', '  shape: box', '  center: [1, 2.2, -2]', '  size: [2, 2.4, 4]'].join('\n'));
+    assert.equal(
+      modules.triggerCollider(box, 'hall/door', 'hall'),
+      [
+        '- id: hall/door',
+        '  building: hall',
+        '  mode: trigger',
+        '  shape: box',
+        '  center: [1, 2.2, -2]',
+        '  size: [2, 2.4, 4]',
+      ].join('\n'),
+    );
     const turned = modules.boxBetween([0, 0, 0], [2, 0, -4], 2, 90);
     assert.ok(Math.abs(turned.width - 4) < 1e-9 && Math.abs(turned.depth - 2) < 1e-9);
     assert.match(modules.triggerCollider(turned, 'a', ''), /yaw_deg: 90/);
   });
   test('of a command is safe to paste', () => {
-    const command = (file, project) => modules.replayCommand('campuswalk run {file}[ --project {project}]', { file, project });
+    const command = (file, project) =>
+      modules.replayCommand('campuswalk run {file}[ --project {project}]', { file, project });
     assert.equal(command('a/b.walk.yaml', ''), 'campuswalk run a/b.walk.yaml');
     assert.equal(command("it's; rm.walk.yaml", 'child'), "campuswalk run 'it'\\''s; rm.walk.yaml' --project child");
   });
@@ -187,9 +292,15 @@ test('the triangle tree finds what testing every triangle finds', () => {
   const random = () => ((seed = (seed * 16807) % 2147483647) / 2147483647) * 10;
   const count = 400;
   const values = Array.from({ length: count * 9 }, (_, i) => random());
-  for (let t = 0; t < count; ++t) for (let k = 3; k < 9; ++k) values[t * 9 + k] = values[t * 9 + (k % 3)] + (random() - 5) * 0.2;
+  for (let t = 0; t < count; ++t)
+    for (let k = 3; k < 9; ++k) values[t * 9 + k] = values[t * 9 + (k % 3)] + (random() - 5) * 0.2;
   const geometry = {
-    getAttribute: () => ({ count: count * 3, getX: (i) => values[i * 3], getY: (i) => values[i * 3 + 1], getZ: (i) => values[i * 3 + 2] }),
+    getAttribute: () => ({
+      count: count * 3,
+      getX: (i) => values[i * 3],
+      getY: (i) => values[i * 3 + 1],
+      getZ: (i) => values[i * 3 + 2],
+    }),
     getIndex: () => null,
   };
   const tree = new modules.TriangleTree(geometry);
@@ -215,6 +326,10 @@ function bruteForce(values, triangle, origin, direction) {
   const normal = cross(minus(b, a), minus(c, a));
   const distance = dot(minus(a, origin), normal) / dot(direction, normal);
   const point = origin.map((value, i) => value + direction[i] * distance);
-  const inside = [[a, b], [b, c], [c, a]].every(([from, to]) => dot(cross(minus(to, from), minus(point, from)), normal) >= 0);
+  const inside = [
+    [a, b],
+    [b, c],
+    [c, a],
+  ].every(([from, to]) => dot(cross(minus(to, from), minus(point, from)), normal) >= 0);
   return inside && distance >= 0 ? distance : Infinity;
 }

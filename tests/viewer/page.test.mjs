@@ -5,7 +5,7 @@ import { spawnSync } from 'node:child_process';
 import { copyFileSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { ask, go, launch, open, ready } from './support/browser.mjs';
+import { ask, closeAll, go, launch, open, ready } from './support/browser.mjs';
 import { detailsOf, readIndex, rewritten, withIndex } from './support/page_file.mjs';
 import { readDepth } from './support/png.mjs';
 import { bidi, hostile, makeReports, program } from './support/reports.mjs';
@@ -22,7 +22,7 @@ before(async () => {
   page = await open(browser, reports.report);
 });
 after(async () => {
-  await browser?.close();
+  await closeAll();
   reports?.remove();
 });
 
@@ -33,7 +33,15 @@ const totals = (on = page) => on.locator('.totals').textContent();
 /** Where the program says the visitor is at every tick. */
 function trajectory(name) {
   const folder = join(reports.output, name);
-  const [head, ...lines] = readFileSync(join(folder, readdirSync(folder).find((file) => file.endsWith('.csv'))), 'utf8').trim().split('\n');
+  const [head, ...lines] = readFileSync(
+    join(
+      folder,
+      readdirSync(folder).find((file) => file.endsWith('.csv')),
+    ),
+    'utf8',
+  )
+    .trim()
+    .split('\n');
   const columns = head.split(',');
   return lines.map((line) => Object.fromEntries(line.split(',').map((value, i) => [columns[i], Number(value)])));
 }
@@ -55,10 +63,12 @@ describe('the list', () => {
   test('shows a picture or a plan of each path', async () => {
     await page.waitForTimeout(300);
     assert.ok((await page.locator('img.thumbnail').count()) >= 3);
-    const inked = await page.locator('canvas.thumbnail').evaluateAll((list) => list.map((canvas) => {
-      const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
-      return new Set(new Uint32Array(data.buffer)).size;
-    }));
+    const inked = await page.locator('canvas.thumbnail').evaluateAll((list) =>
+      list.map((canvas) => {
+        const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+        return new Set(new Uint32Array(data.buffer)).size;
+      }),
+    );
     assert.ok(inked.length >= 2 && inked.every((colours) => colours > 3), String(inked));
   });
 
@@ -85,7 +95,11 @@ describe('the list', () => {
     const many = withIndex(reports.report, join(reports.folder, 'many.html'), (index) => {
       const rows = index.walks;
       index.walks = Array.from({ length: 10_000 }, (_, i) => ({
-        ...rows[i % rows.length], id: `many/${i}.walk.yaml`, file: `many/${i}.walk.yaml`, name: `walk-${i}`, outcome: i % 50 === 7 ? 'failed' : 'passed',
+        ...rows[i % rows.length],
+        id: `many/${i}.walk.yaml`,
+        file: `many/${i}.walk.yaml`,
+        name: `walk-${i}`,
+        outcome: i % 50 === 7 ? 'failed' : 'passed',
       }));
     });
     const large = await open(browser, many, { width: 900 });
@@ -123,17 +137,29 @@ describe('a walk', () => {
     test(`has the visitor where the log of ${name} says, to a millimetre at every tick`, async () => {
       await walk(name);
       const expected = trajectory(name);
-      const shown = await page.evaluate((count) => Array.from({ length: count }, (_, tick) => window.campuswalk.visitorAt(tick)), expected.length);
-      const worst = Math.max(...expected.map((at, tick) => Math.max(...['x', 'y', 'z'].map((axis) => Math.abs(at[axis] - shown[tick][axis])))));
+      const shown = await page.evaluate(
+        (count) => Array.from({ length: count }, (_, tick) => window.campuswalk.visitorAt(tick)),
+        expected.length,
+      );
+      const worst = Math.max(
+        ...expected.map((at, tick) =>
+          Math.max(...['x', 'y', 'z'].map((axis) => Math.abs(at[axis] - shown[tick][axis]))),
+        ),
+      );
       assert.ok(worst <= 0.0010001, `${worst} m`);
-      const turned = Math.max(...expected.map((at, tick) => Math.abs(Math.sin((at.yaw_deg * Math.PI) / 180 - shown[tick].yaw))));
+      const turned = Math.max(
+        ...expected.map((at, tick) => Math.abs(Math.sin((at.yaw_deg * Math.PI) / 180 - shown[tick].yaw))),
+      );
       assert.ok(turned < 0.01, `${turned} rad`);
       // And the figure itself, at ten times.
       for (let i = 1; i <= 10; ++i) {
         const tick = Math.floor((expected.length * i) / 11);
         await go(page, `#walk=${name}.walk.yaml&t=${tick / 60}`);
         const figure = await ask(page, 'figure');
-        assert.ok(['x', 'y', 'z'].every((axis, k) => Math.abs(figure[k] - expected[tick][axis]) <= 0.0010001), `tick ${tick}`);
+        assert.ok(
+          ['x', 'y', 'z'].every((axis, k) => Math.abs(figure[k] - expected[tick][axis]) <= 0.0010001),
+          `tick ${tick}`,
+        );
       }
     });
   }
@@ -168,7 +194,10 @@ describe('a walk', () => {
     await page.click('.transport .primary');
     await page.waitForTimeout(1500);
     const playing = await state();
-    assert.ok(playing.playing && playing.tick > 60 + 5 * 60 * 0.5 && playing.tick < 60 + 5 * 60 * 4, `tick ${playing.tick}`);
+    assert.ok(
+      playing.playing && playing.tick > 60 + 5 * 60 * 0.5 && playing.tick < 60 + 5 * 60 * 4,
+      `tick ${playing.tick}`,
+    );
     await page.click('.transport .primary');
     assert.equal((await state()).playing, false);
     await page.selectOption('.transport select', '50');
@@ -193,7 +222,14 @@ describe('a walk', () => {
     assert.equal((await after('Home')).tick, 0);
     assert.equal((await after('+')).speed, 2);
     assert.equal((await after('-')).speed, 1);
-    for (const [key, camera] of [['1', 'first'], ['3', 'top'], ['4', 'orbit'], ['5', 'free'], ['2', 'third']]) assert.equal((await after(key)).camera, camera);
+    for (const [key, camera] of [
+      ['1', 'first'],
+      ['3', 'top'],
+      ['4', 'orbit'],
+      ['5', 'free'],
+      ['2', 'third'],
+    ])
+      assert.equal((await after(key)).camera, camera);
     assert.equal((await after(' ')).playing, true);
     assert.equal((await after(' ')).playing, false);
     await page.keyboard.press('?');
@@ -219,7 +255,10 @@ describe('a walk', () => {
     };
     const eyes = await seen('1');
     assert.ok(Math.hypot(eyes.position[0] - at.x, eyes.position[2] - at.z) < 1e-6 && eyes.position[1] - at.y > 1.5);
-    assert.ok(Math.abs(Math.atan2(-eyes.direction[0], -eyes.direction[2]) - Math.atan2(Math.sin(at.yaw), Math.cos(at.yaw))) < 1e-3);
+    assert.ok(
+      Math.abs(Math.atan2(-eyes.direction[0], -eyes.direction[2]) - Math.atan2(Math.sin(at.yaw), Math.cos(at.yaw))) <
+        1e-3,
+    );
     const top = await seen('3');
     assert.ok(top.direction[1] < -0.999 && Math.abs(top.position[1] - at.y - 40) < 1e-6);
     const behind = await seen('2');
@@ -228,7 +267,10 @@ describe('a walk', () => {
     await page.keyboard.press('5');
     await page.locator('canvas.scene').focus();
     await page.keyboard.down('w');
-    await page.waitForFunction((from) => Math.hypot(...window.campuswalk.camera().position.map((value, i) => value - from[i])) > 1, behind.position);
+    await page.waitForFunction(
+      (from) => Math.hypot(...window.campuswalk.camera().position.map((value, i) => value - from[i])) > 1,
+      behind.position,
+    );
     await page.keyboard.up('w');
     const flown = await ask(page, 'camera');
     const along = flown.position.reduce((sum, value, i) => sum + (value - behind.position[i]) * behind.direction[i], 0);
@@ -248,18 +290,33 @@ describe('the campus', () => {
     const depth = readDepth(join(reports.output, 'looks-round/square-depth.png'));
     const camera = await ask(page, 'camera');
     const view = viewOf(camera, depth.width / depth.height);
-    const canvas = await page.locator('canvas.scene').evaluate(({ clientWidth, clientHeight }) => ({ clientWidth, clientHeight }));
+    const canvas = await page
+      .locator('canvas.scene')
+      .evaluate(({ clientWidth, clientHeight }) => ({ clientWidth, clientHeight }));
     const across = view.half * (canvas.clientWidth / canvas.clientHeight);
     let compared = 0;
     for (let i = 0; i < 60; ++i) {
       const [px, py] = [16 + ((i * 67) % (depth.width - 32)), 60 + ((i * 29) % (depth.height - 64))];
       const at = depth.at(px, py);
       // Not where a pixel's neighbours are of other things, or seen so flat that a pixel is long; the sky is nowhere.
-      const around = [[1, 0], [-1, 0], [0, 1], [0, -1]].map(([dx, dy]) => Math.abs(depth.at(px + dx, py + dy) - at));
+      const around = [
+        [1, 0],
+        [-1, 0],
+        [0, 1],
+        [0, -1],
+      ].map(([dx, dy]) => Math.abs(depth.at(px + dx, py + dy) - at));
       if (at < 0.3 || at > 30 || Math.max(...around) > 0.15) continue;
-      const [sx, sy] = [(((px + 0.5) / depth.width) * 2 - 1) * view.half * (depth.width / depth.height), (1 - ((py + 0.5) / depth.height) * 2) * view.half];
+      const [sx, sy] = [
+        (((px + 0.5) / depth.width) * 2 - 1) * view.half * (depth.width / depth.height),
+        (1 - ((py + 0.5) / depth.height) * 2) * view.half,
+      ];
       const expected = view.point(sx, sy, at);
-      const picked = await ask(page, 'pick', ((sx / across + 1) / 2) * canvas.clientWidth, ((1 - sy / view.half) / 2) * canvas.clientHeight);
+      const picked = await ask(
+        page,
+        'pick',
+        ((sx / across + 1) / 2) * canvas.clientWidth,
+        ((1 - sy / view.half) / 2) * canvas.clientHeight,
+      );
       assert.ok(picked, `nothing at ${px}, ${py}`);
       const apart = Math.hypot(...picked.point.map((value, k) => value - expected[k]));
       assert.ok(apart < 0.02, `${apart} m at pixel ${px}, ${py}: ${picked.point}, drawn at ${expected}`);
@@ -275,7 +332,9 @@ describe('the campus', () => {
     await page.keyboard.press('3');
     await page.waitForTimeout(150);
     const { y } = await ask(page, 'visitorAt');
-    const middle = await page.locator('canvas.scene').evaluate(({ clientWidth, clientHeight }) => [clientWidth / 2 + 3, clientHeight / 2 + 3]);
+    const middle = await page
+      .locator('canvas.scene')
+      .evaluate(({ clientWidth, clientHeight }) => [clientWidth / 2 + 3, clientHeight / 2 + 3]);
     const roof = await ask(page, 'pick', ...middle);
     assert.ok(roof.point[1] > y + 3 && roof.objects.includes('library/walls'), JSON.stringify(roof));
     await page.keyboard.press('x');
@@ -297,12 +356,17 @@ describe('the campus', () => {
     const canvas = page.locator('canvas.scene');
     const { x, y, width, height } = await canvas.boundingBox();
     const spots = [];
-    for (let i = 0; i < 40; ++i) spots.push([width * (0.3 + (i % 8) * 0.05), height * (0.5 + Math.floor(i / 8) * 0.07)]);
+    for (let i = 0; i < 40; ++i)
+      spots.push([width * (0.3 + (i % 8) * 0.05), height * (0.5 + Math.floor(i / 8) * 0.07)]);
     let spot = null;
-    for (const [px, py] of spots) if ((await ask(page, 'pick', px, py))?.objects.includes('bench/bench-01')) spot ??= [px, py];
+    for (const [px, py] of spots)
+      if ((await ask(page, 'pick', px, py))?.objects.includes('bench/bench-01')) spot ??= [px, py];
     assert.ok(spot, 'the bench is not in view');
     await page.mouse.move(x + spot[0], y + spot[1]);
-    assert.match(await page.locator('.hover-card').textContent(), /bench\/bench-01.*touched at 20\.25 s.*in the visitor's way at 21\.18 s/);
+    assert.match(
+      await page.locator('.hover-card').textContent(),
+      /bench\/bench-01.*touched at 20\.25 s.*in the visitor's way at 21\.18 s/,
+    );
     await page.mouse.move(2, 2);
   });
 
@@ -319,7 +383,10 @@ describe('the campus', () => {
     const point = await click(width * 0.4, height * 0.7);
     const numbers = (text) => text.match(/-?\d+(\.\d+)?/g).map(Number);
     const copied = numbers(await ask(page, 'copied'));
-    assert.ok(copied.every((value, i) => Math.abs(value - point[i]) <= 0.0006), `${copied} for ${point}`);
+    assert.ok(
+      copied.every((value, i) => Math.abs(value - point[i]) <= 0.0006),
+      `${copied} for ${point}`,
+    );
     await click(width * 0.45, height * 0.8);
     const snippets = await page.locator('.snippets').textContent();
     assert.match(snippets, /- walk_to: \[/);
@@ -346,9 +413,16 @@ describe('a failure', () => {
     const distance = Math.hypot(...to);
     const cosine = to.reduce((sum, value, i) => sum + value * direction[i], 0) / distance;
     assert.ok(distance < 8 && cosine > 0.9, `${distance} m away, cosine ${cosine}`);
-    const middle = await page.locator('canvas.scene').evaluate(({ clientWidth, clientHeight }) => [clientWidth, clientHeight]);
+    const middle = await page
+      .locator('canvas.scene')
+      .evaluate(({ clientWidth, clientHeight }) => [clientWidth, clientHeight]);
     let red = 0;
-    for (let i = 0; i < 100; ++i) red += (await ask(page, 'pick', (middle[0] * (i % 10)) / 10, (middle[1] * Math.floor(i / 10)) / 10))?.objects.includes('bench/bench-01') ? 1 : 0;
+    for (let i = 0; i < 100; ++i)
+      red += (
+        await ask(page, 'pick', (middle[0] * (i % 10)) / 10, (middle[1] * Math.floor(i / 10)) / 10)
+      )?.objects.includes('bench/bench-01')
+        ? 1
+        : 0;
     assert.ok(red > 0, 'the bench is not seen');
     assert.deepEqual(await ask(page, 'lit'), ['bench/bench-01']);
     const panel = await page.locator('.failures').textContent();
@@ -365,7 +439,9 @@ describe('a failure', () => {
   test('of a picture has a slider', async () => {
     await walk('snapshot-fails');
     await page.click('[data-tab=pictures]');
-    await page.waitForFunction(() => [...document.querySelectorAll('.slider img')].every((image) => image.complete && image.naturalWidth > 0));
+    await page.waitForFunction(() =>
+      [...document.querySelectorAll('.slider img')].every((image) => image.complete && image.naturalWidth > 0),
+    );
     assert.equal(await page.locator('.slider img').count(), 2);
     await page.locator('.slider-input').fill('250');
     assert.match(await page.locator('.slider-over').evaluate((over) => over.style.clipPath), /25%/);
@@ -466,8 +542,7 @@ test('paper has the failures', async () => {
 });
 
 test('without WebGL there are list, plan, log and pictures, and a note', async () => {
-  const plain = await launch({ webgl: false });
-  const flat = await open(plain, reports.report, { hash: '#walk=to-the-bench.walk.yaml' });
+  const flat = await open(await launch({ webgl: false }), reports.report, { hash: '#walk=to-the-bench.walk.yaml' });
   assert.match(await flat.locator('.banner').textContent(), /can't draw in 3D/);
   assert.ok(await flat.locator('.walk-plan canvas').isVisible());
   await flat.click('[data-tab=log]');
@@ -476,18 +551,29 @@ test('without WebGL there are list, plan, log and pictures, and a note', async (
   await flat.click('[data-tab=pictures]');
   assert.equal(await flat.locator('.pictures img').count(), 3);
   await go(flat, '#');
-  assert.equal(await flat.locator('.walk-row').count(), 9);
-  assert.deepEqual(flat.complaints.filter((text) => !/WebGL/.test(text)), []);
-  await plain.close();
+  await flat.waitForFunction(() => document.querySelectorAll('.walk-row').length === 9);
+  assert.deepEqual(
+    flat.complaints.filter((text) => !/WebGL/.test(text)),
+    [],
+  );
 });
 
 test('a damaged report says so', async () => {
   const copy = (name, change) => rewritten(reports.report, join(reports.folder, `${name}.html`), change);
   const cases = [
-    [copy('truncated', (text) => text.replace(/<script[^>]*data-chunk="index"[^>]*>[^<]*<\/script>/, '')), /isn't complete/],
+    [
+      copy('truncated', (text) => text.replace(/<script[^>]*data-chunk="index"[^>]*>[^<]*<\/script>/, '')),
+      /isn't complete/,
+    ],
     [copy('damaged', (text) => text.replace(/(data-chunk="index"[^>]*>)[^<]{40}/, '$1')), /damaged/],
-    [withIndex(reports.report, join(reports.folder, 'foreign.html'), () => ({ something: 'else' })), /holds no campuswalk report/],
-    [withIndex(reports.report, join(reports.folder, 'newer.html'), (index) => void (index.campuswalk_report = 2)), /another version/],
+    [
+      withIndex(reports.report, join(reports.folder, 'foreign.html'), () => ({ something: 'else' })),
+      /holds no campuswalk report/,
+    ],
+    [
+      withIndex(reports.report, join(reports.folder, 'newer.html'), (index) => void (index.campuswalk_report = 2)),
+      /another version/,
+    ],
   ];
   for (const [file, message] of cases) {
     const broken = await open(browser, file);

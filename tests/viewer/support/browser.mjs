@@ -2,21 +2,37 @@
 import { chromium } from 'playwright-core';
 
 const args = [
-  '--headless=new', '--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
-  '--disable-component-update', '--disable-sync',
+  '--headless=new',
+  '--no-sandbox',
+  '--disable-quic',
+  '--no-first-run',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
 ];
 const drawing = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 const withoutWebGL = ['--disable-gpu', '--disable-software-rasterizer', '--disable-3d-apis'];
+const patience = 15_000; // milliseconds for what a page is waited for
 
-export function launch({ webgl = true } = {}) {
+const launched = [];
+
+export async function launch({ webgl = true } = {}) {
   const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
-  return chromium.launch({ executablePath, args: [...args, ...(webgl ? drawing : withoutWebGL)] });
+  const browser = await chromium.launch({ executablePath, args: [...args, ...(webgl ? drawing : withoutWebGL)] });
+  launched.push(browser);
+  return browser;
+}
+
+/** Also those of a test that failed: they would keep this process from ending. */
+export async function closeAll() {
+  for (const browser of launched.splice(0)) await browser.close();
 }
 
 /** Opens a report, and waits until it shows what its address says. */
 export async function open(browser, report, { hash = '', width = 1280, height = 800, colorScheme = 'light' } = {}) {
   const context = await browser.newContext({ viewport: { width, height }, colorScheme });
   const page = await context.newPage();
+  page.setDefaultTimeout(patience);
   page.complaints = [];
   page.on('console', (message) => page.complaints.push(`${message.type()}: ${message.text()}`));
   page.on('pageerror', (error) => page.complaints.push(`error: ${error.stack}`));

@@ -54,7 +54,9 @@ function writeHostile(project) {
   const folder = join(project, 'x<', 'script><img src=x onerror=alert(1)>');
   mkdirSync(folder, { recursive: true });
   const text = JSON.stringify;
-  writeFileSync(join(folder, 'hostile.campus.yaml'), `scenes:
+  writeFileSync(
+    join(folder, 'hostile.campus.yaml'),
+    `scenes:
   - file: ${text(join(relative(folder, root), 'campus_assets/demo/ground.glb'))}
 buildings:
   - {id: hall, title: ${text(`${hostile} ${bidi}`)}, text: ${text(`${bidi} ${hostile}`)}, hours: ${text(hostile)}}
@@ -63,8 +65,11 @@ colliders:
   - {id: hall/door, building: hall, shape: box, center: [0, 1, 24], size: [4, 3, 4], mode: trigger}
 spawns:
   start: {at: [0, 0.06, 28], yaw_deg: 0}
-`);
-  writeFileSync(join(folder, 'greets.walk.yaml'), `# ${hostile}
+`,
+  );
+  writeFileSync(
+    join(folder, 'greets.walk.yaml'),
+    `# ${hostile}
 campus: hostile.campus.yaml
 avatar: adult
 camera: {width: 320, height: 180}
@@ -74,7 +79,8 @@ steps:
   - wait: 1
 expect:
   - popup: {building: hall, title: ${text(`no ${hostile}`)}}
-`);
+`,
+  );
 }
 
 function writeProject(project) {
@@ -82,7 +88,11 @@ function writeProject(project) {
   mkdirSync(project, { recursive: true });
   cpSync(join(root, 'config/avatars'), join(project, 'avatars'), { recursive: true });
   writeFileSync(join(project, 'walks.config.yaml'), '{}\n');
-  const add = (name, text) => writeFileSync(join(project, `${name}.walk.yaml`), text.replace(/^campus: .*$/m, `campus: ${JSON.stringify(join(toRoot, 'config/demo.campus.yaml'))}`));
+  const add = (name, text) =>
+    writeFileSync(
+      join(project, `${name}.walk.yaml`),
+      text.replace(/^campus: .*$/m, `campus: ${JSON.stringify(join(toRoot, 'config/demo.campus.yaml'))}`),
+    );
   // Small pictures are made faster.
   const small = 'camera: {view: first_person, width: 320, height: 180, fov_deg: 60}\n';
   for (const [name, text] of Object.entries(walks)) add(name, text.replace(/^steps:/m, `${small}steps:`));
@@ -102,7 +112,9 @@ function writeProject(project) {
 
 function run(project, files, output, ...more) {
   const done = spawnSync(program, ['run', ...files, '--root', root, '--output', output, '--quiet', ...more], {
-    cwd: project, encoding: 'utf8', maxBuffer: 1 << 26,
+    cwd: project,
+    encoding: 'utf8',
+    maxBuffer: 1 << 26,
   });
   if (done.error) throw done.error;
   return done;
@@ -113,9 +125,24 @@ export function makeReports() {
   if (!existsSync(program)) throw new Error(`there is no ${program}: build it, or set CAMPUSWALK_PROGRAM`);
   const folder = mkdtempSync(join(tmpdir(), 'campuswalk-viewer-'));
   const project = join(folder, 'project');
-  const made = { folder, report: join(folder, 'report.html'), compared: join(folder, 'compared.html'), output: join(folder, 'out') };
+  const made = {
+    folder,
+    report: join(folder, 'report.html'),
+    compared: join(folder, 'compared.html'),
+    output: join(folder, 'out'),
+  };
   writeProject(project);
-  const done = run(project, ['.'], made.output, '--record', 'csv', '--reporter', `html=${made.report}`, '--report-geometry', 'exact');
+  const done = run(
+    project,
+    ['.'],
+    made.output,
+    '--record',
+    'csv',
+    '--reporter',
+    `html=${made.report}`,
+    '--report-geometry',
+    'exact',
+  );
   if (!existsSync(made.report)) throw new Error(`no report was written:\n${done.stdout}${done.stderr}`);
   compare(project, folder, made.compared);
   const { CAMPUSWALK_VIEWER: viewer, KEEP_REPORTS: keep } = process.env;
@@ -128,12 +155,39 @@ export function makeReports() {
 function compare(project, folder, report) {
   const files = ['to-the-bench.walk.yaml', 'adult-visit.walk.yaml'];
   const bench = join(project, files[0]);
-  const record = (name) => run(project, files, join(folder, name), '--record', 'report', '--rendering-backend', 'none', '--reporter', `jsonl=${folder}/${name}.jsonl`);
+  const record = (name) =>
+    run(
+      project,
+      files,
+      join(folder, name),
+      '--record',
+      'report',
+      '--rendering-backend',
+      'none',
+      '--reporter',
+      `jsonl=${folder}/${name}.jsonl`,
+    );
   record('a');
   const text = readFileSync(bench, 'utf8');
   writeFileSync(bench, text.replace('  - walk_to: bench\n', '  - walk_to: avenue-tree\n'));
   record('b');
   writeFileSync(bench, text);
-  execFileSync(program, ['report', `${folder}/a.jsonl`, '-o', report, '--output', `${folder}/a`, '--against', `${folder}/b.jsonl`,
-    '--against-output', `${folder}/b`, '--root', root], { cwd: project, stdio: 'pipe' });
+  execFileSync(
+    program,
+    [
+      'report',
+      `${folder}/a.jsonl`,
+      '-o',
+      report,
+      '--output',
+      `${folder}/a`,
+      '--against',
+      `${folder}/b.jsonl`,
+      '--against-output',
+      `${folder}/b`,
+      '--root',
+      root,
+    ],
+    { cwd: project, stdio: 'pipe' },
+  );
 }

@@ -15,7 +15,16 @@ export interface TestSeam {
   lit(): string[];
   /** What is at a point of the canvas, in CSS pixels from its top left. */
   pick(x: number, y: number): { point: number[]; objects: string[]; node: string } | null;
-  state(): { page: string; tick: number; ticks: number; playing: boolean; speed: number; camera: string; cut: number | null; tab: string };
+  state(): {
+    page: string;
+    tick: number;
+    ticks: number;
+    playing: boolean;
+    speed: number;
+    camera: string;
+    cut: number | null;
+    tab: string;
+  };
   /** Where the camera is and looks. */
   camera(): { position: number[]; direction: number[] } | null;
   /** The scene, or the list's plan, as a PNG's data: address: what is drawn without any text over it. */
@@ -52,7 +61,11 @@ export function exposeForTests(starting: Promise<App | null>): void {
       const hit = app?.walk?.viewport?.pick(x, y);
       const campus = app?.walk?.context.campus;
       return hit
-        ? { point: hit.point.toArray(), node: hit.piece.node, objects: hit.piece.objects.map((index) => campus?.objects[index]?.id ?? '') }
+        ? {
+            point: hit.point.toArray(),
+            node: hit.piece.node,
+            objects: hit.piece.objects.map((index) => campus?.objects[index]?.id ?? ''),
+          }
         : null;
     },
     state() {
@@ -75,8 +88,10 @@ export function exposeForTests(starting: Promise<App | null>): void {
     statistics() {
       const stage = app?.walk?.viewport ? app.campuses.stage : null;
       return {
-        filterTime: app?.list?.filterTime ?? 0, frames: stage?.statistics.frames ?? 0,
-        lastFrame: stage?.statistics.lastFrame ?? 0, software: stage?.isSoftware ?? false,
+        filterTime: app?.list?.filterTime ?? 0,
+        frames: stage?.statistics.frames ?? 0,
+        lastFrame: stage?.statistics.lastFrame ?? 0,
+        software: stage?.isSoftware ?? false,
       };
     },
   };

@@ -36,16 +36,30 @@ export class Overview {
   /** Called when all paths are drawn. */
   private complete: () => void = () => {};
 
-  constructor(private readonly report: Report, private readonly campuses: Campuses, private readonly scope: Scope) {
-    const canvas = element('canvas', { attributes: { role: 'img', 'aria-label': 'Plan of the campus with the paths of all listed walks' } });
+  constructor(
+    private readonly report: Report,
+    private readonly campuses: Campuses,
+    private readonly scope: Scope,
+  ) {
+    const canvas = element('canvas', {
+      attributes: { role: 'img', 'aria-label': 'Plan of the campus with the paths of all listed walks' },
+    });
     const names = report.index.campuses.map((campus) => campus.name);
     this.select = element('select', {
-      class: 'select', attributes: { 'aria-label': 'Campus' }, on: { change: () => this.choose(Number(this.select.value)) },
+      class: 'select',
+      attributes: { 'aria-label': 'Campus' },
+      on: { change: () => this.choose(Number(this.select.value)) },
     });
-    names.forEach((campus, index) => this.select.append(element('option', { text: campus, attributes: { value: index } })));
-    this.root = element('aside', { class: 'overview', attributes: { 'aria-label': 'Plan' } },
+    names.forEach((campus, index) =>
+      this.select.append(element('option', { text: campus, attributes: { value: index } })),
+    );
+    this.root = element(
+      'aside',
+      { class: 'overview', attributes: { 'aria-label': 'Plan' } },
       element('div', { class: 'overview-head' }, element('h2', { text: 'All paths' }), names.length > 1 && this.select),
-      element('div', { class: 'overview-plan' }, canvas), this.caption);
+      element('div', { class: 'overview-plan' }, canvas),
+      this.caption,
+    );
     this.root.hidden = names.length === 0;
     this.plan = new PlanCanvas(canvas);
     const holder = canvas.parentElement!;
@@ -152,7 +166,14 @@ export class Overview {
     this.compose();
   }
 
-  private drawTracks(layer: PlanCanvas, round: number, tracks: Track[], color: string, width: number, opacity: number): void {
+  private drawTracks(
+    layer: PlanCanvas,
+    round: number,
+    tracks: Track[],
+    color: string,
+    width: number,
+    opacity: number,
+  ): void {
     const isCurrent = (): boolean => round === this.round && !this.scope.isOver;
     if (tracks.length <= many) {
       later(() => {
@@ -169,7 +190,8 @@ export class Overview {
     for (let from = 0; from < tracks.length; from += many) {
       later(() => {
         if (!isCurrent()) return;
-        for (const { points } of tracks.slice(from, from + many)) density.add(points.map(([x, z]) => layer.toPixels(x, z)));
+        for (const { points } of tracks.slice(from, from + many))
+          density.add(points.map(([x, z]) => layer.toPixels(x, z)));
       });
     }
     later(() => {
@@ -196,7 +218,10 @@ export class Overview {
       this.plan.drawPath({ points: pointed.points, color: this.color(isFailed ? '--failed' : '--trail'), width: 3 });
     }
     this.plan.canvas.style.cursor = pointed ? 'pointer' : '';
-    setText(this.caption, pointed ? walks[pointed.walk]!.id : `${campus.name}: ${plural(this.tracks.length, 'path')}, north (−Z) up`);
+    setText(
+      this.caption,
+      pointed ? walks[pointed.walk]!.id : `${campus.name}: ${plural(this.tracks.length, 'path')}, north (−Z) up`,
+    );
   }
 
   private color(name: string): string {

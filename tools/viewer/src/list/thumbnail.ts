@@ -13,7 +13,11 @@ const height = 50;
 
 export function thumbnail(report: Report, row: WalkRow, theme: Element): HTMLElement {
   const address = report.picture(row.thumbnail);
-  if (address) return element('img', { class: 'thumbnail', attributes: { src: address, alt: '', loading: 'lazy', decoding: 'async' } });
+  if (address)
+    return element('img', {
+      class: 'thumbnail',
+      attributes: { src: address, alt: '', loading: 'lazy', decoding: 'async' },
+    });
   const points = planPoints(row.plan);
   if (points.length === 0) return element('span', { class: 'thumbnail blank' });
   const canvas = element('canvas', { class: 'thumbnail', attributes: { 'aria-hidden': 'true' } });
@@ -22,7 +26,11 @@ export function thumbnail(report: Report, row: WalkRow, theme: Element): HTMLEle
 }
 
 function drawPlan(
-  canvas: HTMLCanvasElement, report: Report, row: WalkRow, points: readonly [number, number][], theme: Element,
+  canvas: HTMLCanvasElement,
+  report: Report,
+  row: WalkRow,
+  points: readonly [number, number][],
+  theme: Element,
 ): void {
   const plan = new PlanCanvas(canvas);
   const [low, high] = boundsOf(points, 0);

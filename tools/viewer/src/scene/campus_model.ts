@@ -1,8 +1,24 @@
 // The campus in 3D: its geometry, or boxes of its objects where the report has none.
 
 import {
-  Box3, BoxGeometry, Color, DoubleSide, EdgesGeometry, FrontSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial, Plane, Vector3,
-  type BufferGeometry, type Material, type MeshStandardMaterial, type Object3D,
+  Box3,
+  BoxGeometry,
+  Color,
+  DoubleSide,
+  EdgesGeometry,
+  FrontSide,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshBasicMaterial,
+  MeshLambertMaterial,
+  Plane,
+  Vector3,
+  type BufferGeometry,
+  type Material,
+  type MeshStandardMaterial,
+  type Object3D,
 } from 'three';
 import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
 import { MeshoptDecoder } from 'three/examples/jsm/libs/meshopt_decoder.module.js';
@@ -99,7 +115,8 @@ export class CampusModel {
   private addEdges(): void {
     const material = new LineBasicMaterial({ color: 0x1d2630, transparent: true, opacity: 0.42 });
     // Surfaces a little farther away than their edges.
-    for (const surface of this.materials) Object.assign(surface, { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
+    for (const surface of this.materials)
+      Object.assign(surface, { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
     this.materials.add(material);
     for (const { mesh } of this.pieces) {
       const edges = new LineSegments(new EdgesGeometry(mesh.geometry, 28), material);
@@ -163,13 +180,21 @@ function extrasOf(mesh: Object3D): { objects: number[]; name: string } {
 function matte(material: Material): Material {
   const source = material as MeshStandardMaterial;
   const common = {
-    name: source.name, color: source.color ?? new Color(1, 1, 1), map: source.map ?? null, vertexColors: source.vertexColors,
-    transparent: source.transparent, opacity: source.opacity, alphaTest: source.alphaTest,
-    depthWrite: source.depthWrite, side: source.side === DoubleSide ? DoubleSide : FrontSide,
+    name: source.name,
+    color: source.color ?? new Color(1, 1, 1),
+    map: source.map ?? null,
+    vertexColors: source.vertexColors,
+    transparent: source.transparent,
+    opacity: source.opacity,
+    alphaTest: source.alphaTest,
+    depthWrite: source.depthWrite,
+    side: source.side === DoubleSide ? DoubleSide : FrontSide,
   };
   if (material instanceof MeshBasicMaterial) return new MeshBasicMaterial(common);
   return new MeshLambertMaterial({
-    ...common, emissive: source.emissive ?? 0, emissiveMap: source.emissiveMap ?? null,
+    ...common,
+    emissive: source.emissive ?? 0,
+    emissiveMap: source.emissiveMap ?? null,
     emissiveIntensity: source.emissiveIntensity ?? 1,
   });
 }

@@ -7,7 +7,9 @@ import { element } from '../ui/dom';
 export type Side = 'above' | 'below' | 'left' | 'right';
 
 const shifts: Record<Side, string> = {
-  above: 'translate(-50%, -100%)', below: 'translate(-50%, 35%)', left: 'translate(calc(-100% - 10px), -50%)',
+  above: 'translate(-50%, -100%)',
+  below: 'translate(-50%, 35%)',
+  left: 'translate(calc(-100% - 10px), -50%)',
   right: 'translate(10px, -50%)',
 };
 

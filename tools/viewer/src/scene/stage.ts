@@ -1,8 +1,18 @@
 // The canvas, its renderer, lights and sky. Draws only when something has changed.
 
 import {
-  AmbientLight, Color, DirectionalLight, Fog, HemisphereLight, NeutralToneMapping, PCFShadowMap, PerspectiveCamera,
-  Scene, Vector3, WebGLRenderer, type Box3,
+  AmbientLight,
+  Color,
+  DirectionalLight,
+  Fog,
+  HemisphereLight,
+  NeutralToneMapping,
+  PCFShadowMap,
+  PerspectiveCamera,
+  Scene,
+  Vector3,
+  WebGLRenderer,
+  type Box3,
 } from 'three';
 import { element } from '../ui/dom';
 import { Sky } from './sky';

@@ -25,7 +25,11 @@ export interface WalkContext {
 }
 
 export function contextOf(
-  report: Report, store: Store, campuses: Campuses, data: WalkData, other: WalkContext['other'],
+  report: Report,
+  store: Store,
+  campuses: Campuses,
+  data: WalkData,
+  other: WalkContext['other'],
 ): WalkContext {
   const { result, recording } = data.details;
   const campus = report.campusOf(data.row);
@@ -33,7 +37,14 @@ export function contextOf(
   const ids = new Set(objects.keys());
   const lastTick = Math.max(recording?.ticks ?? 0, result.ticks, data.path?.lastTick ?? 0);
   return {
-    report, store, campuses, data, campus, objects, other, lastTick,
+    report,
+    store,
+    campuses,
+    data,
+    campus,
+    objects,
+    other,
+    lastTick,
     failures: result.failures.map((failure) => ({ failure, reason: reasonOf(failure, data.log, ids) })),
     spans: spansOf(data.log, lastTick),
     events: eventsOf(data.log, result.failures),

@@ -12,7 +12,10 @@ export class HoverCard {
   /** Index of the object, or -1. */
   object = -1;
 
-  constructor(private readonly context: WalkContext, private readonly triggersAt: (point: Vector3) => string[]) {
+  constructor(
+    private readonly context: WalkContext,
+    private readonly triggersAt: (point: Vector3) => string[],
+  ) {
     this.root.hidden = true;
   }
 
@@ -52,12 +55,26 @@ export class HoverCard {
     const within = this.triggersAt(hit.point);
     replace(
       this.root,
-      element('div', { class: 'hover-id' }, objects.length > 0 ? name(objects.map((each) => each.id).join(', ')) : name(hit.piece.node || 'scenery')),
-      element('div', { class: 'hover-sub' }, objects.length === 0 ? 'no collider' : building ? name(building.title) : '',
-        hit.piece.node !== '' && objects.length > 0 ? name(` node ${hit.piece.node}`) : ''),
+      element(
+        'div',
+        { class: 'hover-id' },
+        objects.length > 0 ? name(objects.map((each) => each.id).join(', ')) : name(hit.piece.node || 'scenery'),
+      ),
+      element(
+        'div',
+        { class: 'hover-sub' },
+        objects.length === 0 ? 'no collider' : building ? name(building.title) : '',
+        hit.piece.node !== '' && objects.length > 0 ? name(` node ${hit.piece.node}`) : '',
+      ),
       ...deeds.map((deed) => element('div', { class: 'hover-deed', text: deed })),
       ...within.map((id) => element('div', { class: 'hover-deed' }, 'in trigger ', name(id))),
-      element('div', { class: 'hover-point', text: `[${hit.point.toArray().map((value) => value.toFixed(2)).join(', ')}]` }),
+      element('div', {
+        class: 'hover-point',
+        text: `[${hit.point
+          .toArray()
+          .map((value) => value.toFixed(2))
+          .join(', ')}]`,
+      }),
     );
   }
 }

@@ -25,10 +25,17 @@ export function stepsPanel(context: WalkContext, player: Player, scope: Scope): 
     ),
   );
   const current = (tick: number): number => steps.findLastIndex((step) => isDuring(step, tick));
-  scope.add(context.store.on((state) => current(Math.round(state.tick)), (index) => {
-    rows.forEach((row, i) => (i === index ? row.setAttribute('aria-current', 'step') : row.removeAttribute('aria-current')));
-    rows[index]?.scrollIntoView({ block: 'nearest' });
-  }));
+  scope.add(
+    context.store.on(
+      (state) => current(Math.round(state.tick)),
+      (index) => {
+        rows.forEach((row, i) =>
+          i === index ? row.setAttribute('aria-current', 'step') : row.removeAttribute('aria-current'),
+        );
+        rows[index]?.scrollIntoView({ block: 'nearest' });
+      },
+    ),
+  );
   return element('div', { class: 'steps' }, ...rows);
 }
 

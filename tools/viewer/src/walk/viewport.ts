@@ -34,7 +34,9 @@ export class Viewport {
     const { store } = context;
     this.rig = new CameraRig(stage.camera);
     this.scene = new WalkScene(stage, loaded, context, this.labels);
-    this.scene.showFindings((context.report.index.findings ?? []).filter((finding) => finding.campus === context.data.row.campus));
+    this.scene.showFindings(
+      (context.report.index.findings ?? []).filter((finding) => finding.campus === context.data.row.campus),
+    );
     this.marks = new AuthorMarks(stage, context, scope);
     this.hover = new HoverCard(context, (point) => this.scene.triggersAt(point));
     stage.canvas.tabIndex = 0;
@@ -46,12 +48,30 @@ export class Viewport {
     const update = (seconds: number): boolean => this.update(seconds);
     stage.animations.add(update);
     scope.add(() => stage.animations.delete(update));
-    scope.add(store.on((state) => state.camera, (mode) => this.rig.setMode(mode)));
-    scope.add(store.on((state) => state.cut, (height) => this.cut(height)));
-    for (const select of [(state: typeof store.state) => state.tick, (state: typeof store.state) => state.layers] as const) {
+    scope.add(
+      store.on(
+        (state) => state.camera,
+        (mode) => this.rig.setMode(mode),
+      ),
+    );
+    scope.add(
+      store.on(
+        (state) => state.cut,
+        (height) => this.cut(height),
+      ),
+    );
+    for (const select of [
+      (state: typeof store.state) => state.tick,
+      (state: typeof store.state) => state.layers,
+    ] as const) {
       scope.add(store.on<unknown>(select, () => stage.invalidate()));
     }
-    scope.add(store.on((state) => state.camera, () => stage.invalidate()));
+    scope.add(
+      store.on(
+        (state) => state.camera,
+        () => stage.invalidate(),
+      ),
+    );
     scope.add(() => this.scene.dispose());
   }
 
@@ -85,7 +105,9 @@ export class Viewport {
   overlook(): void {
     const points = planPoints(this.context.data.row.plan);
     if (points.length === 0) return;
-    const center = points.reduce((sum, [x, z]) => sum.add(new Vector3(x, 0, z)), new Vector3()).divideScalar(points.length);
+    const center = points
+      .reduce((sum, [x, z]) => sum.add(new Vector3(x, 0, z)), new Vector3())
+      .divideScalar(points.length);
     const reach = Math.max(...points.map(([x, z]) => Math.hypot(x - center.x, z - center.z)));
     const heights = [...(this.context.data.path?.y ?? [0])];
     const highest = heights.reduce((most, y) => Math.max(most, y));
@@ -110,7 +132,9 @@ export class Viewport {
     const { path } = this.context.data;
     if (!path) return false;
     const samples = Array.from({ length: 16 }, (_, i) => path.at((path.lastTick * (i + 0.5)) / 16));
-    const seen = samples.filter(({ x, y, z }) => this.loaded.picker.sees(this.stage.camera.position, new Vector3(x, y + 0.5, z)));
+    const seen = samples.filter(({ x, y, z }) =>
+      this.loaded.picker.sees(this.stage.camera.position, new Vector3(x, y + 0.5, z)),
+    );
     return seen.length < samples.length / 2;
   }
 
@@ -188,18 +212,29 @@ export class Viewport {
     this.scope.listen(canvas, 'pointercancel', lift);
     this.scope.listen(canvas, 'pointerleave', () => this.hoverOff());
     this.scope.listen(canvas, 'contextmenu', (event) => event.preventDefault());
-    this.scope.listen(canvas, 'wheel', (event) => {
-      event.preventDefault();
-      this.rig.zoom(Math.sign(event.deltaY) * Math.min(3, Math.abs(event.deltaY) / 60 + 0.4));
-      this.stage.invalidate();
-    }, { passive: false });
+    this.scope.listen(
+      canvas,
+      'wheel',
+      (event) => {
+        event.preventDefault();
+        this.rig.zoom(Math.sign(event.deltaY) * Math.min(3, Math.abs(event.deltaY) / 60 + 0.4));
+        this.stage.invalidate();
+      },
+      { passive: false },
+    );
     this.listenForFlight(canvas);
   }
 
   private listenForFlight(canvas: HTMLElement): void {
     this.scope.listen(canvas, 'keydown', (event) => {
       const key = event.key.toLowerCase();
-      if (this.context.store.state.camera !== 'free' || !/^([wasdqe]|shift)$/.test(key) || event.ctrlKey || event.metaKey) return;
+      if (
+        this.context.store.state.camera !== 'free' ||
+        !/^([wasdqe]|shift)$/.test(key) ||
+        event.ctrlKey ||
+        event.metaKey
+      )
+        return;
       this.keys.add(key);
       if (key !== 'shift') event.stopPropagation();
       this.stage.invalidate();
@@ -235,7 +270,10 @@ export class Viewport {
     // Ground under the pointer is no news.
     const isGround = bounds !== undefined && bounds.max[0] - bounds.min[0] > 60 && bounds.max[2] - bounds.min[2] > 60;
     const pieces = object >= 0 && !isGround ? this.loaded.model.piecesOf(object) : [];
-    this.loaded.hovered.show(pieces.length === 0 && object >= 0 && !isGround && hit ? [hit.piece] : pieces, hit?.point ?? null);
+    this.loaded.hovered.show(
+      pieces.length === 0 && object >= 0 && !isGround && hit ? [hit.piece] : pieces,
+      hit?.point ?? null,
+    );
     this.stage.invalidate();
   }
 
