@@ -129,6 +129,8 @@ export class CampusModel {
 
   private addBoxes(): void {
     const solid = new MeshLambertMaterial({ color: 0xb9c0c8 });
+    // A mesh isn't where its bounds are: one looks into them.
+    const hollow = new MeshLambertMaterial({ color: 0xb9c0c8, transparent: true, opacity: 0.3, depthWrite: false });
     const ground = new MeshLambertMaterial({ color: 0x9fa890 });
     this.campus.objects.forEach((object, index) => {
       if (!object.modes.includes('solid')) return;
@@ -142,7 +144,7 @@ export class CampusModel {
         mesh.position.y = object.min[1];
       }
       mesh.updateMatrixWorld(true);
-      this.add(mesh, isGround ? ground : solid, [index], object.id);
+      this.add(mesh, isGround ? ground : object.shape === 'mesh' ? hollow : solid, [index], object.id);
       this.root.add(mesh);
     });
   }

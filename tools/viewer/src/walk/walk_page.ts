@@ -6,7 +6,7 @@ import { statusIcon } from '../ui/icons';
 import { isBad } from '../data/groups';
 import { statusOf } from '../data/filter';
 import { metres, outcomeNames, seconds } from '../data/text';
-import type { WalkRow } from '../format';
+import type { CampusEntry, WalkRow } from '../format';
 import type { Tab } from '../store';
 import { authorPanel } from './author_panel';
 import type { WalkContext } from './context';
@@ -135,14 +135,7 @@ export class WalkPage {
       ),
       popupWindow(context, scope),
       minimap,
-      context.campus?.geometry === null &&
-        element('p', { class: 'note corner', text: 'Boxes stand in for the geometry, which this report lacks.' }),
-      context.campus?.geometry?.kind === 'simplified' &&
-        element('p', {
-          class: 'note corner',
-          text: `Geometry simplified to ${Math.round(context.campus.geometry.error * 100)} cm`,
-        }),
-      context.other && legend(context),
+      context.other ? legend(context) : geometryNote(context.campus),
     );
   }
 
@@ -276,6 +269,16 @@ function comparisonButton(context: WalkContext): Child {
 function comparable(context: WalkContext): boolean {
   const index = context.store.state.walk;
   return context.report.index.against?.walks.some((row) => row.index === index) ?? false;
+}
+
+/** Where what is shown isn't the model itself. */
+function geometryNote(campus: CampusEntry | null): HTMLElement | null {
+  const note = (text: string): HTMLElement => element('p', { class: 'note corner', text });
+  if (!campus) return null;
+  const { geometry, objects } = campus;
+  if (geometry?.kind === 'simplified') return note(`Geometry simplified to ${Math.round(geometry.error * 100)} cm`);
+  if (geometry) return null;
+  return note(objects.length > 0 ? 'Boxes stand in for the geometry.' : 'This report has no geometry.');
 }
 
 function legend(context: WalkContext): HTMLElement {
