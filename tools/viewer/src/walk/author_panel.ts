@@ -4,18 +4,20 @@ import { button, copyable, segments } from '../ui/controls';
 import { element, replace, Scope } from '../ui/dom';
 import { coordinates, followStep, triggerCollider, walkToStep } from '../data/snippets';
 import type { Tool } from '../store';
-import type { AuthorMarks } from './author_marks';
 import type { WalkContext } from './context';
+import type { Viewport } from './viewport';
 
-export function authorPanel(context: WalkContext, marks: AuthorMarks | null, scope: Scope): HTMLElement {
+export function authorPanel(context: WalkContext, viewport: Viewport | null, scope: Scope): HTMLElement {
   const { store } = context;
-  if (!marks)
+  if (!viewport) {
     return element(
       'div',
       { class: 'author' },
       element('p', { text: 'Coordinates are read off the campus in 3D, which this browser does not draw.' }),
-      findings(context),
+      findings(context, null),
     );
+  }
+  const { marks } = viewport;
   const tools = segments<Tool>(
     'Tool',
     [
@@ -85,7 +87,7 @@ export function authorPanel(context: WalkContext, marks: AuthorMarks | null, sco
   };
   marks.changed = show;
   show();
-  return element('div', { class: 'author' }, tools.root, hint, boxFields, results, findings(context));
+  return element('div', { class: 'author' }, tools.root, hint, boxFields, results, findings(context, viewport));
 }
 
 function section(title: string, ...children: HTMLElement[]): HTMLElement {
@@ -116,7 +118,7 @@ function numberInput(
 }
 
 /** Findings of `campuswalk explore`, where the report has them. */
-function findings(context: WalkContext): HTMLElement | null {
+function findings(context: WalkContext, viewport: Viewport | null): HTMLElement | null {
   const own = (context.report.index.findings ?? []).filter((finding) => finding.campus === context.data.row.campus);
   if (own.length === 0) return null;
   return section(
@@ -128,7 +130,16 @@ function findings(context: WalkContext): HTMLElement | null {
         element(
           'li',
           { attributes: { value: finding.number } },
-          element('strong', { text: `${finding.kind} ` }),
+          viewport
+            ? element('button', {
+                class: 'link',
+                text: finding.kind,
+                title: 'Look at it',
+                attributes: { type: 'button' },
+                on: { click: () => viewport.lookAt(finding.at) },
+              })
+            : element('strong', { text: finding.kind }),
+          ' ',
           element('bdi', { text: finding.subject }),
           `: ${finding.text}`,
         ),

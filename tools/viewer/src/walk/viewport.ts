@@ -3,6 +3,7 @@
 import { Vector2, Vector3 } from 'three';
 import { element, Scope } from '../ui/dom';
 import { planPoints } from '../data/path';
+import type { Point } from '../format';
 import { CameraRig, directionOf } from '../scene/cameras';
 import type { LoadedCampus } from '../scene/campuses';
 import { Labels } from '../scene/labels';
@@ -98,6 +99,13 @@ export class Viewport {
 
   clearFailure(): void {
     this.scene.showObstacle(null);
+    this.stage.invalidate();
+  }
+
+  /** From a little above, a few steps away. */
+  lookAt(point: Point): void {
+    this.context.store.set({ camera: 'orbit', playing: false });
+    this.rig.overlook(new Vector3(...point), 12);
     this.stage.invalidate();
   }
 

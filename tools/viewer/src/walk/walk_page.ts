@@ -163,7 +163,7 @@ export class WalkPage {
         make: () => picturesPanel(context),
       },
       { id: 'file', text: 'File', make: () => filePanel(context) },
-      { id: 'author', text: 'Author', make: () => authorPanel(context, viewport?.marks ?? null, scope) },
+      { id: 'author', text: 'Author', make: () => authorPanel(context, viewport, scope) },
     ];
     const panel = element('div', { class: 'panel', attributes: { role: 'tabpanel', tabindex: -1, id: 'panel' } });
     const made = new Map<Tab, HTMLElement>();
