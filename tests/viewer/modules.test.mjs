@@ -48,7 +48,7 @@ describe('a log line', () => {
     assert.equal(line.seconds, 6.433333);
     assert.equal(line.kind, 'trigger.enter');
     assert.equal(line.object, 'gatehouse/arch');
-    assert.deepEqual(modules.pointOf(modules.fieldOf(line, 'pos')), [0, -1.44, 80]);
+    assert.equal(modules.fieldOf(line, 'pos'), '0.000,-1.440,80.000');
     assert.equal(modules.fieldOf(line, 'at'), '0.714');
   });
   test('has quoted names and texts', () => {

@@ -33,6 +33,8 @@ export class Overview {
   private layer: PlanCanvas | null = null;
   /** Counts the drawings, so that an old one ends when a new one begins. */
   private round = 0;
+  /** Whether it has the size of a picture that is taken, and not that of its place. */
+  private isPosing = false;
   /** Called when all paths are drawn. */
   private complete: () => void = () => {};
 
@@ -64,6 +66,7 @@ export class Overview {
     this.plan = new PlanCanvas(canvas);
     const holder = canvas.parentElement!;
     scope.resized(holder, () => {
+      if (this.isPosing) return;
       this.plan.resize(holder.clientWidth, holder.clientHeight);
       this.draw();
     });
@@ -83,13 +86,15 @@ export class Overview {
   /** The plan in a size of its own, as a PNG's data: address. */
   async picture(width: number, height: number): Promise<string> {
     await this.loadImage();
-    const size = [this.plan.width, this.plan.height] as const;
+    const holder = this.plan.canvas.parentElement!;
+    this.isPosing = true;
     const completed = new Promise<void>((resolve) => (this.complete = resolve));
     this.plan.resize(width, height);
     this.draw();
     await completed;
     const address = this.plan.canvas.toDataURL('image/png');
-    this.plan.resize(...size);
+    this.isPosing = false;
+    this.plan.resize(holder.clientWidth, holder.clientHeight);
     this.draw();
     return address;
   }

@@ -310,7 +310,7 @@ export class WalkScene {
   }
 }
 
-export function ball(at: Vector3, radius: number, color: number): Mesh {
+function ball(at: Vector3, radius: number, color: number): Mesh {
   const mesh = new Mesh(
     new SphereGeometry(radius, 14, 10),
     new MeshBasicMaterial({ color, fog: false, toneMapped: false }),
@@ -319,7 +319,7 @@ export function ball(at: Vector3, radius: number, color: number): Mesh {
   return mesh;
 }
 
-export function filled(object: CampusObject, color: number, opacity: number): Mesh {
+function filled(object: CampusObject, color: number, opacity: number): Mesh {
   const material = new MeshBasicMaterial({
     color,
     transparent: true,

@@ -1,6 +1,6 @@
 // What the views of one walk share.
 
-import type { CampusEntry, CampusObject, Failure } from '../format';
+import type { CampusEntry, Failure } from '../format';
 import type { Report, WalkData } from '../data/report';
 import { reasonOf, type Reason } from '../data/reason';
 import { eventsOf, spansOf, type Span, type TimedEvent } from '../data/spans';
@@ -50,8 +50,4 @@ export function contextOf(
     events: eventsOf(data.log, result.failures),
     ticksPerSecond: recording?.ticks_per_second ?? result.ticks_per_second,
   };
-}
-
-export function objectNamed(context: WalkContext, id: string): CampusObject | null {
-  return context.campus?.objects[context.objects.get(id) ?? -1] ?? null;
 }
