@@ -26,7 +26,9 @@ await build({
 
 const script = join(outdir, 'viewer.js');
 // Inside a page's <script>, these would end it or begin a comment.
-const text = readFileSync(script, 'utf8').replaceAll('<!--', '<\\!--').replaceAll(/<\/script/gi, '<\\/script');
+const text = readFileSync(script, 'utf8')
+  .replaceAll('<!--', '<\\!--')
+  .replaceAll(/<\/script/gi, '<\\/script');
 writeFileSync(script, text);
 const bytes = Buffer.byteLength(text) + readFileSync(join(outdir, 'viewer.css')).length;
 if (bytes > largest) {

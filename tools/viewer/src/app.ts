@@ -26,7 +26,11 @@ export class App {
   /** The address that this page wrote last: not to be read again. */
   private written = '';
 
-  constructor(readonly report: Report, readonly store: Store, root: HTMLElement) {
+  constructor(
+    readonly report: Report,
+    readonly store: Store,
+    root: HTMLElement,
+  ) {
     this.campuses = new Campuses(report);
     document.title = report.index.title || 'campuswalk report';
     useTheme(store);
@@ -49,11 +53,25 @@ export class App {
 
   private topBar(): HTMLElement {
     const { title, generator } = this.report.index;
-    return element('header', { class: 'top-bar' },
-      element('a', { class: 'brand', attributes: { href: '#' } }, element('span', { class: 'brand-mark', attributes: { 'aria-hidden': 'true' } }), name(title || 'campuswalk')),
+    return element(
+      'header',
+      { class: 'top-bar' },
+      element(
+        'a',
+        { class: 'brand', attributes: { href: '#' } },
+        element('span', { class: 'brand-mark', attributes: { 'aria-hidden': 'true' } }),
+        name(title || 'campuswalk'),
+      ),
       element('span', { class: 'generator muted', text: generator }),
       themeButton(this.store),
-      button({ icon: 'help', label: 'Keys and filters', key: '?', class: 'plain', act: () => this.store.set({ help: true }) }));
+      button({
+        icon: 'help',
+        label: 'Keys and filters',
+        key: '?',
+        class: 'plain',
+        act: () => this.store.set({ help: true }),
+      }),
+    );
   }
 
   /** Shows what the address says. */
@@ -68,9 +86,15 @@ export class App {
     const index = this.report.index.walks.findIndex((row) => row.id === link.walk);
     if (index < 0) {
       this.end();
-      replace(this.body, element('main', { class: 'walk-missing' },
-        button({ icon: 'back', label: 'All walks', text: 'All walks', class: 'plain', act: () => this.openList() }),
-        emptyState('This report has no such walk.', element('p', {}, name(link.walk)))));
+      replace(
+        this.body,
+        element(
+          'main',
+          { class: 'walk-missing' },
+          button({ icon: 'back', label: 'All walks', text: 'All walks', class: 'plain', act: () => this.openList() }),
+          emptyState('This report has no such walk.', element('p', {}, name(link.walk))),
+        ),
+      );
       return;
     }
     this.ready = this.showWalk(index, link.time, link.against ?? false, link.camera);
@@ -90,9 +114,14 @@ export class App {
     this.ready = Promise.resolve();
   }
 
-  private async showWalk(index: number, time: number | undefined, against: boolean, camera: string | undefined): Promise<void> {
+  private async showWalk(
+    index: number,
+    time: number | undefined,
+    against: boolean,
+    camera: string | undefined,
+  ): Promise<void> {
     const row = this.report.index.walks[index]!;
-    const same = this.walk?.context.data.row === row && this.walk.context.other !== null === against;
+    const same = this.walk?.context.data.row === row && (this.walk.context.other !== null) === against;
     if (same && time !== undefined) {
       this.walk!.player.goTo(time * this.walk!.context.ticksPerSecond);
       return;
@@ -105,25 +134,48 @@ export class App {
     if (scope.isOver) return;
     if (!data) {
       this.store.set({ page: 'walk', walk: index, playing: false });
-      replace(this.body, missingWalk(row, () => this.openList()));
+      replace(
+        this.body,
+        missingWalk(row, () => this.openList()),
+      );
       return;
     }
-    const other = otherRow && otherData ? { data: otherData, name: this.report.index.against?.name ?? '', partsAt: otherRow.parts_at } : null;
+    const other =
+      otherRow && otherData
+        ? { data: otherData, name: this.report.index.against?.name ?? '', partsAt: otherRow.parts_at }
+        : null;
     const context = contextOf(this.report, this.store, this.campuses, data, other);
     const failedAt = context.failures[0]?.failure.scene?.tick;
-    const start = time !== undefined ? Math.round(time * context.ticksPerSecond)
-      : (other?.partsAt ?? (isBad(row.outcome) ? failedAt : undefined) ?? 0);
+    const start =
+      time !== undefined
+        ? Math.round(time * context.ticksPerSecond)
+        : (other?.partsAt ?? (isBad(row.outcome) ? failedAt : undefined) ?? 0);
     const modes: CameraMode[] = ['first', 'third', 'top', 'orbit', 'free'];
     this.store.set({
-      page: 'walk', walk: index, against: other !== null, tick: Math.min(start, context.lastTick), playing: false, cut: null, tool: 'none',
+      page: 'walk',
+      walk: index,
+      against: other !== null,
+      tick: Math.min(start, context.lastTick),
+      playing: false,
+      cut: null,
+      tool: 'none',
       camera: modes.find((mode) => mode === camera) ?? 'third',
       tab: context.failures.length + data.details.result.complaints.length > 0 ? 'failure' : 'log',
     });
-    this.walk = new WalkPage(context, { previous: () => this.go(-1), next: () => this.go(1), list: () => this.openList() }, scope);
+    this.walk = new WalkPage(
+      context,
+      { previous: () => this.go(-1), next: () => this.go(1), list: () => this.openList() },
+      scope,
+    );
     replace(this.body, this.walk.root);
-    scope.add(this.store.on((state) => state.against, (shown) => {
-      if (shown !== (other !== null)) location.hash = formatLink({ walk: row.id, against: shown });
-    }));
+    scope.add(
+      this.store.on(
+        (state) => state.against,
+        (shown) => {
+          if (shown !== (other !== null)) location.hash = formatLink({ walk: row.id, against: shown });
+        },
+      ),
+    );
     await this.walk.ready;
   }
 
@@ -132,7 +184,8 @@ export class App {
     const { walks } = this.report.index;
     const filter = parseFilter(this.store.state.query);
     const selected = walks.flatMap((row, index) =>
-      filter.isEmpty || filter.matches(searchable(row, this.report.campusOf(row)?.name ?? '')) ? [index] : []);
+      filter.isEmpty || filter.matches(searchable(row, this.report.campusOf(row)?.name ?? '')) ? [index] : [],
+    );
     const order = grouped(walks, selected).flatMap((group) => group.walks);
     const at = order.indexOf(this.store.state.walk);
     const row = walks[order[(at + direction + order.length) % order.length] ?? -1];
@@ -148,9 +201,10 @@ export class App {
       const row = this.report.index.walks[walk];
       if (playing || (page === 'walk' && (!row || !this.walk))) return;
       const time = tick / (this.walk?.context.ticksPerSecond ?? 60);
-      const link = page === 'list'
-        ? formatLink({ query })
-        : formatLink({ walk: row!.id, time, against, ...(camera === 'third' ? {} : { camera }) });
+      const link =
+        page === 'list'
+          ? formatLink({ query })
+          : formatLink({ walk: row!.id, time, against, ...(camera === 'third' ? {} : { camera }) });
       if (link === location.hash || (link === '#' && location.hash === '')) return;
       try {
         history.replaceState(null, '', link);

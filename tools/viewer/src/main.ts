@@ -12,7 +12,10 @@ import { emptyState } from './ui/controls';
 async function start(): Promise<App | null> {
   const root = document.getElementById('app') ?? document.body.appendChild(element('div'));
   if (typeof DecompressionStream === 'undefined') {
-    replace(root, emptyState("This browser can't unpack the report.", element('p', { text: 'Use one from 2023 or later.' })));
+    replace(
+      root,
+      emptyState("This browser can't unpack the report.", element('p', { text: 'Use one from 2023 or later.' })),
+    );
     return null;
   }
   try {
@@ -20,7 +23,10 @@ async function start(): Promise<App | null> {
     return new App(report, new Store(), root);
   } catch (error) {
     if (!(error instanceof BadReport)) throw error;
-    replace(root, emptyState("This report can't be shown.", element('p', { text: error.message, attributes: { role: 'alert' } })));
+    replace(
+      root,
+      emptyState("This report can't be shown.", element('p', { text: error.message, attributes: { role: 'alert' } })),
+    );
     return null;
   }
 }

@@ -54,7 +54,15 @@ export interface Counts {
 
 export function counted(rows: readonly WalkRow[], selected: readonly number[]): Counts {
   const counts: Counts = {
-    total: selected.length, passed: 0, xfail: 0, failed: 0, skipped: 0, bad_input: 0, broken: 0, interrupted: 0, seconds: 0,
+    total: selected.length,
+    passed: 0,
+    xfail: 0,
+    failed: 0,
+    skipped: 0,
+    bad_input: 0,
+    broken: 0,
+    interrupted: 0,
+    seconds: 0,
     distance: 0,
   };
   for (const index of selected) {

@@ -33,13 +33,6 @@ export function fieldOf(line: LogLine, name: string): string | undefined {
   return line.fields.find((field) => field.name === name)?.value;
 }
 
-/** "1.0,2.0,3.0" as a point. */
-export function pointOf(value: string | undefined): [number, number, number] | null {
-  const [x, y, z] = (value ?? '').split(',').map(Number);
-  const isPoint = [x, y, z].every((part) => part !== undefined && Number.isFinite(part));
-  return isPoint ? [x as number, y as number, z as number] : null;
-}
-
 class Reader {
   constructor(
     private readonly text: string,

@@ -48,8 +48,15 @@ export function isCrouching(log: readonly LogLine[], tick: number): boolean {
 export type EventGroup = 'contact' | 'trigger' | 'gaze' | 'popup' | 'body' | 'picture' | 'failure' | 'walk';
 
 const groups: Record<string, EventGroup> = {
-  collision: 'contact', trigger: 'trigger', ray: 'gaze', popup: 'popup', avatar: 'body', object: 'body',
-  snapshot: 'picture', expect: 'failure', walk: 'walk',
+  collision: 'contact',
+  trigger: 'trigger',
+  ray: 'gaze',
+  popup: 'popup',
+  avatar: 'body',
+  object: 'body',
+  snapshot: 'picture',
+  expect: 'failure',
+  walk: 'walk',
 };
 
 export function groupOf(kind: string): EventGroup {
@@ -69,13 +76,19 @@ export function eventsOf(log: readonly LogLine[], failures: readonly Failure[]):
     .filter((line) => !line.kind.endsWith('.stay'))
     .map((line) => ({ tick: line.tick, group: groupOf(line.kind), text: `${line.kind} ${line.object}` }));
   for (const failure of failures) {
-    if (failure.scene) events.push({ tick: failure.scene.tick, group: 'failure', text: `${failure.code}: ${failure.message}` });
+    if (failure.scene)
+      events.push({ tick: failure.scene.tick, group: 'failure', text: `${failure.code}: ${failure.message}` });
   }
   return events.sort((a, b) => a.tick - b.tick);
 }
 
 /** What an object did to the visitor, in a line or a few. */
-export function deedsOf(object: string, log: readonly LogLine[], spans: readonly Span[], ticksPerSecond: number): string[] {
+export function deedsOf(
+  object: string,
+  log: readonly LogLine[],
+  spans: readonly Span[],
+  ticksPerSecond: number,
+): string[] {
   const words: Record<SpanKind, string> = { collision: 'touched', trigger: 'entered', ray: 'looked at' };
   const at = (tick: number): string => `${(tick / ticksPerSecond).toFixed(2)} s`;
   const deeds: string[] = [];

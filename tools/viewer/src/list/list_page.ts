@@ -21,11 +21,14 @@ export class ListPage {
   readonly filterBox: HTMLInputElement;
   private readonly rows: SearchableRow[];
   private readonly list: VirtualList;
-  private readonly counts = element('div', { class: 'counts', attributes: { role: 'group', 'aria-label': 'Outcomes' } });
+  private readonly counts = element('div', {
+    class: 'counts',
+    attributes: { role: 'group', 'aria-label': 'Outcomes' },
+  });
   private readonly totals = element('p', { class: 'totals', attributes: { role: 'status' } });
   private readonly empty = element('div', { class: 'list-empty' });
   private readonly printed = element('div', { class: 'printed' });
-  private readonly overview: Overview;
+  readonly overview: Overview;
   private selected: number[] = [];
   /** Of all walks. */
   private readonly total: Counts;
@@ -33,37 +36,76 @@ export class ListPage {
   /** Milliseconds that the last filtering took; for tests. */
   filterTime = 0;
 
-  constructor(private readonly report: Report, private readonly store: Store, campuses: Campuses, scope: Scope) {
+  constructor(
+    private readonly report: Report,
+    private readonly store: Store,
+    campuses: Campuses,
+    scope: Scope,
+  ) {
     const { walks } = report.index;
     this.rows = walks.map((row) => searchable(row, report.campusOf(row)?.name ?? ''));
-    this.total = counted(walks, walks.map((_, index) => index));
+    this.total = counted(
+      walks,
+      walks.map((_, index) => index),
+    );
     this.list = new VirtualList(scope, 'walks');
     this.list.root.setAttribute('aria-label', 'Walks');
     this.filterBox = element('input', {
       class: 'input filter-box',
-      attributes: { type: 'search', placeholder: 'Filter: s:failed  @tag  p:project  text', 'aria-label': 'Filter', 'aria-keyshortcuts': '/', spellcheck: 'false' },
+      attributes: {
+        type: 'search',
+        placeholder: 'Filter: s:failed  @tag  p:project  text',
+        'aria-label': 'Filter',
+        'aria-keyshortcuts': '/',
+        spellcheck: 'false',
+      },
       on: { input: () => store.set({ query: this.filterBox.value }) },
     });
     this.overview = new Overview(report, campuses, scope);
-    this.root = element('main', { class: 'list' },
+    this.root = element(
+      'main',
+      { class: 'list' },
       this.banners(),
-      element('div', { class: 'list-top' },
+      element(
+        'div',
+        { class: 'list-top' },
         this.counts,
         element('div', { class: 'filter' }, icon('search'), this.filterBox),
-        this.modeSwitch()),
+        this.modeSwitch(),
+      ),
       this.totals,
-      element('div', { class: 'list-body' }, element('div', { class: 'list-main' }, this.list.root, this.empty), this.overview.root),
-      this.printed);
-    scope.add(store.on((state) => state.query, (query) => this.filter(query)));
+      element(
+        'div',
+        { class: 'list-body' },
+        element('div', { class: 'list-main' }, this.list.root, this.empty),
+        this.overview.root,
+      ),
+      this.printed,
+    );
+    scope.add(
+      store.on(
+        (state) => state.query,
+        (query) => this.filter(query),
+      ),
+    );
     scope.listen(window, 'themechange' as keyof WindowEventMap, () => this.showRows());
     scope.listen(window, 'beforeprint', () => replace(this.printed, printedSummary(report, this.selected)));
   }
 
   private banners(): HTMLElement {
     const { complete, problems } = this.report.index;
-    return element('div', { class: 'banners' },
-      !complete && element('p', { class: 'note banner warn' }, icon('warning'), 'This run is not complete: some planned walks are missing.'),
-      ...(problems ?? []).map((problem) => element('p', { class: 'note banner warn' }, icon('warning'), problem)));
+    return element(
+      'div',
+      { class: 'banners' },
+      !complete &&
+        element(
+          'p',
+          { class: 'note banner warn' },
+          icon('warning'),
+          'This run is not complete: some planned walks are missing.',
+        ),
+      ...(problems ?? []).map((problem) => element('p', { class: 'note banner warn' }, icon('warning'), problem)),
+    );
   }
 
   private modeSwitch(): HTMLElement | null {
@@ -73,14 +115,22 @@ export class ListPage {
       const own = this.report.index.walks[row.index];
       return !own || statusOf(own) !== statusOf(row);
     }).length;
-    const modes = segments<'walks' | 'against'>('What is listed', [
-      { value: 'walks', text: 'Walks', label: 'All walks of this run' },
-      { value: 'against', text: `Against ${against.name}: ${changed} changed`, label: `What differs from ${against.name}` },
-    ], (mode) => {
-      this.mode = mode;
-      modes.show(mode);
-      this.showRows();
-    });
+    const modes = segments<'walks' | 'against'>(
+      'What is listed',
+      [
+        { value: 'walks', text: 'Walks', label: 'All walks of this run' },
+        {
+          value: 'against',
+          text: `Against ${against.name}: ${changed} changed`,
+          label: `What differs from ${against.name}`,
+        },
+      ],
+      (mode) => {
+        this.mode = mode;
+        modes.show(mode);
+        this.showRows();
+      },
+    );
     modes.show('walks');
     return modes.root;
   }
@@ -102,17 +152,31 @@ export class ListPage {
     const all = this.report.index.walks.length;
     const { total } = this;
     const chip = (status: string, label: string, count: number): HTMLElement | null =>
-      count === 0 ? null : element('button', {
-        class: `count-chip ${status}`,
-        attributes: { type: 'button', 'aria-pressed': String(has(query, `s:${status}`)) },
-        on: { click: () => this.store.set({ query: toggled(this.store.state.query, `s:${status}`) }) },
-      }, element('strong', { text: count.toLocaleString('en') }), element('span', { text: label }));
-    const unfinished = (['bad_input', 'broken', 'interrupted'] as const).map((outcome) => chip(outcome, outcome.replace('_', ' '), total[outcome]));
-    replace(this.counts,
-      chip('failed', 'failed', total.failed), ...unfinished,
-      chip('passed', 'passed', total.passed + total.xfail), chip('xfail', 'failed as expected', total.xfail),
-      chip('skipped', 'skipped', total.skipped));
-    const shown = counts.total === all ? plural(all, 'walk') : `${counts.total.toLocaleString('en')} of ${plural(all, 'walk')}`;
+      count === 0
+        ? null
+        : element(
+            'button',
+            {
+              class: `count-chip ${status}`,
+              attributes: { type: 'button', 'aria-pressed': String(has(query, `s:${status}`)) },
+              on: { click: () => this.store.set({ query: toggled(this.store.state.query, `s:${status}`) }) },
+            },
+            element('strong', { text: count.toLocaleString('en') }),
+            element('span', { text: label }),
+          );
+    const unfinished = (['bad_input', 'broken', 'interrupted'] as const).map((outcome) =>
+      chip(outcome, outcome.replace('_', ' '), total[outcome]),
+    );
+    replace(
+      this.counts,
+      chip('failed', 'failed', total.failed),
+      ...unfinished,
+      chip('passed', 'passed', total.passed),
+      chip('xfail', 'failed as expected', total.xfail),
+      chip('skipped', 'skipped', total.skipped),
+    );
+    const shown =
+      counts.total === all ? plural(all, 'walk') : `${counts.total.toLocaleString('en')} of ${plural(all, 'walk')}`;
     setText(this.totals, `${shown} · ${seconds(counts.seconds)} simulated · ${metres(counts.distance)} walked`);
   }
 
@@ -149,16 +213,32 @@ export class ListPage {
     const isAll = this.selected.length === this.rows.length;
     const rows = all.filter((row) => isAll || own.has(row.index));
     this.showEmpty(rows.length === 0);
-    this.list.show({ count: rows.length, height: () => rowHeight, key: (i) => `against ${i}`, render: (i) => againstRow(this.report, rows[i]!, document.documentElement) });
+    this.list.show({
+      count: rows.length,
+      height: () => rowHeight,
+      key: (i) => `against ${i}`,
+      render: (i) => againstRow(this.report, rows[i]!, document.documentElement),
+    });
   }
 
   private showEmpty(isEmpty: boolean): void {
     this.empty.hidden = !isEmpty;
     if (!isEmpty) return;
     const { query } = this.store.state;
-    replace(this.empty, query === ''
-      ? emptyState(this.mode === 'against' ? 'Nothing differs.' : 'This run has no walks.')
-      : emptyState('No walk matches.', element('p', {}, 'The filter is ', name(query), '.'),
-          button({ label: 'Remove the filter', text: 'Remove the filter', class: 'small', act: () => this.store.set({ query: '' }) })));
+    replace(
+      this.empty,
+      query === ''
+        ? emptyState(this.mode === 'against' ? 'Nothing differs.' : 'This run has no walks.')
+        : emptyState(
+            'No walk matches.',
+            element('p', {}, 'The filter is ', name(query), '.'),
+            button({
+              label: 'Remove the filter',
+              text: 'Remove the filter',
+              class: 'small',
+              act: () => this.store.set({ query: '' }),
+            }),
+          ),
+    );
   }
 }

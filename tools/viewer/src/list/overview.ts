@@ -33,21 +33,40 @@ export class Overview {
   private layer: PlanCanvas | null = null;
   /** Counts the drawings, so that an old one ends when a new one begins. */
   private round = 0;
+  /** Whether it has the size of a picture that is taken, and not that of its place. */
+  private isPosing = false;
+  /** Called when all paths are drawn. */
+  private complete: () => void = () => {};
 
-  constructor(private readonly report: Report, private readonly campuses: Campuses, private readonly scope: Scope) {
-    const canvas = element('canvas', { attributes: { role: 'img', 'aria-label': 'Plan of the campus with the paths of all listed walks' } });
+  constructor(
+    private readonly report: Report,
+    private readonly campuses: Campuses,
+    private readonly scope: Scope,
+  ) {
+    const canvas = element('canvas', {
+      attributes: { role: 'img', 'aria-label': 'Plan of the campus with the paths of all listed walks' },
+    });
     const names = report.index.campuses.map((campus) => campus.name);
     this.select = element('select', {
-      class: 'select', attributes: { 'aria-label': 'Campus' }, on: { change: () => this.choose(Number(this.select.value)) },
+      class: 'select',
+      attributes: { 'aria-label': 'Campus' },
+      on: { change: () => this.choose(Number(this.select.value)) },
     });
-    names.forEach((campus, index) => this.select.append(element('option', { text: campus, attributes: { value: index } })));
-    this.root = element('aside', { class: 'overview', attributes: { 'aria-label': 'Plan' } },
+    names.forEach((campus, index) =>
+      this.select.append(element('option', { text: campus, attributes: { value: index } })),
+    );
+    this.root = element(
+      'aside',
+      { class: 'overview', attributes: { 'aria-label': 'Plan' } },
       element('div', { class: 'overview-head' }, element('h2', { text: 'All paths' }), names.length > 1 && this.select),
-      element('div', { class: 'overview-plan' }, canvas), this.caption);
+      element('div', { class: 'overview-plan' }, canvas),
+      this.caption,
+    );
     this.root.hidden = names.length === 0;
     this.plan = new PlanCanvas(canvas);
     const holder = canvas.parentElement!;
     scope.resized(holder, () => {
+      if (this.isPosing) return;
       this.plan.resize(holder.clientWidth, holder.clientHeight);
       this.draw();
     });
@@ -62,6 +81,22 @@ export class Overview {
     // When there is nothing else to do, the real campus is drawn under the paths.
     const later = setTimeout(() => void this.loadImage(), 150);
     scope.add(() => clearTimeout(later));
+  }
+
+  /** The plan in a size of its own, as a PNG's data: address. */
+  async picture(width: number, height: number): Promise<string> {
+    await this.loadImage();
+    const holder = this.plan.canvas.parentElement!;
+    this.isPosing = true;
+    const completed = new Promise<void>((resolve) => (this.complete = resolve));
+    this.plan.resize(width, height);
+    this.draw();
+    await completed;
+    const address = this.plan.canvas.toDataURL('image/png');
+    this.isPosing = false;
+    this.plan.resize(holder.clientWidth, holder.clientHeight);
+    this.draw();
+    return address;
   }
 
   show(selected: readonly number[]): void {
@@ -130,16 +165,28 @@ export class Overview {
       for (const { points } of bad.slice(0, 500)) {
         layer.drawMark({ x: points.at(-1)![0], z: points.at(-1)![1], color: this.color('--failed') }, 3.5);
       }
-      this.schedule();
+      this.compose();
+      this.complete();
     });
     this.compose();
   }
 
-  private drawTracks(layer: PlanCanvas, round: number, tracks: Track[], color: string, width: number, opacity: number): void {
+  private drawTracks(
+    layer: PlanCanvas,
+    round: number,
+    tracks: Track[],
+    color: string,
+    width: number,
+    opacity: number,
+  ): void {
     const isCurrent = (): boolean => round === this.round && !this.scope.isOver;
     if (tracks.length <= many) {
       later(() => {
-        if (isCurrent()) layer.drawPaths(tracks.map((track) => track.points), this.color(color), width, opacity);
+        if (!isCurrent()) return;
+        const paths = tracks.map((track) => track.points);
+        // Light edges, so that they are seen on a campus of any colour.
+        layer.drawPaths(paths, '#ffffff', width + 2, 0.5);
+        layer.drawPaths(paths, this.color(color), width, opacity);
         this.schedule();
       });
       return;
@@ -148,7 +195,8 @@ export class Overview {
     for (let from = 0; from < tracks.length; from += many) {
       later(() => {
         if (!isCurrent()) return;
-        for (const { points } of tracks.slice(from, from + many)) density.add(points.map(([x, z]) => layer.toPixels(x, z)));
+        for (const { points } of tracks.slice(from, from + many))
+          density.add(points.map(([x, z]) => layer.toPixels(x, z)));
       });
     }
     later(() => {
@@ -175,7 +223,10 @@ export class Overview {
       this.plan.drawPath({ points: pointed.points, color: this.color(isFailed ? '--failed' : '--trail'), width: 3 });
     }
     this.plan.canvas.style.cursor = pointed ? 'pointer' : '';
-    setText(this.caption, pointed ? walks[pointed.walk]!.id : `${campus.name}: ${plural(this.tracks.length, 'path')}, north (−Z) up`);
+    setText(
+      this.caption,
+      pointed ? walks[pointed.walk]!.id : `${campus.name}: ${plural(this.tracks.length, 'path')}, north (−Z) up`,
+    );
   }
 
   private color(name: string): string {

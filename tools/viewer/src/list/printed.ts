@@ -14,14 +14,40 @@ export function printedSummary(report: Report, selected: readonly number[]): HTM
   const bad = selected.filter((index) => isBad(walks[index]!.outcome));
   const good = selected.filter((index) => !isBad(walks[index]!.outcome));
   const shown = [...bad, ...good].slice(0, most);
-  return element('div', {},
+  return element(
+    'div',
+    {},
     element('h1', {}, name(title)),
-    element('p', {}, `${plural(counts.total, 'walk')}: ${counts.failed} failed, ${counts.passed + counts.xfail} passed, ${counts.skipped} skipped; `,
-      `${seconds(counts.seconds)} simulated, ${metres(counts.distance)} walked.`),
-    element('table', {}, element('thead', {}, element('tr', {}, ...['outcome', 'walk', 'what came'].map((text) => element('th', { text })))),
-      element('tbody', {}, ...shown.map((index) => {
-        const row = walks[index]!;
-        return element('tr', {}, element('td', { text: outcomeNames[statusOf(row)] ?? row.outcome }), element('td', {}, name(row.id)), element('td', {}, name(row.message ?? '')));
-      }))),
-    shown.length < selected.length && element('p', { text: `and ${plural(selected.length - shown.length, 'walk')} more` }));
+    element(
+      'p',
+      {},
+      `${plural(counts.total, 'walk')}: ${counts.failed} failed, ${counts.passed + counts.xfail} passed, ${counts.skipped} skipped; `,
+      `${seconds(counts.seconds)} simulated, ${metres(counts.distance)} walked.`,
+    ),
+    element(
+      'table',
+      {},
+      element(
+        'thead',
+        {},
+        element('tr', {}, ...['outcome', 'walk', 'what came'].map((text) => element('th', { text }))),
+      ),
+      element(
+        'tbody',
+        {},
+        ...shown.map((index) => {
+          const row = walks[index]!;
+          return element(
+            'tr',
+            {},
+            element('td', { text: outcomeNames[statusOf(row)] ?? row.outcome }),
+            element('td', {}, name(row.id)),
+            element('td', {}, name(row.message ?? '')),
+          );
+        }),
+      ),
+    ),
+    shown.length < selected.length &&
+      element('p', { text: `and ${plural(selected.length - shown.length, 'walk')} more` }),
+  );
 }

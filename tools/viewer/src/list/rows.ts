@@ -14,10 +14,13 @@ export const rowHeight = 66;
 export const headHeight = 40;
 
 export function groupHead(group: Group): HTMLElement {
-  return element('div', { class: 'group-head' },
+  return element(
+    'div',
+    { class: 'group-head' },
     element('h3', {}, name(group.file)),
     element('span', { class: 'muted', text: plural(group.walks.length, 'walk') }),
-    group.failed > 0 && element('span', { class: 'outcome failed', text: `${group.failed} failed` }));
+    group.failed > 0 && element('span', { class: 'outcome failed', text: `${group.failed} failed` }),
+  );
 }
 
 export interface RowOptions {
@@ -32,27 +35,53 @@ export function walkRow(report: Report, row: WalkRow, options: RowOptions): HTML
   const link = element('a', { class: 'walk-link', attributes: { href: formatLink({ walk: row.id }) } }, name(row.name));
   return element(
     'div',
-    { class: `walk-row ${status} ${options.inGroup ? 'in-group' : ''}`, on: { mouseenter: () => options.hover(true), mouseleave: () => options.hover(false) } },
+    {
+      class: `walk-row ${status} ${options.inGroup ? 'in-group' : ''}`,
+      on: { mouseenter: () => options.hover(true), mouseleave: () => options.hover(false) },
+    },
     thumbnail(report, row, options.theme),
     statusIcon(status),
-    element('div', { class: 'walk-main' },
-      element('div', { class: 'walk-line' }, link,
+    element(
+      'div',
+      { class: 'walk-main' },
+      element(
+        'div',
+        { class: 'walk-line' },
+        link,
         row.project !== '' && element('span', { class: 'chip' }, name(row.project)),
         row.repetition > 0 && element('span', { class: 'chip', text: `#${row.repetition}` }),
-        ...row.tags.map((tag) => element('button', {
-          class: 'chip tag', attributes: { type: 'button', 'aria-label': `Filter by tag ${tag}` }, on: { click: () => options.addTag(tag) },
-        }, name(`@${tag}`)))),
-      secondLine(row, status)),
+        ...row.tags.map((tag) =>
+          element(
+            'button',
+            {
+              class: 'chip tag',
+              attributes: { type: 'button', 'aria-label': `Filter by tag ${tag}` },
+              on: { click: () => options.addTag(tag) },
+            },
+            name(`@${tag}`),
+          ),
+        ),
+      ),
+      secondLine(row, status),
+    ),
     element('span', { class: 'visually-hidden', text: outcomeNames[status] ?? status }),
-    element('div', { class: 'walk-numbers' },
+    element(
+      'div',
+      { class: 'walk-numbers' },
       element('span', { text: row.ticks > 0 ? seconds(row.seconds) : '' }),
-      element('span', { class: 'muted', text: row.ticks > 0 ? metres(row.distance) : '' })));
+      element('span', { class: 'muted', text: row.ticks > 0 ? metres(row.distance) : '' }),
+    ),
+  );
 }
 
 function secondLine(row: WalkRow, status: string): HTMLElement {
   if (row.message) {
-    return element('div', { class: `walk-message ${status}`, title: row.message },
-      row.code ? element('span', { class: 'code', text: row.code }) : null, name(row.message));
+    return element(
+      'div',
+      { class: `walk-message ${status}`, title: row.message },
+      row.code ? element('span', { class: 'code', text: row.code }) : null,
+      name(row.message),
+    );
   }
   return element('div', { class: 'walk-message muted' }, name(row.status_reason || row.file));
 }
@@ -63,16 +92,41 @@ export function againstRow(report: Report, other: AgainstRow, theme: Element): H
   const row = own ?? other;
   const changed = !own || statusOf(own) !== statusOf(other);
   const verdict = (each: WalkRow | undefined): HTMLElement =>
-    element('span', { class: `outcome ${each ? statusOf(each) : 'skipped'}`, text: each ? (outcomeNames[statusOf(each)] ?? each.outcome) : 'not in this run' });
-  const parts = other.parts_at === null || row.ticks === 0 ? 'the same path' : `paths part at ${(other.parts_at / (row.ticks / Math.max(row.seconds, 1e-9))).toFixed(2)} s`;
+    element('span', {
+      class: `outcome ${each ? statusOf(each) : 'skipped'}`,
+      text: each ? (outcomeNames[statusOf(each)] ?? each.outcome) : 'not in this run',
+    });
+  const parts =
+    other.parts_at === null || row.ticks === 0
+      ? 'the same path'
+      : `paths part at ${(other.parts_at / (row.ticks / Math.max(row.seconds, 1e-9))).toFixed(2)} s`;
   return element(
-    'div', { class: `walk-row ${changed ? 'changed' : ''}` },
+    'div',
+    { class: `walk-row ${changed ? 'changed' : ''}` },
     thumbnail(report, row, theme),
     statusIcon(statusOf(row)),
-    element('div', { class: 'walk-main' },
-      element('div', { class: 'walk-line' },
-        element('a', { class: 'walk-link', attributes: { href: formatLink({ walk: row.id, against: true }) } }, name(row.name)),
-        row.project !== '' && element('span', { class: 'chip' }, name(row.project))),
-      element('div', { class: 'walk-message' }, verdict(other), element('span', { class: 'arrow', text: '→' }), verdict(own), element('span', { class: 'muted', text: parts }))),
-    element('div', { class: 'walk-numbers' }));
+    element(
+      'div',
+      { class: 'walk-main' },
+      element(
+        'div',
+        { class: 'walk-line' },
+        element(
+          'a',
+          { class: 'walk-link', attributes: { href: formatLink({ walk: row.id, against: true }) } },
+          name(row.name),
+        ),
+        row.project !== '' && element('span', { class: 'chip' }, name(row.project)),
+      ),
+      element(
+        'div',
+        { class: 'walk-message' },
+        verdict(other),
+        element('span', { class: 'arrow', text: '→' }),
+        verdict(own),
+        element('span', { class: 'muted', text: parts }),
+      ),
+    ),
+    element('div', { class: 'walk-numbers' }),
+  );
 }

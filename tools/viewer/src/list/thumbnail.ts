@@ -13,7 +13,11 @@ const height = 50;
 
 export function thumbnail(report: Report, row: WalkRow, theme: Element): HTMLElement {
   const address = report.picture(row.thumbnail);
-  if (address) return element('img', { class: 'thumbnail', attributes: { src: address, alt: '', loading: 'lazy', decoding: 'async' } });
+  if (address)
+    return element('img', {
+      class: 'thumbnail',
+      attributes: { src: address, alt: '', loading: 'lazy', decoding: 'async' },
+    });
   const points = planPoints(row.plan);
   if (points.length === 0) return element('span', { class: 'thumbnail blank' });
   const canvas = element('canvas', { class: 'thumbnail', attributes: { 'aria-hidden': 'true' } });
@@ -22,10 +26,16 @@ export function thumbnail(report: Report, row: WalkRow, theme: Element): HTMLEle
 }
 
 function drawPlan(
-  canvas: HTMLCanvasElement, report: Report, row: WalkRow, points: readonly [number, number][], theme: Element,
+  canvas: HTMLCanvasElement,
+  report: Report,
+  row: WalkRow,
+  points: readonly [number, number][],
+  theme: Element,
 ): void {
   const plan = new PlanCanvas(canvas);
-  const [min, max] = boundsOf(points, 6);
+  const [low, high] = boundsOf(points, 0);
+  const margin = Math.min(6, Math.max(1.5, 0.2 * Math.max(high[0]! - low[0]!, high[2]! - low[2]!)));
+  const [min, max] = boundsOf(points, margin);
   plan.resize(width, height);
   plan.view = fitted(min, max, width, height, 3);
   plan.drawCampus(report.campusOf(row), null, colorsOf(theme));
@@ -33,5 +43,5 @@ function drawPlan(
   const color = style.getPropertyValue(isBad(row.outcome) ? '--failed' : '--trail').trim();
   plan.drawPath({ points, color, width: 2 });
   const [x, z] = points.at(-1)!;
-  plan.drawMark({ x, z, color }, 3);
+  plan.drawMark({ x, z, color }, 2.5);
 }

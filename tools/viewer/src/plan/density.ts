@@ -3,7 +3,10 @@
 export class Density {
   private readonly counts: Uint16Array;
 
-  constructor(private readonly width: number, private readonly height: number) {
+  constructor(
+    private readonly width: number,
+    private readonly height: number,
+  ) {
     this.counts = new Uint16Array(width * height);
   }
 

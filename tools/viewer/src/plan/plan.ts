@@ -38,7 +38,13 @@ export function colorsOf(element: Element): PlanColors {
 }
 
 /** The view that shows a region in a canvas of so many pixels. */
-export function fitted(min: readonly number[], max: readonly number[], width: number, height: number, margin = 8): PlanView {
+export function fitted(
+  min: readonly number[],
+  max: readonly number[],
+  width: number,
+  height: number,
+  margin = 8,
+): PlanView {
   const across = Math.max(max[0]! - min[0]!, 4);
   const deep = Math.max(max[2]! - min[2]!, 4);
   return {
@@ -54,7 +60,10 @@ export function boundsOf(points: readonly (readonly [number, number])[], margin:
   const zs = points.map((point) => point[1]);
   const [minX, maxX] = [Math.min(...xs), Math.max(...xs)];
   const [minZ, maxZ] = [Math.min(...zs), Math.max(...zs)];
-  return [[minX - margin, 0, minZ - margin], [maxX + margin, 0, maxZ + margin]];
+  return [
+    [minX - margin, 0, minZ - margin],
+    [maxX + margin, 0, maxZ + margin],
+  ];
 }
 
 export class PlanCanvas {
@@ -129,7 +138,12 @@ export class PlanCanvas {
   }
 
   /** Many at once, in one colour. */
-  drawPaths(paths: readonly (readonly (readonly [number, number])[])[], color: string, width: number, opacity: number): void {
+  drawPaths(
+    paths: readonly (readonly (readonly [number, number])[])[],
+    color: string,
+    width: number,
+    opacity: number,
+  ): void {
     const { context } = this;
     context.globalAlpha = opacity;
     context.strokeStyle = color;

@@ -96,8 +96,10 @@ export class CameraRig {
 
   zoom(steps: number): void {
     const factor = 1.12 ** steps;
-    this.third.distance = this.mode === 'third' ? MathUtils.clamp(this.third.distance * factor, 1.2, 40) : this.third.distance;
-    this.orbit.distance = this.mode === 'orbit' ? MathUtils.clamp(this.orbit.distance * factor, 0.6, 900) : this.orbit.distance;
+    this.third.distance =
+      this.mode === 'third' ? MathUtils.clamp(this.third.distance * factor, 1.2, 40) : this.third.distance;
+    this.orbit.distance =
+      this.mode === 'orbit' ? MathUtils.clamp(this.orbit.distance * factor, 0.6, 900) : this.orbit.distance;
     this.top.height = this.mode === 'top' ? MathUtils.clamp(this.top.height * factor, 4, 900) : this.top.height;
     if (this.mode === 'free') this.fly(0, 0, -steps * 1.5);
   }
@@ -160,7 +162,9 @@ export class CameraRig {
     const { turn, tilt, distance } = this.orbit;
     const flat = Math.cos(tilt) * distance;
     this.camera.position.set(
-      target.x + Math.sin(turn) * flat, target.y + Math.sin(tilt) * distance, target.z + Math.cos(turn) * flat,
+      target.x + Math.sin(turn) * flat,
+      target.y + Math.sin(tilt) * distance,
+      target.z + Math.cos(turn) * flat,
     );
     this.camera.up.copy(up);
     this.camera.lookAt(target);

@@ -1,13 +1,31 @@
 // The campus in 3D: its geometry, or boxes of its objects where the report has none.
 
 import {
-  Box3, BoxGeometry, Color, DoubleSide, FrontSide, Group, Mesh, MeshBasicMaterial, MeshLambertMaterial, Plane, Vector3,
-  type BufferGeometry, type Material, type MeshStandardMaterial, type Object3D,
+  Box3,
+  BoxGeometry,
+  Color,
+  DoubleSide,
+  EdgesGeometry,
+  FrontSide,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshBasicMaterial,
+  MeshLambertMaterial,
+  Plane,
+  Vector3,
+  type BufferGeometry,
+  type Material,
+  type MeshStandardMaterial,
+  type Object3D,
 } from 'three';
 import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
 import { MeshoptDecoder } from 'three/examples/jsm/libs/meshopt_decoder.module.js';
 import type { CampusEntry } from '../format';
 import { ImagePlugin } from './image_plugin';
+
+const mostWithEdges = 150_000; // triangles
 
 /** A piece of the geometry, and which objects it belongs to. */
 export interface Piece {
@@ -34,6 +52,7 @@ export class CampusModel {
     const model = new CampusModel(campus);
     if (glb) await model.addGeometry(glb);
     else model.addBoxes();
+    if (model.isPlain()) model.addEdges();
     if (model.bounds.isEmpty()) model.bounds.set(new Vector3(...campus.min), new Vector3(...campus.max));
     return model;
   }
@@ -81,8 +100,37 @@ export class CampusModel {
     this.root.add(gltf.scene);
   }
 
+  /** Whether next to nothing has a texture: surfaces of one colour can't be told apart where they join. */
+  private isPlain(): boolean {
+    let textured = 0;
+    let all = 0;
+    for (const { mesh, material } of this.pieces) {
+      const count = trianglesOf(mesh);
+      all += count;
+      if ((material as MeshLambertMaterial).map && mesh.geometry.hasAttribute('uv')) textured += count;
+    }
+    return textured < 0.1 * all && all < mostWithEdges;
+  }
+
+  private addEdges(): void {
+    const material = new LineBasicMaterial({ color: 0x1d2630, transparent: true, opacity: 0.42 });
+    // Surfaces a little farther away than their edges.
+    for (const surface of this.materials)
+      Object.assign(surface, { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
+    this.materials.add(material);
+    for (const { mesh } of this.pieces) {
+      const edges = new LineSegments(new EdgesGeometry(mesh.geometry, 28), material);
+      edges.matrixAutoUpdate = false;
+      edges.matrix.copy(mesh.matrixWorld);
+      edges.renderOrder = 2;
+      this.root.add(edges);
+    }
+  }
+
   private addBoxes(): void {
     const solid = new MeshLambertMaterial({ color: 0xb9c0c8 });
+    // A mesh isn't where its bounds are: one looks into them.
+    const hollow = new MeshLambertMaterial({ color: 0xb9c0c8, transparent: true, opacity: 0.3, depthWrite: false });
     const ground = new MeshLambertMaterial({ color: 0x9fa890 });
     this.campus.objects.forEach((object, index) => {
       if (!object.modes.includes('solid')) return;
@@ -96,7 +144,7 @@ export class CampusModel {
         mesh.position.y = object.min[1];
       }
       mesh.updateMatrixWorld(true);
-      this.add(mesh, isGround ? ground : solid, [index], object.id);
+      this.add(mesh, isGround ? ground : object.shape === 'mesh' ? hollow : solid, [index], object.id);
       this.root.add(mesh);
     });
   }
@@ -111,6 +159,11 @@ export class CampusModel {
     this.bounds.union(bounds);
     this.pieces.push({ mesh, objects, node, material, bounds });
   }
+}
+
+function trianglesOf(mesh: Mesh): number {
+  const { geometry } = mesh;
+  return (geometry.getIndex()?.count ?? geometry.getAttribute('position').count) / 3;
 }
 
 /** A node's extras are the mesh's, or of the group that holds its parts. */
@@ -129,13 +182,21 @@ function extrasOf(mesh: Object3D): { objects: number[]; name: string } {
 function matte(material: Material): Material {
   const source = material as MeshStandardMaterial;
   const common = {
-    name: source.name, color: source.color ?? new Color(1, 1, 1), map: source.map ?? null, vertexColors: source.vertexColors,
-    transparent: source.transparent, opacity: source.opacity, alphaTest: source.alphaTest,
-    depthWrite: source.depthWrite, side: source.side === DoubleSide ? DoubleSide : FrontSide,
+    name: source.name,
+    color: source.color ?? new Color(1, 1, 1),
+    map: source.map ?? null,
+    vertexColors: source.vertexColors,
+    transparent: source.transparent,
+    opacity: source.opacity,
+    alphaTest: source.alphaTest,
+    depthWrite: source.depthWrite,
+    side: source.side === DoubleSide ? DoubleSide : FrontSide,
   };
   if (material instanceof MeshBasicMaterial) return new MeshBasicMaterial(common);
   return new MeshLambertMaterial({
-    ...common, emissive: source.emissive ?? 0, emissiveMap: source.emissiveMap ?? null,
+    ...common,
+    emissive: source.emissive ?? 0,
+    emissiveMap: source.emissiveMap ?? null,
     emissiveIntensity: source.emissiveIntensity ?? 1,
   });
 }

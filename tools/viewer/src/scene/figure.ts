@@ -1,21 +1,44 @@
 // The visitor: a person of the avatar's size, whose legs swing with the metres walked.
 
 import {
-  CapsuleGeometry, CircleGeometry, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial,
-  SphereGeometry, EdgesGeometry, type BufferGeometry, type Object3D,
+  CapsuleGeometry,
+  CircleGeometry,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshBasicMaterial,
+  MeshLambertMaterial,
+  SphereGeometry,
+  EdgesGeometry,
+  type BufferGeometry,
+  type Object3D,
 } from 'three';
 import type { Avatar } from '../format';
 import type { Pose } from '../data/path';
 
 export interface FigureColors {
   coat: number;
+  bag: number;
   trousers: number;
   skin: number;
   hair: number;
 }
 
-export const visitorColors: FigureColors = { coat: 0x2f6fde, trousers: 0x2c3442, skin: 0xe2b08d, hair: 0x3a2a1f };
-export const otherColors: FigureColors = { coat: 0xe08a1e, trousers: 0x4a4038, skin: 0xe2b08d, hair: 0x3a2a1f };
+export const visitorColors: FigureColors = {
+  coat: 0x2f6fde,
+  bag: 0x18315c,
+  trousers: 0x2c3442,
+  skin: 0xe2b08d,
+  hair: 0x3a2a1f,
+};
+export const otherColors: FigureColors = {
+  coat: 0xe08a1e,
+  bag: 0x5c3d12,
+  trousers: 0x4a4038,
+  skin: 0xe2b08d,
+  hair: 0x3a2a1f,
+};
 
 /** Proportions of an adult of height 1. */
 const hip = 0.51;
@@ -29,21 +52,34 @@ export class Figure {
   private readonly height: number;
   private readonly geometries: BufferGeometry[] = [];
 
-  constructor(private readonly avatar: Avatar, colors: FigureColors) {
+  constructor(
+    private readonly avatar: Avatar,
+    colors: FigureColors,
+  ) {
     this.height = avatar.height;
     // Narrow bodies are drawn narrow, but nobody is a barrel.
     const girth = Math.min(1.15, Math.max(0.7, avatar.radius / (0.165 * this.height)));
     const coat = new MeshLambertMaterial({ color: colors.coat });
     const cloth = new MeshLambertMaterial({ color: colors.trousers });
     const skin = new MeshLambertMaterial({ color: colors.skin });
+    const bag = new MeshLambertMaterial({ color: colors.bag });
     const hair = new MeshLambertMaterial({ color: colors.hair });
 
     const torso = this.part(new CapsuleGeometry(0.088, 0.185, 6, 14), coat, 0, 0.675, 0);
     torso.scale.set(1.08 * girth, 1, 0.74 * girth);
     const hips = this.part(new SphereGeometry(0.085, 14, 10), cloth, 0, 0.525, 0);
     hips.scale.set(1.08 * girth, 0.8, 0.8 * girth);
-    const shoulders = this.part(new CapsuleGeometry(0.043, 0.17 * girth, 6, 14).rotateZ(Math.PI / 2), coat, 0, 0.785, 0);
+    const shoulders = this.part(
+      new CapsuleGeometry(0.043, 0.17 * girth, 6, 14).rotateZ(Math.PI / 2),
+      coat,
+      0,
+      0.785,
+      0,
+    );
     shoulders.scale.set(1, 1, 0.92);
+    // Shows from afar which way the visitor faces.
+    const pack = this.part(new CapsuleGeometry(0.062, 0.1, 6, 12), bag, 0, 0.7, 0.085 * girth);
+    pack.scale.set(1, 1, 0.62);
     this.part(new CapsuleGeometry(0.026, 0.05, 4, 10), skin, 0, 0.855, 0);
     const head = this.part(new SphereGeometry(0.062, 18, 14), skin, 0, 0.93, -0.006);
     head.scale.set(0.86, 1.12, 0.98);
@@ -106,8 +142,14 @@ export class Figure {
     this.capsule.geometry.dispose();
   }
 
-  private part(geometry: BufferGeometry, material: MeshLambertMaterial, x: number, y: number, z: number,
-               parent: Object3D = this.body): Mesh {
+  private part(
+    geometry: BufferGeometry,
+    material: MeshLambertMaterial,
+    x: number,
+    y: number,
+    z: number,
+    parent: Object3D = this.body,
+  ): Mesh {
     this.geometries.push(geometry);
     const mesh = new Mesh(geometry, material);
     mesh.position.set(x, y, z);
@@ -116,12 +158,25 @@ export class Figure {
   }
 
   /** Hangs from its joint; its end is a shoe or a hand. */
-  private limb(x: number, y: number, radius: number, length: number, cloth: MeshLambertMaterial,
-               end: MeshLambertMaterial): Group {
+  private limb(
+    x: number,
+    y: number,
+    radius: number,
+    length: number,
+    cloth: MeshLambertMaterial,
+    end: MeshLambertMaterial,
+  ): Group {
     const joint = new Group();
     joint.position.set(x, y, 0);
     this.part(new CapsuleGeometry(radius, length, 4, 10), cloth, 0, -length / 2, 0, joint);
-    const tip = this.part(new SphereGeometry(radius * 1.02, 10, 8), end, 0, -length - radius * 0.75, -radius * 0.5, joint);
+    const tip = this.part(
+      new SphereGeometry(radius * 1.02, 10, 8),
+      end,
+      0,
+      -length - radius * 0.75,
+      -radius * 0.5,
+      joint,
+    );
     if (y === hip) {
       tip.scale.set(0.95, 0.7, 1.9);
       tip.position.set(0, -hip + radius * 0.7, -radius * 0.7);
@@ -134,7 +189,12 @@ export class Figure {
   private shadow(): Mesh {
     const geometry = new CircleGeometry(this.avatar.radius * 1.25, 24).rotateX(-Math.PI / 2);
     const material = new MeshBasicMaterial({
-      color: 0x000000, transparent: true, opacity: 0.28, depthWrite: false, polygonOffset: true, polygonOffsetFactor: -4,
+      color: 0x000000,
+      transparent: true,
+      opacity: 0.28,
+      depthWrite: false,
+      polygonOffset: true,
+      polygonOffsetFactor: -4,
       polygonOffsetUnits: -4,
     });
     this.geometries.push(geometry);

@@ -10,7 +10,10 @@ export class Highlight {
   private readonly tinted = new Map<Material, Material>();
   private lit: Piece[] = [];
 
-  constructor(private readonly model: CampusModel, color: number) {
+  constructor(
+    private readonly model: CampusModel,
+    color: number,
+  ) {
     this.uniforms = { tint: { value: new Color(color) }, about: { value: new Vector3() }, within: { value: 1e6 } };
   }
 

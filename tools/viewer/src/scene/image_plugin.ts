@@ -1,7 +1,13 @@
 // Decodes a GLB's pictures from its own bytes. GLTFLoader would make an address for each and fetch it.
 
 import {
-  ClampToEdgeWrapping, LinearFilter, LinearMipmapLinearFilter, MirroredRepeatWrapping, RepeatWrapping, Texture, type Wrapping,
+  ClampToEdgeWrapping,
+  LinearFilter,
+  LinearMipmapLinearFilter,
+  MirroredRepeatWrapping,
+  RepeatWrapping,
+  Texture,
+  type Wrapping,
 } from 'three';
 import type { GLTFLoaderPlugin, GLTFParser } from 'three/examples/jsm/loaders/GLTFLoader.js';
 
@@ -12,7 +18,9 @@ interface Document {
 }
 
 const wrappings: Record<number, Wrapping> = {
-  10497: RepeatWrapping, 33071: ClampToEdgeWrapping, 33648: MirroredRepeatWrapping,
+  10497: RepeatWrapping,
+  33071: ClampToEdgeWrapping,
+  33648: MirroredRepeatWrapping,
 };
 
 export class ImagePlugin implements GLTFLoaderPlugin {

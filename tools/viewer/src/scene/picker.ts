@@ -59,13 +59,20 @@ export class Picker {
   }
 
   private described(
-    hit: { distance: number; piece: Piece; triangle: number }, origin: Vector3, direction: Vector3,
+    hit: { distance: number; piece: Piece; triangle: number },
+    origin: Vector3,
+    direction: Vector3,
   ): Hit {
     const { mesh } = hit.piece;
     const normal = new Vector3(...this.treeOf(mesh).normalOf(hit.triangle));
     normal.applyMatrix3(new Matrix3().getNormalMatrix(mesh.matrixWorld)).normalize();
     if (normal.dot(direction) > 0) normal.negate();
-    return { point: origin.clone().addScaledVector(direction, hit.distance), normal, distance: hit.distance, piece: hit.piece };
+    return {
+      point: origin.clone().addScaledVector(direction, hit.distance),
+      normal,
+      distance: hit.distance,
+      piece: hit.piece,
+    };
   }
 
   /** Where the ray gets below what is cut away; null if it never does. */

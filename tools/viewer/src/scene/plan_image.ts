@@ -1,6 +1,7 @@
 // The campus from straight above as an image, for plans. Drawn once.
 
 import { Color, OrthographicCamera, Vector3 } from 'three';
+import { colorsOf } from '../plan/plan';
 import type { CampusModel } from './campus_model';
 import type { Stage } from './stage';
 
@@ -25,7 +26,7 @@ export function planImage(stage: Stage, model: CampusModel): HTMLCanvasElement {
   const cut = model.cutHeight;
   hidden.forEach((child) => (child.visible = false));
   scene.fog = null;
-  scene.background = new Color(0x9fab8e);
+  scene.background = new Color(colorsOf(document.documentElement).ground);
   model.cut(null);
   scene.add(model.root);
   renderer.setPixelRatio(1);

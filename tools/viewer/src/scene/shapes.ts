@@ -1,8 +1,19 @@
 // Colliders' shapes as geometry: trigger volumes, and outlines of what is in the way.
 
 import {
-  BoxGeometry, CapsuleGeometry, CylinderGeometry, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Matrix4, Mesh,
-  MeshBasicMaterial, SphereGeometry, Vector3, type BufferGeometry,
+  BoxGeometry,
+  CapsuleGeometry,
+  CylinderGeometry,
+  EdgesGeometry,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Matrix4,
+  Mesh,
+  MeshBasicMaterial,
+  SphereGeometry,
+  Vector3,
+  type BufferGeometry,
 } from 'three';
 import type { CampusObject } from '../format';
 
@@ -31,13 +42,30 @@ export function geometryOf(object: CampusObject): BufferGeometry {
   return geometry.applyMatrix4(axesOf(object).setPosition(center));
 }
 
-/** Whether a point is inside a trigger's volume. */
-export function contains(object: CampusObject, point: Vector3): boolean {
-  if (object.shape !== 'box' || !object.center || !object.size) {
-    return point.toArray().every((value, i) => value >= object.min[i]! && value <= object.max[i]!);
+/** Whether a point is in an object's volume, or no farther from it than `slack`. Of a mesh: in its bounds. */
+export function contains(object: CampusObject, point: Vector3, slack = 0): boolean {
+  const inBounds = point
+    .toArray()
+    .every((value, i) => value >= object.min[i]! - slack && value <= object.max[i]! + slack);
+  if (!inBounds || !object.center) return inBounds;
+  const [x, y, z] = point
+    .clone()
+    .sub(new Vector3(...object.center))
+    .applyMatrix4(axesOf(object).transpose())
+    .toArray();
+  const radius = (object.radius ?? 0) + slack;
+  switch (object.shape) {
+    case 'box':
+      return [x, y, z].every((value, i) => Math.abs(value) <= (object.size?.[i] ?? 0) / 2 + slack);
+    case 'sphere':
+      return Math.hypot(x, y, z) <= radius;
+    case 'capsule':
+      return Math.hypot(x, Math.max(0, Math.abs(y) - (object.height ?? 0) / 2 + (object.radius ?? 0)), z) <= radius;
+    case 'wheel':
+      return Math.abs(x) <= (object.width ?? 0) / 2 + slack && Math.hypot(y, z) <= radius;
+    case 'mesh':
+      return true;
   }
-  const local = point.clone().sub(new Vector3(...object.center)).applyMatrix4(axesOf(object).transpose());
-  return local.toArray().every((value, i) => Math.abs(value) <= object.size![i]! / 2);
 }
 
 /** Translucent, with its edges; brighter while the visitor is inside. */
@@ -46,7 +74,10 @@ export class Volume {
   private readonly faces: MeshBasicMaterial;
   private readonly edges: LineBasicMaterial;
 
-  constructor(readonly object: CampusObject, private readonly color: number) {
+  constructor(
+    readonly object: CampusObject,
+    private readonly color: number,
+  ) {
     const geometry = geometryOf(object);
     this.faces = new MeshBasicMaterial({ color, transparent: true, opacity: 0.08, depthWrite: false, fog: false });
     this.edges = new LineBasicMaterial({ color, transparent: true, opacity: 0.5, fog: false });

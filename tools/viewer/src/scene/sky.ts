@@ -30,8 +30,14 @@ export class Sky {
 
   constructor() {
     const material = new ShaderMaterial({
-      vertexShader, fragmentShader, uniforms: { sun: { value: this.sun } }, side: BackSide, depthWrite: false,
-      depthTest: true, toneMapped: false, fog: false,
+      vertexShader,
+      fragmentShader,
+      uniforms: { sun: { value: this.sun } },
+      side: BackSide,
+      depthWrite: false,
+      depthTest: true,
+      toneMapped: false,
+      fog: false,
     });
     this.mesh = new Mesh(new SphereGeometry(1, 32, 16), material);
     this.mesh.frustumCulled = false;

@@ -1,8 +1,18 @@
 // The canvas, its renderer, lights and sky. Draws only when something has changed.
 
 import {
-  AmbientLight, Color, DirectionalLight, Fog, HemisphereLight, NeutralToneMapping, PCFShadowMap, PerspectiveCamera,
-  Scene, Vector3, WebGLRenderer, type Box3,
+  AmbientLight,
+  Color,
+  DirectionalLight,
+  Fog,
+  HemisphereLight,
+  NeutralToneMapping,
+  PCFShadowMap,
+  PerspectiveCamera,
+  Scene,
+  Vector3,
+  WebGLRenderer,
+  type Box3,
 } from 'three';
 import { element } from '../ui/dom';
 import { Sky } from './sky';
@@ -92,6 +102,20 @@ export class Stage {
     this.camera.updateProjectionMatrix();
     // At once: a resized canvas is empty.
     this.draw();
+  }
+
+  /** What the camera sees, as a PNG's data: address. */
+  picture(width: number, height: number): string {
+    const { clientWidth, clientHeight } = this.canvas;
+    const ratio = this.renderer.getPixelRatio();
+    this.renderer.setPixelRatio(1);
+    this.resize(width, height);
+    for (const animation of this.animations) animation(0);
+    this.draw();
+    const address = this.canvas.toDataURL('image/png');
+    this.renderer.setPixelRatio(ratio);
+    this.resize(clientWidth, clientHeight);
+    return address;
   }
 
   invalidate(): void {

@@ -27,7 +27,10 @@ export class Trail {
   private readonly before: Uint32Array;
   private readonly height: number;
 
-  constructor(private readonly path: Path, private readonly style: TrailStyle) {
+  constructor(
+    private readonly path: Path,
+    private readonly style: TrailStyle,
+  ) {
     this.height = above + (style.lift ?? 0);
     this.before = new Uint32Array(path.length);
     const positions = this.segments();
@@ -85,8 +88,14 @@ export class Trail {
 
   private addLine(geometry: LineSegmentsGeometry, width: number, opacity: number, depthTest: boolean): void {
     const material = new LineMaterial({
-      color: this.style.color, linewidth: width, opacity, transparent: opacity < 1, depthTest, depthWrite: false,
-      fog: false, toneMapped: false,
+      color: this.style.color,
+      linewidth: width,
+      opacity,
+      transparent: opacity < 1,
+      depthTest,
+      depthWrite: false,
+      fog: false,
+      toneMapped: false,
     });
     const line = new LineSegments2(geometry, material);
     line.frustumCulled = false;

@@ -1,8 +1,19 @@
 // A walk in 3D: the visitor, its trail, trigger volumes, contacts, its gaze, and what is in its way.
 
 import {
-  ArrowHelper, BufferGeometry, Float32BufferAttribute, Group, Line, LineBasicMaterial, LineSegments, Mesh,
-  MeshBasicMaterial, RingGeometry, SphereGeometry, Vector3, EdgesGeometry,
+  ArrowHelper,
+  BufferGeometry,
+  Float32BufferAttribute,
+  Group,
+  Line,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshBasicMaterial,
+  RingGeometry,
+  SphereGeometry,
+  Vector3,
+  EdgesGeometry,
 } from 'three';
 import type { CampusObject, Finding } from '../format';
 import { isCrouching, isDuring } from '../data/spans';
@@ -19,7 +30,14 @@ import type { Stage } from './stage';
 import { Trail } from './trail';
 
 const defaultAvatar = { radius: 0.3, height: 1.8, eye_height: 1.7 };
-const colors = { trail: 0x2b7cff, other: 0xf08c1e, trigger: 0x35b6d9, contact: 0xff5a2c, gaze: 0xf5d742, failure: 0xff2a2a };
+const colors = {
+  trail: 0x2b7cff,
+  other: 0xf08c1e,
+  trigger: 0x35b6d9,
+  contact: 0xff5a2c,
+  gaze: 0xf5d742,
+  failure: 0xff2a2a,
+};
 
 interface Walker {
   data: WalkData;
@@ -39,6 +57,7 @@ export class WalkScene {
   private readonly gaze: Line;
   private readonly shownLabels: { label: Label; layer: keyof Layers }[] = [];
   private obstacleLabels: Label[] = [];
+  private obstacleId = '';
 
   constructor(
     private readonly stage: Stage,
@@ -72,9 +91,20 @@ export class WalkScene {
     const lowered = crouching ? 0.6 : 1;
     return {
       pose,
-      eyeHeight: crouching ? (data.details.recording?.avatar.crouch_eye_height ?? avatar.eye_height * 0.6) : avatar.eye_height,
+      eyeHeight: crouching
+        ? (data.details.recording?.avatar.crouch_eye_height ?? avatar.eye_height * 0.6)
+        : avatar.eye_height,
       height: avatar.height * lowered,
     };
+  }
+
+  get figures(): number[][] {
+    return this.walkers.map(({ figure }) => figure.root.position.toArray());
+  }
+
+  /** Ids of what is lit as an obstacle. */
+  get litObjects(): string[] {
+    return this.obstacleId === '' ? [] : [this.obstacleId];
   }
 
   setTick(tick: number, layers: Layers, fromEyes: boolean): void {
@@ -109,17 +139,24 @@ export class WalkScene {
     for (const label of this.obstacleLabels.splice(0)) this.labels.remove(label);
     const index = reason ? (this.context.objects.get(reason.object) ?? -1) : -1;
     const object = this.context.campus?.objects[index];
+    this.obstacleId = object?.id ?? '';
     const at = reason?.at ? new Vector3(...reason.at) : null;
     if (!reason || (!object && !at)) {
       this.loaded.obstacle.clear();
       return;
     }
-    this.loaded.obstacle.show(object ? this.loaded.model.piecesOf(index) : [], at);
+    const pieces = object ? this.loaded.model.piecesOf(index) : [];
+    this.loaded.obstacle.show(pieces, at);
     if (object && object.shape !== 'mesh') this.obstacle.add(outline(object));
+    // A shape without nodes of the model is drawn itself.
+    if (object && object.shape !== 'mesh' && pieces.length === 0)
+      this.obstacle.add(filled(object, colors.failure, 0.4));
     if (at) {
       this.obstacle.add(ball(at, 0.05, colors.failure));
-      this.obstacleLabels.push(this.labels.add(reason.object || 'here', at.clone().add(new Vector3(0, 0.12, 0)), 'failure'));
-      if (reason.tick !== null) this.addMeasure(reason, at, this.visitorAt(reason.tick).pose.y);
+      const foot = reason.tick === null ? null : this.visitorAt(reason.tick).pose.y;
+      if (foot === null || !this.addMeasure(reason, at, foot)) {
+        this.obstacleLabels.push(this.labels.add(reason.object || 'here', at, 'failure', Infinity, 'below'));
+      }
     }
   }
 
@@ -153,7 +190,13 @@ export class WalkScene {
     this.stage.invalidate();
   }
 
-  private addWalker(data: WalkData, figureColors: typeof visitorColors, color: number, width: number, lift: number): void {
+  private addWalker(
+    data: WalkData,
+    figureColors: typeof visitorColors,
+    color: number,
+    width: number,
+    lift: number,
+  ): void {
     if (!data.path) return;
     const figure = new Figure(data.details.recording?.avatar ?? defaultAvatar, figureColors);
     const trail = new Trail(data.path, { color, width, lift });
@@ -168,7 +211,11 @@ export class WalkScene {
       const volume = new Volume(object, colors.trigger);
       this.volumes.push(volume);
       this.triggers.add(volume.root);
-      const top = new Vector3((object.min[0] + object.max[0]) / 2, object.max[1] + 0.1, (object.min[2] + object.max[2]) / 2);
+      const top = new Vector3(
+        (object.min[0] + object.max[0]) / 2,
+        object.max[1] + 0.1,
+        (object.min[2] + object.max[2]) / 2,
+      );
       this.shownLabels.push({ label: this.labels.add(object.id, top, 'trigger', 26), layer: 'triggers' });
     }
   }
@@ -204,15 +251,23 @@ export class WalkScene {
     (this.gaze.material as LineBasicMaterial).opacity = isHit ? 1 : 0.4;
   }
 
-  /** Brackets as high as the riser and as what the visitor can step. */
-  private addMeasure({ measure }: Reason, at: Vector3, foot: number): void {
-    if (!measure || measure.unit !== 'm') return;
-    const isUp = measure.kind === 'riser' || measure.kind === 'ledge' || measure.kind === 'headroom';
-    if (!isUp) return;
+  /** Brackets as high as the riser and as what the visitor can step; false if there is nothing to measure so. */
+  private addMeasure({ measure, object }: Reason, at: Vector3, foot: number): boolean {
+    const isUp = measure !== null && /^(riser|ledge|headroom)$/.test(measure.kind);
+    if (!isUp) return false;
     const bracket = (height: number, color: number, aside: number): Vector3 => {
       const base = new Vector3(at.x + aside, foot, at.z + aside);
       const top = base.clone().setY(foot + height);
-      const bar = (y: number): [Vector3, Vector3] => [base.clone().setY(y).add(new Vector3(-0.08, 0, 0)), base.clone().setY(y).add(new Vector3(0.08, 0, 0))];
+      const bar = (y: number): [Vector3, Vector3] => [
+        base
+          .clone()
+          .setY(y)
+          .add(new Vector3(-0.08, 0, 0)),
+        base
+          .clone()
+          .setY(y)
+          .add(new Vector3(0.08, 0, 0)),
+      ];
       const geometry = new BufferGeometry().setFromPoints([base, top, ...bar(foot), ...bar(foot + height)]);
       const lines = new LineSegments(geometry, new LineBasicMaterial({ color, depthTest: false, fog: false }));
       lines.renderOrder = 9;
@@ -220,11 +275,22 @@ export class WalkScene {
       return top;
     };
     const top = bracket(measure.measured, colors.failure, 0);
-    this.obstacleLabels.push(this.labels.add(`${measure.kind} ${measure.measured.toFixed(2)} m`, top, 'failure'));
-    if (measure.allowed === null) return;
+    this.obstacleLabels.push(
+      this.labels.add(
+        `${object || 'here'}: ${measure.kind} ${measure.measured.toFixed(2)} m`,
+        top,
+        'failure',
+        Infinity,
+        'left',
+      ),
+    );
+    if (measure.allowed === null) return true;
     const can = bracket(measure.allowed, 0x3ddc84, 0.2);
     const word = measure.kind === 'headroom' ? 'needs' : 'steps';
-    this.obstacleLabels.push(this.labels.add(`${word} ${measure.allowed.toFixed(2)} m`, can, 'measure'));
+    this.obstacleLabels.push(
+      this.labels.add(`${word} ${measure.allowed.toFixed(2)} m`, can, 'measure', Infinity, 'right'),
+    );
+    return true;
   }
 
   private addParting(): void {
@@ -244,18 +310,36 @@ export class WalkScene {
   }
 }
 
-export function ball(at: Vector3, radius: number, color: number): Mesh {
-  const mesh = new Mesh(new SphereGeometry(radius, 14, 10), new MeshBasicMaterial({ color, fog: false, toneMapped: false }));
+function ball(at: Vector3, radius: number, color: number): Mesh {
+  const mesh = new Mesh(
+    new SphereGeometry(radius, 14, 10),
+    new MeshBasicMaterial({ color, fog: false, toneMapped: false }),
+  );
   mesh.position.copy(at);
+  return mesh;
+}
+
+function filled(object: CampusObject, color: number, opacity: number): Mesh {
+  const material = new MeshBasicMaterial({
+    color,
+    transparent: true,
+    opacity,
+    depthWrite: false,
+    fog: false,
+    polygonOffset: true,
+    polygonOffsetFactor: -2,
+    polygonOffsetUnits: -2,
+  });
+  const mesh = new Mesh(geometryOf(object), material);
+  mesh.renderOrder = 7;
   return mesh;
 }
 
 function outline(object: CampusObject): LineSegments {
   const lines = new LineSegments(
     new EdgesGeometry(geometryOf(object), 20),
-    new LineBasicMaterial({ color: colors.failure, fog: false, depthTest: false, transparent: true, opacity: 0.8 }),
+    new LineBasicMaterial({ color: colors.failure, fog: false, transparent: true, opacity: 0.9 }),
   );
   lines.renderOrder = 8;
   return lines;
 }
-

@@ -62,7 +62,10 @@ export function segments<Value extends string>(
   return { root, show: (value) => buttons.forEach((each) => setPressed(each, each.dataset.value === value)) };
 }
 
-export function checkbox(label: string, act: (checked: boolean) => void): { root: HTMLElement; input: HTMLInputElement } {
+export function checkbox(
+  label: string,
+  act: (checked: boolean) => void,
+): { root: HTMLElement; input: HTMLInputElement } {
   const input = element('input', { attributes: { type: 'checkbox' }, on: { change: () => act(input.checked) } });
   return { root: element('label', { class: 'check' }, input, element('span', { text: label })), input };
 }

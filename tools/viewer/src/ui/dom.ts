@@ -67,10 +67,15 @@ export class Scope {
   }
 
   listen<Type extends keyof WindowEventMap>(
-    target: Window, type: Type, listener: (event: WindowEventMap[Type]) => void, options?: AddEventListenerOptions,
+    target: Window,
+    type: Type,
+    listener: (event: WindowEventMap[Type]) => void,
+    options?: AddEventListenerOptions,
   ): void;
   listen<Type extends keyof HTMLElementEventMap>(
-    target: HTMLElement | Document, type: Type, listener: (event: HTMLElementEventMap[Type]) => void,
+    target: HTMLElement | Document,
+    type: Type,
+    listener: (event: HTMLElementEventMap[Type]) => void,
     options?: AddEventListenerOptions,
   ): void;
   listen(target: EventTarget, type: string, listener: (event: never) => void, options?: AddEventListenerOptions): void {

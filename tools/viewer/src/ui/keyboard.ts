@@ -32,7 +32,10 @@ function handle(key: string, target: EventTarget | null, store: Store, commands:
     store.set({ help: !store.state.help });
     return true;
   }
-  if (store.state.help) return false;
+  if (store.state.help) {
+    if (key === 'Escape') store.set({ help: false });
+    return key === 'Escape';
+  }
   const page = commands.page();
   if (store.state.page === 'list' || !page) return listKey(key, commands);
   // A button's own keys stay its own.

@@ -1,6 +1,20 @@
 // What authors draw on the campus: points for walk steps, a box for a trigger.
 
-import { BoxGeometry, BufferGeometry, EdgesGeometry, Float32BufferAttribute, Group, Line, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, Points, PointsMaterial, type Vector3 } from 'three';
+import {
+  BoxGeometry,
+  BufferGeometry,
+  EdgesGeometry,
+  Float32BufferAttribute,
+  Group,
+  Line,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshBasicMaterial,
+  Points,
+  PointsMaterial,
+  type Vector3,
+} from 'three';
 import type { Point } from '../format';
 import { boxBetween, coordinates, type DrawnBox } from '../data/snippets';
 import type { Hit } from '../scene/picker';
@@ -25,7 +39,11 @@ export class AuthorMarks {
   private to: Point | null = null;
   private drawing = false;
 
-  constructor(private readonly stage: Stage, private readonly context: WalkContext, scope: Scope) {
+  constructor(
+    private readonly stage: Stage,
+    private readonly context: WalkContext,
+    scope: Scope,
+  ) {
     stage.scene.add(this.root);
     scope.add(() => this.root.removeFromParent());
   }
@@ -112,7 +130,10 @@ function drawn(box: DrawnBox): Group {
   const root = new Group();
   const geometry = new BoxGeometry(Math.max(box.width, 0.02), box.height, Math.max(box.depth, 0.02));
   const faces = new MeshBasicMaterial({ color, transparent: true, opacity: 0.2, depthWrite: false, fog: false });
-  root.add(new Mesh(geometry, faces), new LineSegments(new EdgesGeometry(geometry), new LineBasicMaterial({ color, fog: false })));
+  root.add(
+    new Mesh(geometry, faces),
+    new LineSegments(new EdgesGeometry(geometry), new LineBasicMaterial({ color, fog: false })),
+  );
   root.position.set(box.base[0], box.base[1] + box.height / 2, box.base[2]);
   root.rotation.y = (box.yaw * Math.PI) / 180;
   return root;

@@ -1,6 +1,6 @@
 // What the views of one walk share.
 
-import type { CampusEntry, CampusObject, Failure } from '../format';
+import type { CampusEntry, Failure } from '../format';
 import type { Report, WalkData } from '../data/report';
 import { reasonOf, type Reason } from '../data/reason';
 import { eventsOf, spansOf, type Span, type TimedEvent } from '../data/spans';
@@ -25,7 +25,11 @@ export interface WalkContext {
 }
 
 export function contextOf(
-  report: Report, store: Store, campuses: Campuses, data: WalkData, other: WalkContext['other'],
+  report: Report,
+  store: Store,
+  campuses: Campuses,
+  data: WalkData,
+  other: WalkContext['other'],
 ): WalkContext {
   const { result, recording } = data.details;
   const campus = report.campusOf(data.row);
@@ -33,14 +37,17 @@ export function contextOf(
   const ids = new Set(objects.keys());
   const lastTick = Math.max(recording?.ticks ?? 0, result.ticks, data.path?.lastTick ?? 0);
   return {
-    report, store, campuses, data, campus, objects, other, lastTick,
+    report,
+    store,
+    campuses,
+    data,
+    campus,
+    objects,
+    other,
+    lastTick,
     failures: result.failures.map((failure) => ({ failure, reason: reasonOf(failure, data.log, ids) })),
     spans: spansOf(data.log, lastTick),
     events: eventsOf(data.log, result.failures),
     ticksPerSecond: recording?.ticks_per_second ?? result.ticks_per_second,
   };
-}
-
-export function objectNamed(context: WalkContext, id: string): CampusObject | null {
-  return context.campus?.objects[context.objects.get(id) ?? -1] ?? null;
 }

@@ -13,38 +13,69 @@ export function failurePanel(context: WalkContext, player: Player, show: (failur
   const { result } = context.data.details;
   const { row } = context.data;
   return element(
-    'div', { class: 'failures' },
-    row.expected_to_fail && element('p', { class: 'note' }, 'This walk is expected to fail', result.status_reason ? `: ${result.status_reason}` : '', '.'),
+    'div',
+    { class: 'failures' },
+    row.expected_to_fail &&
+      element(
+        'p',
+        { class: 'note' },
+        'This walk is expected to fail',
+        result.status_reason ? `: ${result.status_reason}` : '',
+        '.',
+      ),
     ...result.complaints.map((complaint) => element('pre', { class: 'complaint', text: complaint })),
     ...context.failures.map((_, index) => failureCard(context, player, index, show)),
     replay(context),
   );
 }
 
-function failureCard(context: WalkContext, player: Player, index: number, show: (failure: number) => void): HTMLElement {
+function failureCard(
+  context: WalkContext,
+  player: Player,
+  index: number,
+  show: (failure: number) => void,
+): HTMLElement {
   const { failure, reason } = context.failures[index]!;
   const { scene } = failure;
   const parts = expectedAndActual(failure.message);
   return element(
-    'section', { class: 'failure', attributes: { 'aria-label': `Failure ${index + 1}` } },
-    element('header', {},
+    'section',
+    { class: 'failure', attributes: { 'aria-label': `Failure ${index + 1}` } },
+    element(
+      'header',
+      {},
       element('span', { class: 'code', text: failure.code }),
-      scene && element('button', {
-        class: 'link', text: `${scene.time.toFixed(2)} s`, attributes: { type: 'button' }, on: { click: () => player.goTo(scene.tick) },
-      }),
+      scene &&
+        element('button', {
+          class: 'link',
+          text: `${scene.time.toFixed(2)} s`,
+          attributes: { type: 'button' },
+          on: { click: () => player.goTo(scene.tick) },
+        }),
       button({ icon: 'search', label: 'Show where', text: 'Show where', class: 'small', act: () => show(index) }),
     ),
     element('p', { class: 'message', text: failure.message, attributes: { dir: 'auto' } }),
-    parts && element('dl', { class: 'expected' },
-      element('dt', { text: 'expected' }), element('dd', { text: parts.expected }),
-      element('dt', { text: 'came' }), element('dd', { text: parts.actual })),
+    parts &&
+      element(
+        'dl',
+        { class: 'expected' },
+        element('dt', { text: 'expected' }),
+        element('dd', { text: parts.expected }),
+        element('dt', { text: 'came' }),
+        element('dd', { text: parts.actual }),
+      ),
     reason.measure && measureBar(reason.measure),
-    scene && facts(failure.scene ? [
-      ['where', scene.position.map((value) => value.toFixed(2)).join(', ')],
-      ['in the way', reason.object],
-      ['in or near', scene.building],
-      ['nearest', scene.nearest ? `${scene.nearest}, ${scene.nearest_distance.toFixed(2)} m` : ''],
-    ] : []),
+    scene &&
+      facts(
+        failure.scene
+          ? [
+              ['where', scene.position.map((value) => value.toFixed(2)).join(', ')],
+              ['object', reason.object],
+              ['in or near', scene.building],
+              ['nearest', scene.nearest ? `${scene.nearest}, ${scene.nearest_distance.toFixed(2)} m` : ''],
+            ]
+          : [],
+      ),
     failure.file !== '' && markedFile(context, failure.file, failure.line, 3),
     scene && scene.last_events.length > 0 && lastEvents(scene.last_events, player),
   );
@@ -52,7 +83,11 @@ function failureCard(context: WalkContext, player: Player, index: number, show: 
 
 function facts(rows: [string, string][]): HTMLElement {
   const shown = rows.filter(([, value]) => value !== '');
-  return element('dl', { class: 'facts' }, ...shown.flatMap(([key, value]): Child[] => [element('dt', { text: key }), element('dd', {}, name(value))]));
+  return element(
+    'dl',
+    { class: 'facts' },
+    ...shown.flatMap(([key, value]): Child[] => [element('dt', { text: key }), element('dd', {}, name(value))]),
+  );
 }
 
 /** What was measured, beside what the body manages or needs. */
@@ -62,32 +97,57 @@ function measureBar({ kind, measured, allowed, unit }: Measure): HTMLElement {
   const bar = (label: string, value: number, className: string): HTMLElement => {
     const fill = element('span', { class: `bar ${className}` });
     fill.style.width = `${(value / most) * 100}%`;
-    return element('div', { class: 'measure-row' },
-      element('span', { class: 'measure-label', text: label }), element('span', { class: 'bar-track' }, fill),
-      element('span', { class: 'measure-value', text: `${value.toFixed(unit === 'm' ? 2 : 1)} ${unit}` }));
+    return element(
+      'div',
+      { class: 'measure-row' },
+      element('span', { class: 'measure-label', text: label }),
+      element('span', { class: 'bar-track' }, fill),
+      element('span', { class: 'measure-value', text: `${value.toFixed(unit === 'm' ? 2 : 1)} ${unit}` }),
+    );
   };
-  return element('div', { class: 'measure', attributes: { role: 'group', 'aria-label': `${kind} in numbers` } },
+  return element(
+    'div',
+    { class: 'measure', attributes: { role: 'group', 'aria-label': `${kind} in numbers` } },
     bar(kind, measured, 'bad'),
-    allowed !== null && bar(needs ? 'needed' : 'possible', allowed, 'good'));
+    allowed !== null && bar(needs ? 'needed' : 'possible', allowed, 'good'),
+  );
 }
 
 function lastEvents(lines: readonly string[], player: Player): HTMLElement {
-  return element('details', { class: 'last-events' },
+  return element(
+    'details',
+    { class: 'last-events' },
     element('summary', { text: 'The events just before' }),
     ...lines.map((text) => {
       const line = parseLogLine(text);
-      return element('button', {
-        class: 'log-line', attributes: { type: 'button', disabled: line === null }, on: { click: () => line && player.goTo(line.tick) },
-      }, element('span', { class: 'log-time', text: line ? line.seconds.toFixed(2) : '' }),
-        element('span', { class: 'log-kind', text: line?.kind ?? text }), name(line?.object ?? '', 'log-object'));
-    }));
+      return element(
+        'button',
+        {
+          class: 'log-line',
+          attributes: { type: 'button', disabled: line === null },
+          on: { click: () => line && player.goTo(line.tick) },
+        },
+        element('span', { class: 'log-time', text: line ? line.seconds.toFixed(2) : '' }),
+        element('span', { class: 'log-kind', text: line?.kind ?? text }),
+        name(line?.object ?? '', 'log-object'),
+      );
+    }),
+  );
 }
 
 function replay(context: WalkContext): Child {
   const template = context.report.index.replay ?? 'campuswalk run {file}[ --project {project}]';
   const { result } = context.data.details;
   const command = replayCommand(template, {
-    file: result.file, project: result.project, config: result.config ?? '', name: result.name,
+    file: result.file,
+    project: result.project,
+    config: result.config ?? '',
+    name: result.name,
   });
-  return element('section', { class: 'replay' }, element('h3', { text: 'Play it again' }), copyable(command, 'Copy the command'));
+  return element(
+    'section',
+    { class: 'replay' },
+    element('h3', { text: 'Play it again' }),
+    copyable(command, 'Copy the command'),
+  );
 }

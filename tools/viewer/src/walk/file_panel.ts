@@ -9,20 +9,34 @@ export function markedFile(context: WalkContext, file: string, line: number, aro
   const title = element('div', { class: 'file-name' }, element('bdi', { text: line > 0 ? `${file}:${line}` : file }));
   const text = context.data.details.source?.[file];
   if (text === undefined) return element('div', { class: 'file' }, title);
-  const marked = new Set(context.failures.filter(({ failure }) => failure.file === file).map(({ failure }) => failure.line));
+  const marked = new Set(
+    context.failures.filter(({ failure }) => failure.file === file).map(({ failure }) => failure.line),
+  );
   const lines = text.replace(/\r?\n$/, '').split(/\r?\n/);
   const rows: Child[] = lines.map((content, i) => {
     const number = i + 1;
     if (Math.abs(number - line) > around) return null;
-    return element('div', { class: `code-line ${marked.has(number) ? 'marked' : ''}`, attributes: { 'data-line': number } },
+    return element(
+      'div',
+      { class: `code-line ${marked.has(number) ? 'marked' : ''}`, attributes: { 'data-line': number } },
       element('span', { class: 'line-number', text: String(number), attributes: { 'aria-hidden': 'true' } }),
-      element('code', { text: content === '' ? ' ' : content }));
+      element('code', { text: content === '' ? ' ' : content }),
+    );
   });
-  return element('div', { class: 'file' }, title, element('div', { class: 'code-lines', attributes: { tabindex: 0 } }, ...rows));
+  return element(
+    'div',
+    { class: 'file' },
+    title,
+    element('div', { class: 'code-lines', attributes: { tabindex: 0 } }, ...rows),
+  );
 }
 
 export function filePanel(context: WalkContext): HTMLElement {
   const files = Object.keys(context.data.details.source ?? {});
-  if (files.length === 0) return emptyState("The walk's file isn't in this report.", element('p', {}, element('code', { text: context.data.row.file })));
+  if (files.length === 0)
+    return emptyState(
+      "The walk's file isn't in this report.",
+      element('p', {}, element('code', { text: context.data.row.file })),
+    );
   return element('div', { class: 'files' }, ...files.map((file) => markedFile(context, file, 0, Infinity)));
 }

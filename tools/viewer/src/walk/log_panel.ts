@@ -18,25 +18,54 @@ export class LogPanel {
   private stays = false;
   private current = -1;
 
-  constructor(private readonly context: WalkContext, private readonly player: Player, scope: Scope) {
+  constructor(
+    private readonly context: WalkContext,
+    private readonly player: Player,
+    scope: Scope,
+  ) {
     this.list = new VirtualList(scope, 'log');
     this.list.root.setAttribute('aria-label', 'Log');
     const search = element('input', {
       class: 'input small',
-      attributes: { type: 'search', placeholder: 'Find in the log', 'aria-label': 'Find in the log', spellcheck: 'false' },
+      attributes: {
+        type: 'search',
+        placeholder: 'Find in the log',
+        'aria-label': 'Find in the log',
+        spellcheck: 'false',
+      },
       on: { input: () => this.refine({ query: search.value }) },
     });
-    const stays = element('input', { attributes: { type: 'checkbox' }, on: { change: () => this.refine({ stays: stays.checked }) } });
-    this.root = context.data.log.length === 0
-      ? emptyState('No log was kept.', element('p', { text: 'Record the walk with --record report.' }))
-      : element(
-          'div', { class: 'log-panel' },
-          element('div', { class: 'panel-bar' }, search, element('label', { class: 'check', title: 'The lines that only say that a contact goes on' }, stays, element('span', { text: 'stay' }))),
-          this.list.root,
-        );
+    const stays = element('input', {
+      attributes: { type: 'checkbox' },
+      on: { change: () => this.refine({ stays: stays.checked }) },
+    });
+    this.root =
+      context.data.log.length === 0
+        ? emptyState('No log was kept.', element('p', { text: 'Record the walk with --record report.' }))
+        : element(
+            'div',
+            { class: 'log-panel' },
+            element(
+              'div',
+              { class: 'panel-bar' },
+              search,
+              element(
+                'label',
+                { class: 'check', title: 'The lines that only say that a contact goes on' },
+                stays,
+                element('span', { text: 'stay' }),
+              ),
+            ),
+            this.list.root,
+          );
     this.refine({});
     scope.resized(this.list.root, () => this.current >= 0 && this.list.reveal(this.current, 'center'));
-    scope.add(context.store.on((state) => this.lineAt(state.tick), (index) => this.follow(index)));
+    scope.add(
+      context.store.on(
+        (state) => this.lineAt(state.tick),
+        (index) => this.follow(index),
+      ),
+    );
   }
 
   private refine(changes: { query?: string; stays?: boolean }): void {
@@ -47,7 +76,10 @@ export class LogPanel {
     );
     this.current = -1;
     this.list.show({
-      count: this.shown.length, height: () => lineHeight, key: (row) => row, render: (row) => this.line(row),
+      count: this.shown.length,
+      height: () => lineHeight,
+      key: (row) => row,
+      render: (row) => this.line(row),
     });
     this.follow(this.lineAt(this.context.store.state.tick));
   }
@@ -66,15 +98,22 @@ export class LogPanel {
 
   private follow(index: number): void {
     if (index === this.current) return;
-    this.list.visibleRows.get(this.current)?.classList.remove('current');
+    this.mark(this.current, false);
     this.current = index;
     if (index >= 0) this.list.reveal(index, 'center');
-    this.list.visibleRows.get(index)?.classList.add('current');
+    this.mark(index, true);
+  }
+
+  private mark(row: number, current: boolean): void {
+    this.list.visibleRows.get(row)?.firstElementChild?.classList.toggle('current', current);
   }
 
   private line(row: number): HTMLElement {
     const line = this.shown[row]!;
-    const details = line.fields.filter((field) => field.name !== 'pos').map((field) => `${field.name}=${field.value}`).join(' ');
+    const details = line.fields
+      .filter((field) => field.name !== 'pos')
+      .map((field) => `${field.name}=${field.value}`)
+      .join(' ');
     const go = element(
       'button',
       {

@@ -10,7 +10,8 @@ import type { WalkContext } from './context';
 export function walkPlan(context: WalkContext, scope: Scope, follows: boolean): HTMLElement {
   const canvas = element('canvas', { attributes: { role: 'img', 'aria-label': 'Plan with the visitor' } });
   const root = element('div', { class: follows ? 'minimap' : 'walk-plan' }, canvas);
-  if (follows) root.append(element('span', { class: 'minimap-north', text: 'N', attributes: { 'aria-hidden': 'true' } }));
+  if (follows)
+    root.append(element('span', { class: 'minimap-north', text: 'N', attributes: { 'aria-hidden': 'true' } }));
   const plan = new PlanCanvas(canvas);
   let image: HTMLCanvasElement | null = null;
   const draw = (): void => {
@@ -41,10 +42,17 @@ export function walkPlan(context: WalkContext, scope: Scope, follows: boolean): 
   return root;
 }
 
-function viewOf(context: WalkContext, plan: PlanCanvas, follows: boolean, pose: { x: number; z: number } | null): PlanView {
+function viewOf(
+  context: WalkContext,
+  plan: PlanCanvas,
+  follows: boolean,
+  pose: { x: number; z: number } | null,
+): PlanView {
   if (follows && pose) return { centerX: pose.x, centerZ: pose.z, pixelsPerMetre: plan.width / 90 };
   const { campus } = context;
-  return campus ? fitted(campus.min, campus.max, plan.width, plan.height) : { centerX: 0, centerZ: 0, pixelsPerMetre: 4 };
+  return campus
+    ? fitted(campus.min, campus.max, plan.width, plan.height)
+    : { centerX: 0, centerZ: 0, pixelsPerMetre: 4 };
 }
 
 function drawTrack(plan: PlanCanvas, data: WalkData, color: string, width: number): void {

@@ -12,7 +12,10 @@ interface Picture {
 export function picturesPanel(context: WalkContext): HTMLElement {
   const pictures = picturesOf(context);
   if (pictures.length === 0) {
-    return emptyState('No pictures.', element('p', { text: 'A snapshot step takes one; a failure takes three where pictures are drawn.' }));
+    return emptyState(
+      'No pictures.',
+      element('p', { text: 'A snapshot step takes one; a failure takes three where pictures are drawn.' }),
+    );
   }
   const compared = new Map<string, { expected?: Picture; actual?: Picture; diff?: Picture }>();
   const single: Picture[] = [];
@@ -26,9 +29,12 @@ export function picturesPanel(context: WalkContext): HTMLElement {
     set[match[2] as 'expected' | 'actual' | 'diff'] = picture;
     compared.set(match[1]!, set);
   }
-  return element('div', { class: 'pictures' },
+  return element(
+    'div',
+    { class: 'pictures' },
     ...[...compared].map(([title, set]) => comparison(title, set)),
-    ...single.map((picture) => element('figure', {}, image(picture), element('figcaption', {}, name(picture.name)))));
+    ...single.map((picture) => element('figure', {}, image(picture), element('figcaption', {}, name(picture.name)))),
+  );
 }
 
 function picturesOf(context: WalkContext): Picture[] {
@@ -74,7 +80,13 @@ function slider(expected: Picture, actual: Picture): HTMLElement {
   const handle = element('div', { class: 'slider-handle' });
   const input = element('input', {
     class: 'slider-input',
-    attributes: { type: 'range', min: 0, max: 1000, value: 500, 'aria-label': 'Expected to the left, actual to the right' },
+    attributes: {
+      type: 'range',
+      min: 0,
+      max: 1000,
+      value: 500,
+      'aria-label': 'Expected to the left, actual to the right',
+    },
     on: { input: () => move() },
   });
   const move = (): void => {
@@ -83,6 +95,14 @@ function slider(expected: Picture, actual: Picture): HTMLElement {
     handle.style.left = `${share}%`;
   };
   move();
-  return element('div', { class: 'slider' }, image(expected), over, handle, input,
-    element('span', { class: 'slider-tag left', text: 'expected' }), element('span', { class: 'slider-tag right', text: 'actual' }));
+  return element(
+    'div',
+    { class: 'slider' },
+    image(expected),
+    over,
+    handle,
+    input,
+    element('span', { class: 'slider-tag left', text: 'expected' }),
+    element('span', { class: 'slider-tag right', text: 'actual' }),
+  );
 }

@@ -12,10 +12,20 @@ export class Player {
   private lastTime = 0;
   private pending = 0;
 
-  constructor(private readonly context: WalkContext, scope: Scope) {
+  constructor(
+    private readonly context: WalkContext,
+    scope: Scope,
+  ) {
     this.store = context.store;
-    this.eventTicks = [...new Set([0, ...context.events.map((event) => event.tick), context.lastTick])].sort((a, b) => a - b);
-    scope.add(this.store.on((state) => state.playing, (playing) => (playing ? this.start() : this.stop())));
+    this.eventTicks = [...new Set([0, ...context.events.map((event) => event.tick), context.lastTick])].sort(
+      (a, b) => a - b,
+    );
+    scope.add(
+      this.store.on(
+        (state) => state.playing,
+        (playing) => (playing ? this.start() : this.stop()),
+      ),
+    );
     scope.add(() => this.stop());
   }
 
@@ -40,9 +50,10 @@ export class Player {
 
   stepEvent(direction: 1 | -1): void {
     const { tick } = this.store.state;
-    const found = direction > 0
-      ? this.eventTicks.find((each) => each > tick)
-      : this.eventTicks.findLast((each) => each < Math.ceil(tick));
+    const found =
+      direction > 0
+        ? this.eventTicks.find((each) => each > tick)
+        : this.eventTicks.findLast((each) => each < Math.ceil(tick));
     if (found !== undefined) this.goTo(found);
   }
 

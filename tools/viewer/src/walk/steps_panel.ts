@@ -21,13 +21,25 @@ export function stepsPanel(context: WalkContext, player: Player, scope: Scope): 
       },
       element('span', { class: 'step-time', text: (step.from / context.ticksPerSecond).toFixed(1) }),
       name(step.text, 'step-text'),
-      element('span', { class: 'step-length', text: step.to > step.from ? `${((step.to - step.from) / context.ticksPerSecond).toFixed(1)} s` : '' }),
+      element('span', { class: 'step-length', text: lengthOf(step.to - step.from, context.ticksPerSecond) }),
     ),
   );
   const current = (tick: number): number => steps.findLastIndex((step) => isDuring(step, tick));
-  scope.add(context.store.on((state) => current(Math.round(state.tick)), (index) => {
-    rows.forEach((row, i) => (i === index ? row.setAttribute('aria-current', 'step') : row.removeAttribute('aria-current')));
-    rows[index]?.scrollIntoView({ block: 'nearest' });
-  }));
+  scope.add(
+    context.store.on(
+      (state) => current(Math.round(state.tick)),
+      (index) => {
+        rows.forEach((row, i) =>
+          i === index ? row.setAttribute('aria-current', 'step') : row.removeAttribute('aria-current'),
+        );
+        rows[index]?.scrollIntoView({ block: 'nearest' });
+      },
+    ),
+  );
   return element('div', { class: 'steps' }, ...rows);
+}
+
+/** Empty for what takes no time. */
+function lengthOf(ticks: number, ticksPerSecond: number): string {
+  return ticks > 1 ? `${(ticks / ticksPerSecond).toFixed(1)} s` : '';
 }

@@ -17,7 +17,14 @@ const top = { steps: 4, popups: 27, events: 39 };
 const height = 70;
 /** Where the events' marks are, from above. */
 const eventRows: Record<EventGroup, number> = {
-  trigger: 0, gaze: 1, contact: 2, body: 3, picture: 3, popup: 0, walk: 3, failure: 2,
+  trigger: 0,
+  gaze: 1,
+  contact: 2,
+  body: 3,
+  picture: 3,
+  popup: 0,
+  walk: 3,
+  failure: 2,
 };
 
 export class Timeline {
@@ -29,7 +36,11 @@ export class Timeline {
   private readonly marks: Mark[];
   private width = 0;
 
-  constructor(private readonly context: WalkContext, private readonly player: Player, scope: Scope) {
+  constructor(
+    private readonly context: WalkContext,
+    private readonly player: Player,
+    scope: Scope,
+  ) {
     this.marks = context.events
       .filter((event) => event.group !== 'popup')
       .map((event) => ({ ...event, row: eventRows[event.group] }));
@@ -38,18 +49,34 @@ export class Timeline {
       {
         class: 'timeline-track',
         attributes: {
-          role: 'slider', tabindex: 0, 'aria-label': 'Time', 'aria-valuemin': 0, 'aria-valuemax': context.lastTick,
+          role: 'slider',
+          tabindex: 0,
+          'aria-label': 'Time',
+          'aria-valuemin': 0,
+          'aria-valuemax': context.lastTick,
           'aria-orientation': 'horizontal',
         },
       },
-      this.canvas, this.cursor, this.tip,
+      this.canvas,
+      this.cursor,
+      this.tip,
     );
     this.root = element('div', { class: 'timeline' }, this.slider);
     this.tip.hidden = true;
     this.listen(scope);
     scope.resized(this.slider, () => this.resize());
-    scope.add(context.store.on((state) => state.tick, (tick) => this.setTick(tick)));
-    scope.add(context.store.on((state) => state.theme, () => this.draw()));
+    scope.add(
+      context.store.on(
+        (state) => state.tick,
+        (tick) => this.setTick(tick),
+      ),
+    );
+    scope.add(
+      context.store.on(
+        (state) => state.theme,
+        () => this.draw(),
+      ),
+    );
     scope.listen(window, 'themechange' as keyof WindowEventMap, () => this.draw());
   }
 
@@ -68,8 +95,14 @@ export class Timeline {
     scope.listen(slider, 'keydown', (event) => {
       const second = this.context.ticksPerSecond;
       const moves: Record<string, number> = {
-        ArrowLeft: -second, ArrowRight: second, ArrowDown: -1, ArrowUp: 1, PageDown: -10 * second, PageUp: 10 * second,
-        Home: -Infinity, End: Infinity,
+        ArrowLeft: -second,
+        ArrowRight: second,
+        ArrowDown: -1,
+        ArrowUp: 1,
+        PageDown: -10 * second,
+        PageUp: 10 * second,
+        Home: -Infinity,
+        End: Infinity,
       };
       const move = moves[event.key];
       if (move === undefined) return;
@@ -85,7 +118,8 @@ export class Timeline {
     const step = this.context.data.details.recording?.steps?.find((each) => isDuring(each, whole));
     this.slider.setAttribute('aria-valuenow', String(whole));
     this.slider.setAttribute(
-      'aria-valuetext', `${(whole / this.context.ticksPerSecond).toFixed(2)} seconds, tick ${whole}${step ? `, ${step.text}` : ''}`,
+      'aria-valuetext',
+      `${(whole / this.context.ticksPerSecond).toFixed(2)} seconds, tick ${whole}${step ? `, ${step.text}` : ''}`,
     );
   }
 
@@ -151,8 +185,21 @@ export class Timeline {
     }
     const rowHeight = rows.events / 4;
     for (const span of this.context.spans) {
-      const [group, row] = span.kind === 'collision' ? (['contact', 2] as const) : span.kind === 'ray' ? (['gaze', 1] as const) : (['trigger', 0] as const);
-      this.band(canvas, span.from, span.to, top.events + row * rowHeight + 1, rowHeight - 2, color(`event-${group}`), 0.3);
+      const [group, row] =
+        span.kind === 'collision'
+          ? (['contact', 2] as const)
+          : span.kind === 'ray'
+            ? (['gaze', 1] as const)
+            : (['trigger', 0] as const);
+      this.band(
+        canvas,
+        span.from,
+        span.to,
+        top.events + row * rowHeight + 1,
+        rowHeight - 2,
+        color(`event-${group}`),
+        0.3,
+      );
     }
     for (const mark of this.marks) {
       if (mark.group === 'failure') continue;
@@ -167,23 +214,41 @@ export class Timeline {
     canvas.textBaseline = 'middle';
     const steps = this.context.data.details.recording?.steps ?? [];
     const failedLines = new Set(this.context.failures.map(({ failure }) => `${failure.file}:${failure.line}`));
-    steps.filter((step) => step.to > step.from).forEach((step, i) => {
-      const x = this.pixelsOf(step.from);
-      const width = this.pixelsOf(step.to) - x;
-      const failed = failedLines.has(`${step.file}:${step.line}`);
-      this.band(canvas, step.from, step.to, top.steps, rows.steps, failed ? color('failed') : color('step'), i % 2 ? 1 : 0.72);
-      if (width < 40) return;
-      canvas.save();
-      canvas.beginPath();
-      canvas.rect(x, 0, width - 4, height);
-      canvas.clip();
-      canvas.fillStyle = failed ? '#ffffff' : color('step-text');
-      canvas.fillText(step.text, x + 6, top.steps + rows.steps / 2 + 0.5);
-      canvas.restore();
-    });
+    steps
+      .filter((step) => step.to > step.from)
+      .forEach((step, i) => {
+        const x = this.pixelsOf(step.from);
+        const width = this.pixelsOf(step.to) - x;
+        const failed = failedLines.has(`${step.file}:${step.line}`);
+        this.band(
+          canvas,
+          step.from,
+          step.to,
+          top.steps,
+          rows.steps,
+          failed ? color('failed') : color('step'),
+          i % 2 ? 1 : 0.72,
+        );
+        if (width < 56) return;
+        canvas.save();
+        canvas.beginPath();
+        canvas.rect(x, 0, width - 4, height);
+        canvas.clip();
+        canvas.fillStyle = failed ? '#ffffff' : color('step-text');
+        canvas.fillText(step.text, x + 6, top.steps + rows.steps / 2 + 0.5);
+        canvas.restore();
+      });
   }
 
-  private band(canvas: CanvasRenderingContext2D, from: number, to: number, y: number, tall: number, color: string, opacity: number): void {
+  private band(
+    canvas: CanvasRenderingContext2D,
+    from: number,
+    to: number,
+    y: number,
+    tall: number,
+    color: string,
+    opacity: number,
+  ): void {
     const x = this.pixelsOf(from);
     canvas.globalAlpha = opacity;
     canvas.fillStyle = color;

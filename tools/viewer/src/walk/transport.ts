@@ -12,21 +12,37 @@ export function transport(context: WalkContext, player: Player, scope: Scope): H
   const time = element('output', { class: 'time', attributes: { 'aria-live': 'off' } });
   const tick = element('span', { class: 'tick' });
   const speed = element('select', {
-    class: 'select', attributes: { 'aria-label': 'Speed' },
+    class: 'select',
+    attributes: { 'aria-label': 'Speed' },
     on: { change: () => store.set({ speed: Number(speed.value) }) },
   });
   for (const each of speeds) speed.append(element('option', { text: `${each}×`, attributes: { value: each } }));
 
-  scope.add(store.on((state) => state.playing, (playing) => {
-    replace(play, icon(playing ? 'pause' : 'play'));
-    play.setAttribute('aria-label', playing ? 'Pause' : 'Play');
-    setPressed(play, playing);
-  }));
-  scope.add(store.on((state) => state.speed, (value) => (speed.value = String(value))));
-  scope.add(store.on((state) => Math.round(state.tick), (value) => {
-    setText(time, `${(value / context.ticksPerSecond).toFixed(2)} s`);
-    setText(tick, `tick ${value} of ${context.lastTick}`);
-  }));
+  scope.add(
+    store.on(
+      (state) => state.playing,
+      (playing) => {
+        replace(play, icon(playing ? 'pause' : 'play'));
+        play.setAttribute('aria-label', playing ? 'Pause' : 'Play');
+        setPressed(play, playing);
+      },
+    ),
+  );
+  scope.add(
+    store.on(
+      (state) => state.speed,
+      (value) => (speed.value = String(value)),
+    ),
+  );
+  scope.add(
+    store.on(
+      (state) => Math.round(state.tick),
+      (value) => {
+        setText(time, `${(value / context.ticksPerSecond).toFixed(2)} s`);
+        setText(tick, `tick ${value} of ${context.lastTick}`);
+      },
+    ),
+  );
 
   return element(
     'div',
@@ -36,6 +52,8 @@ export function transport(context: WalkContext, player: Player, scope: Scope): H
     play,
     button({ icon: 'next', label: 'On a tick', key: '.', act: () => player.step(1) }),
     button({ icon: 'eventNext', label: 'Next event', key: ']', act: () => player.stepEvent(1) }),
-    speed, time, tick,
+    speed,
+    time,
+    tick,
   );
 }

@@ -14,16 +14,32 @@ export const cameras: { value: CameraMode; text: string; label: string; key: str
 ];
 
 const layerNames: [keyof Layers, string][] = [
-  ['trail', 'Trail'], ['triggers', 'Trigger volumes'], ['contacts', 'Contact points'], ['gaze', 'Gaze'],
-  ['capsule', "The body's capsule"], ['plan', 'Minimap'], ['findings', 'Findings'],
+  ['trail', 'Trail'],
+  ['triggers', 'Trigger volumes'],
+  ['contacts', 'Contact points'],
+  ['gaze', 'Gaze'],
+  ['capsule', "The body's capsule"],
+  ['plan', 'Minimap'],
+  ['findings', 'Findings'],
 ];
 
-export function viewBar(context: WalkContext, overlook: () => void, setShadows: ((drawn: boolean) => void) | null, scope: Scope): HTMLElement {
+export function viewBar(
+  context: WalkContext,
+  overlook: () => void,
+  setShadows: ((drawn: boolean) => void) | null,
+  scope: Scope,
+): HTMLElement {
   const { store } = context;
   const modes = segments<CameraMode>('Camera', cameras, (camera) => store.set({ camera }));
-  scope.add(store.on((state) => state.camera, (camera) => modes.show(camera)));
+  scope.add(
+    store.on(
+      (state) => state.camera,
+      (camera) => modes.show(camera),
+    ),
+  );
   return element(
-    'div', { class: 'view-bar', attributes: { role: 'toolbar', 'aria-label': 'View' } },
+    'div',
+    { class: 'view-bar', attributes: { role: 'toolbar', 'aria-label': 'View' } },
     modes.root,
     button({ icon: 'expand', label: 'Look at the whole path', key: 'O', class: 'floating', act: overlook }),
     menu('cut', 'Storeys', 'Cut away storeys', cutMenu(context, scope), scope),
@@ -34,11 +50,18 @@ export function viewBar(context: WalkContext, overlook: () => void, setShadows: 
 function layersMenu(context: WalkContext, setShadows: ((drawn: boolean) => void) | null, scope: Scope): HTMLElement {
   const { store } = context;
   const hasFindings = (context.report.index.findings ?? []).length > 0;
-  const boxes = layerNames.filter(([layer]) => layer !== 'findings' || hasFindings).map(([layer, label]) => {
-    const box = checkbox(label, (shown) => store.setLayer(layer, shown));
-    scope.add(store.on((state) => state.layers[layer], (shown) => (box.input.checked = shown)));
-    return box.root;
-  });
+  const boxes = layerNames
+    .filter(([layer]) => layer !== 'findings' || hasFindings)
+    .map(([layer, label]) => {
+      const box = checkbox(label, (shown) => store.setLayer(layer, shown));
+      scope.add(
+        store.on(
+          (state) => state.layers[layer],
+          (shown) => (box.input.checked = shown),
+        ),
+      );
+      return box.root;
+    });
   const root = element('div', {}, ...boxes);
   if (setShadows) {
     const box = checkbox('Shadows', setShadows);
@@ -54,28 +77,58 @@ function cutMenu(context: WalkContext, scope: Scope): HTMLElement {
   const lowest = (storeys[0] ?? campus?.min[1] ?? 0) + 0.5;
   const highest = campus?.max[1] ?? lowest + 10;
   const height = element('input', {
-    attributes: { type: 'range', min: lowest, max: highest, step: 0.05, 'aria-label': 'Height above which nothing is drawn' },
+    attributes: {
+      type: 'range',
+      min: lowest,
+      max: highest,
+      step: 0.05,
+      'aria-label': 'Height above which nothing is drawn',
+    },
     on: { input: () => store.set({ cut: Number(height.value) >= highest - 0.05 ? null : Number(height.value) }) },
   });
   const value = element('output', {});
-  const choices = element('div', { class: 'cut-storeys' },
+  const choices = element(
+    'div',
+    { class: 'cut-storeys' },
     choice('All', null),
-    ...storeys.slice(0, -1).map((y, i) => choice(`Storey ${i}`, (storeys[i + 1] ?? y + 3) - 0.35)),
-    storeys.length > 0 ? choice(`Storey ${storeys.length - 1}`, storeys[storeys.length - 1]! + 2.2) : null);
-  scope.add(store.on((state) => state.cut, (cut) => {
-    height.value = String(cut ?? highest);
-    value.textContent = cut === null ? 'nothing cut' : `above ${cut.toFixed(1)} m`;
-    for (const each of choices.querySelectorAll<HTMLElement>('button')) setPressed(each, each.dataset.cut === String(cut));
-  }));
+    ...storeys.slice(0, -1).map((y, i) => choice(`${i}: ${y.toFixed(1)} m`, (storeys[i + 1] ?? y + 3) - 0.35)),
+    storeys.length > 0
+      ? choice(
+          `${storeys.length - 1}: ${storeys[storeys.length - 1]!.toFixed(1)} m`,
+          storeys[storeys.length - 1]! + 2.2,
+        )
+      : null,
+  );
+  scope.add(
+    store.on(
+      (state) => state.cut,
+      (cut) => {
+        height.value = String(cut ?? highest);
+        value.textContent = cut === null ? 'nothing cut' : `above ${cut.toFixed(1)} m`;
+        for (const each of choices.querySelectorAll<HTMLElement>('button'))
+          setPressed(each, each.dataset.cut === String(cut));
+      },
+    ),
+  );
   const here = button({
-    label: "Cut just above the visitor's head", text: 'Above the visitor', class: 'small', key: 'X',
+    label: "Cut just above the visitor's head",
+    text: 'Above the visitor',
+    class: 'small',
+    key: 'X',
     act: () => store.set({ cut: cutAtVisitor(context) }),
   });
   return element('div', { class: 'cut-menu' }, choices, here, height, value);
 
   function choice(text: string, cut: number | null): HTMLElement {
     return element('button', {
-      class: 'segment', text, attributes: { type: 'button', 'data-cut': String(cut) }, on: { click: () => store.set({ cut }) },
+      class: 'segment',
+      text,
+      attributes: {
+        type: 'button',
+        'data-cut': String(cut),
+        'aria-label': cut === null ? 'All storeys' : `Up to storey ${text}`,
+      },
+      on: { click: () => store.set({ cut }) },
     });
   }
 }

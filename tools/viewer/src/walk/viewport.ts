@@ -3,6 +3,7 @@
 import { Vector2, Vector3 } from 'three';
 import { element, Scope } from '../ui/dom';
 import { planPoints } from '../data/path';
+import type { Point } from '../format';
 import { CameraRig, directionOf } from '../scene/cameras';
 import type { LoadedCampus } from '../scene/campuses';
 import { Labels } from '../scene/labels';
@@ -34,7 +35,9 @@ export class Viewport {
     const { store } = context;
     this.rig = new CameraRig(stage.camera);
     this.scene = new WalkScene(stage, loaded, context, this.labels);
-    this.scene.showFindings((context.report.index.findings ?? []).filter((finding) => finding.campus === context.data.row.campus));
+    this.scene.showFindings(
+      (context.report.index.findings ?? []).filter((finding) => finding.campus === context.data.row.campus),
+    );
     this.marks = new AuthorMarks(stage, context, scope);
     this.hover = new HoverCard(context, (point) => this.scene.triggersAt(point));
     stage.canvas.tabIndex = 0;
@@ -46,12 +49,30 @@ export class Viewport {
     const update = (seconds: number): boolean => this.update(seconds);
     stage.animations.add(update);
     scope.add(() => stage.animations.delete(update));
-    scope.add(store.on((state) => state.camera, (mode) => this.rig.setMode(mode)));
-    scope.add(store.on((state) => state.cut, (height) => this.cut(height)));
-    for (const select of [(state: typeof store.state) => state.tick, (state: typeof store.state) => state.layers] as const) {
+    scope.add(
+      store.on(
+        (state) => state.camera,
+        (mode) => this.rig.setMode(mode),
+      ),
+    );
+    scope.add(
+      store.on(
+        (state) => state.cut,
+        (height) => this.cut(height),
+      ),
+    );
+    for (const select of [
+      (state: typeof store.state) => state.tick,
+      (state: typeof store.state) => state.layers,
+    ] as const) {
       scope.add(store.on<unknown>(select, () => stage.invalidate()));
     }
-    scope.add(store.on((state) => state.camera, () => stage.invalidate()));
+    scope.add(
+      store.on(
+        (state) => state.camera,
+        () => stage.invalidate(),
+      ),
+    );
     scope.add(() => this.scene.dispose());
   }
 
@@ -66,9 +87,10 @@ export class Viewport {
     const { pose, height } = this.scene.visitorAt(tick);
     const body = new Vector3(pose.x, pose.y + height * 0.55, pose.z);
     const at = reason.at ? new Vector3(...reason.at) : body.clone().add(directionOf(pose.yaw, 0).multiplyScalar(0.5));
-    // A place far off is no obstacle of this body.
-    const obstacle = at.distanceTo(body) < 12 ? at : body.clone().lerp(at, 12 / at.distanceTo(body));
+    const obstacle = at;
     const ahead = obstacle.clone().sub(body).setY(0);
+    // What can't be reached may be far away: then as if the visitor stood before it.
+    if (at.distanceTo(body) > 6) body.copy(at).addScaledVector(ahead.clone().normalize(), -1.2);
     if (ahead.lengthSq() < 1e-4) ahead.copy(directionOf(pose.yaw, 0));
     this.context.store.set({ camera: 'orbit' });
     this.rig.lookFrom(viewOf(this.loaded.picker, body, obstacle, ahead.normalize()));
@@ -80,15 +102,28 @@ export class Viewport {
     this.stage.invalidate();
   }
 
+  /** From a little above, a few steps away. */
+  lookAt(point: Point): void {
+    this.context.store.set({ camera: 'orbit', playing: false });
+    this.rig.overlook(new Vector3(...point), 12);
+    this.stage.invalidate();
+  }
+
   /** Looks at the whole of the path. */
   overlook(): void {
     const points = planPoints(this.context.data.row.plan);
     if (points.length === 0) return;
-    const center = points.reduce((sum, [x, z]) => sum.add(new Vector3(x, 0, z)), new Vector3()).divideScalar(points.length);
+    const center = points
+      .reduce((sum, [x, z]) => sum.add(new Vector3(x, 0, z)), new Vector3())
+      .divideScalar(points.length);
     const reach = Math.max(...points.map(([x, z]) => Math.hypot(x - center.x, z - center.z)));
-    center.y = this.scene.visitorAt(0).pose.y;
+    const heights = [...(this.context.data.path?.y ?? [0])];
+    const highest = heights.reduce((most, y) => Math.max(most, y));
+    center.y = (highest + heights.reduce((least, y) => Math.min(least, y))) / 2;
     this.context.store.set({ camera: 'orbit' });
     this.rig.overlook(center, Math.max(12, reach * 2.2));
+    this.update(0);
+    if (this.isHidden()) this.context.store.set({ cut: highest + this.scene.avatar.height + 0.4 });
     this.stage.invalidate();
   }
 
@@ -98,6 +133,17 @@ export class Viewport {
     const clip = new Vector2((x / this.width) * 2 - 1, 1 - (y / this.height) * 2);
     const direction = new Vector3(clip.x, clip.y, 0.5).unproject(camera).sub(camera.position).normalize();
     return this.loaded.picker.cast(camera.position.clone(), direction);
+  }
+
+  /** Whether less than half of the path can be seen. */
+  private isHidden(): boolean {
+    const { path } = this.context.data;
+    if (!path) return false;
+    const samples = Array.from({ length: 16 }, (_, i) => path.at((path.lastTick * (i + 0.5)) / 16));
+    const seen = samples.filter(({ x, y, z }) =>
+      this.loaded.picker.sees(this.stage.camera.position, new Vector3(x, y + 0.5, z)),
+    );
+    return seen.length < samples.length / 2;
   }
 
   private cut(height: number | null): void {
@@ -174,18 +220,29 @@ export class Viewport {
     this.scope.listen(canvas, 'pointercancel', lift);
     this.scope.listen(canvas, 'pointerleave', () => this.hoverOff());
     this.scope.listen(canvas, 'contextmenu', (event) => event.preventDefault());
-    this.scope.listen(canvas, 'wheel', (event) => {
-      event.preventDefault();
-      this.rig.zoom(Math.sign(event.deltaY) * Math.min(3, Math.abs(event.deltaY) / 60 + 0.4));
-      this.stage.invalidate();
-    }, { passive: false });
+    this.scope.listen(
+      canvas,
+      'wheel',
+      (event) => {
+        event.preventDefault();
+        this.rig.zoom(Math.sign(event.deltaY) * Math.min(3, Math.abs(event.deltaY) / 60 + 0.4));
+        this.stage.invalidate();
+      },
+      { passive: false },
+    );
     this.listenForFlight(canvas);
   }
 
   private listenForFlight(canvas: HTMLElement): void {
     this.scope.listen(canvas, 'keydown', (event) => {
       const key = event.key.toLowerCase();
-      if (this.context.store.state.camera !== 'free' || !/^([wasdqe]|shift)$/.test(key) || event.ctrlKey || event.metaKey) return;
+      if (
+        this.context.store.state.camera !== 'free' ||
+        !/^([wasdqe]|shift)$/.test(key) ||
+        event.ctrlKey ||
+        event.metaKey
+      )
+        return;
       this.keys.add(key);
       if (key !== 'shift') event.stopPropagation();
       this.stage.invalidate();
@@ -217,8 +274,14 @@ export class Viewport {
   private showHover(hit: Hit | null, event: PointerEvent): void {
     if (!this.hover.show(hit, event.offsetX, event.offsetY, this.width)) return;
     const object = this.hover.object;
-    const isGround = object >= 0 && this.context.campus?.objects[object]?.id === 'ground';
-    this.loaded.hovered.show(object >= 0 && !isGround ? this.loaded.model.piecesOf(object) : [], hit?.point ?? null);
+    const bounds = this.context.campus?.objects[object];
+    // Ground under the pointer is no news.
+    const isGround = bounds !== undefined && bounds.max[0] - bounds.min[0] > 60 && bounds.max[2] - bounds.min[2] > 60;
+    const pieces = object >= 0 && !isGround ? this.loaded.model.piecesOf(object) : [];
+    this.loaded.hovered.show(
+      pieces.length === 0 && object >= 0 && !isGround && hit ? [hit.piece] : pieces,
+      hit?.point ?? null,
+    );
     this.stage.invalidate();
   }
 
@@ -228,8 +291,18 @@ export class Viewport {
     this.stage.invalidate();
   }
 
-  /** For tests and the minimap. */
-  visitorAt(tick: number): { x: number; y: number; z: number } {
-    return this.scene.visitorAt(tick).pose;
+  /** Brings camera and scene to the state at once, before the next drawing does. */
+  refresh(): void {
+    this.update(0);
+  }
+
+  /** Where the figures stand now. */
+  get figures(): number[][] {
+    this.refresh();
+    return this.scene.figures;
+  }
+
+  get litObjects(): string[] {
+    return this.scene.litObjects;
   }
 }

@@ -6,7 +6,7 @@ import { statusIcon } from '../ui/icons';
 import { isBad } from '../data/groups';
 import { statusOf } from '../data/filter';
 import { metres, outcomeNames, seconds } from '../data/text';
-import type { WalkRow } from '../format';
+import type { CampusEntry, WalkRow } from '../format';
 import type { Tab } from '../store';
 import { authorPanel } from './author_panel';
 import type { WalkContext } from './context';
@@ -36,16 +36,31 @@ export class WalkPage {
   /** Fulfilled when the scene can be seen, or is known not to come. */
   readonly ready: Promise<void>;
 
-  constructor(readonly context: WalkContext, neighbours: Neighbours, private readonly scope: Scope) {
+  constructor(
+    readonly context: WalkContext,
+    neighbours: Neighbours,
+    private readonly scope: Scope,
+  ) {
     this.player = new Player(context, scope);
-    const stage = element('div', { class: 'viewport' }, element('p', { class: 'loading', text: 'Unpacking the campus…' }));
+    const stage = element(
+      'div',
+      { class: 'viewport' },
+      element('p', { class: 'loading', text: 'Unpacking the campus…' }),
+    );
     const side = element('div', { class: 'side' });
     const hasRecording = context.data.path !== null;
     this.root = element(
-      'main', { class: 'walk' },
+      'main',
+      { class: 'walk' },
       header(context, neighbours),
-      stage, side,
-      element('div', { class: 'time-bar' }, hasRecording && transport(context, this.player, scope), hasRecording && new Timeline(context, this.player, scope).root),
+      stage,
+      side,
+      element(
+        'div',
+        { class: 'time-bar' },
+        hasRecording && transport(context, this.player, scope),
+        hasRecording && new Timeline(context, this.player, scope).root,
+      ),
     );
     this.ready = this.fill(stage, side);
   }
@@ -65,14 +80,22 @@ export class WalkPage {
         note = `The campus can't be shown: ${error instanceof Error ? error.message : String(error)}`;
       }
     } else {
-      note = context.campus ? campuses.whyNot : data.row.outcome === 'skipped' ? 'This walk was skipped.' : 'There is no campus to show.';
+      note = context.campus
+        ? campuses.whyNot
+        : data.row.outcome === 'skipped'
+          ? 'This walk was skipped.'
+          : 'There is no campus to show.';
     }
     if (scope.isOver) return;
     this.fillStage(stage, note);
     this.fillSide(side);
     if (this.viewport) {
       context.campuses.stage?.draw();
-      if (isBad(data.row.outcome) && context.failures.length > 0 && context.store.state.tick === context.failures[0]!.failure.scene?.tick) {
+      if (
+        isBad(data.row.outcome) &&
+        context.failures.length > 0 &&
+        context.store.state.tick === context.failures[0]!.failure.scene?.tick
+      ) {
         this.viewport.showFailure(0);
       }
     }
@@ -81,20 +104,39 @@ export class WalkPage {
   private fillStage(stage: HTMLElement, note: string): void {
     const { context, scope, viewport } = this;
     if (!viewport) {
-      replace(stage, element('div', { class: 'flat' }, element('p', { class: 'note banner', text: note, attributes: { role: 'note' } }),
-        context.campus && walkPlan(context, scope, false), popupWindow(context, scope)));
+      replace(
+        stage,
+        element(
+          'div',
+          { class: 'flat' },
+          element('p', { class: 'note banner', text: note, attributes: { role: 'note' } }),
+          context.campus && walkPlan(context, scope, false),
+          popupWindow(context, scope),
+        ),
+      );
       return;
     }
     const minimap = walkPlan(context, scope, true);
-    scope.add(context.store.on((state) => state.layers.plan, (shown) => (minimap.hidden = !shown)));
+    scope.add(
+      context.store.on(
+        (state) => state.layers.plan,
+        (shown) => (minimap.hidden = !shown),
+      ),
+    );
     const gl = context.campuses.stage!;
-    replace(stage, viewport.root,
-      viewBar(context, () => viewport.overlook(), (drawn) => gl.setShadows(drawn), scope),
-      popupWindow(context, scope), minimap,
-      context.campus?.geometry === null && element('p', { class: 'note corner', text: 'Boxes stand in for the geometry, which this report lacks.' }),
-      context.campus?.geometry?.kind === 'simplified' &&
-        element('p', { class: 'note corner', text: `Geometry simplified to ${Math.round(context.campus.geometry.error * 100)} cm` }),
-      context.other && legend(context));
+    replace(
+      stage,
+      viewport.root,
+      viewBar(
+        context,
+        () => viewport.overlook(),
+        (drawn) => gl.setShadows(drawn),
+        scope,
+      ),
+      popupWindow(context, scope),
+      minimap,
+      context.other ? legend(context) : geometryNote(context.campus),
+    );
   }
 
   private fillSide(side: HTMLElement): void {
@@ -102,20 +144,42 @@ export class WalkPage {
     const { details } = context.data;
     const problems = context.failures.length + details.result.complaints.length;
     const tabs: { id: Tab; text: string; count?: number; make: () => HTMLElement }[] = [
-      ...(problems > 0 ? [{ id: 'failure' as Tab, text: problems > 1 ? 'Failures' : 'Failure', count: problems, make: () => failurePanel(context, this.player, (index) => this.showFailure(index)) }] : []),
+      ...(problems > 0
+        ? [
+            {
+              id: 'failure' as Tab,
+              text: problems > 1 ? 'Failures' : 'Failure',
+              count: problems,
+              make: () => failurePanel(context, this.player, (index) => this.showFailure(index)),
+            },
+          ]
+        : []),
       { id: 'log', text: 'Log', make: () => new LogPanel(context, this.player, scope).root },
       { id: 'steps', text: 'Steps', make: () => stepsPanel(context, this.player, scope) },
-      { id: 'pictures', text: 'Pictures', count: Object.keys(details.pictures ?? {}).length, make: () => picturesPanel(context) },
+      {
+        id: 'pictures',
+        text: 'Pictures',
+        count: Object.keys(details.pictures ?? {}).length,
+        make: () => picturesPanel(context),
+      },
       { id: 'file', text: 'File', make: () => filePanel(context) },
-      { id: 'author', text: 'Author', make: () => authorPanel(context, viewport?.marks ?? null, scope) },
+      { id: 'author', text: 'Author', make: () => authorPanel(context, viewport, scope) },
     ];
     const panel = element('div', { class: 'panel', attributes: { role: 'tabpanel', tabindex: -1, id: 'panel' } });
     const made = new Map<Tab, HTMLElement>();
     const choose = (id: Tab): void => context.store.set({ tab: id });
-    const heads = tabs.map((tab) => element('button', {
-      class: 'tab', attributes: { type: 'button', role: 'tab', 'aria-controls': 'panel', 'data-tab': tab.id },
-      on: { click: () => choose(tab.id) },
-    }, tab.text, tab.count ? element('span', { class: 'count', text: String(tab.count) }) : null));
+    const heads = tabs.map((tab) =>
+      element(
+        'button',
+        {
+          class: 'tab',
+          attributes: { type: 'button', role: 'tab', 'aria-controls': 'panel', 'data-tab': tab.id },
+          on: { click: () => choose(tab.id) },
+        },
+        tab.text,
+        tab.count ? element('span', { class: 'count', text: String(tab.count) }) : null,
+      ),
+    );
     const bar = element('div', { class: 'tabs', attributes: { role: 'tablist', 'aria-label': 'Panels' } }, ...heads);
     scope.listen(bar, 'keydown', (event) => {
       const move = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : 0;
@@ -125,17 +189,22 @@ export class WalkPage {
       heads[next]?.focus();
       choose(tabs[next]!.id);
     });
-    scope.add(context.store.on((state) => state.tab, (id) => {
-      const tab = tabs.find((each) => each.id === id) ?? tabs[0]!;
-      heads.forEach((head, i) => {
-        head.setAttribute('aria-selected', String(tabs[i] === tab));
-        head.tabIndex = tabs[i] === tab ? 0 : -1;
-      });
-      const content = made.get(tab.id) ?? tab.make();
-      made.set(tab.id, content);
-      replace(panel, content);
-      if (tab.id === 'file') content.querySelector('.marked')?.scrollIntoView({ block: 'center' });
-    }));
+    scope.add(
+      context.store.on(
+        (state) => state.tab,
+        (id) => {
+          const tab = tabs.find((each) => each.id === id) ?? tabs[0]!;
+          heads.forEach((head, i) => {
+            head.setAttribute('aria-selected', String(tabs[i] === tab));
+            head.tabIndex = tabs[i] === tab ? 0 : -1;
+          });
+          const content = made.get(tab.id) ?? tab.make();
+          made.set(tab.id, content);
+          replace(panel, content);
+          if (tab.id === 'file') content.querySelector('.marked')?.scrollIntoView({ block: 'center' });
+        },
+      ),
+    );
     replace(side, bar, panel);
   }
 
@@ -154,11 +223,15 @@ function header(context: WalkContext, neighbours: Neighbours): HTMLElement {
   const { row, details } = context.data;
   const status = statusOf(row);
   return element(
-    'header', { class: 'walk-header' },
+    'header',
+    { class: 'walk-header' },
     button({ icon: 'back', label: 'All walks', text: 'All walks', key: 'Esc', class: 'plain', act: neighbours.list }),
-    element('div', { class: 'walk-title' },
+    element(
+      'div',
+      { class: 'walk-title' },
       element('h1', {}, statusIcon(status), name(row.name)),
-      element('p', { class: 'walk-facts' }, ...facts(row, details.result.campus, outcomeNames[status] ?? status))),
+      element('p', { class: 'walk-facts' }, ...facts(row, details.result.campus, outcomeNames[status] ?? status)),
+    ),
     comparisonButton(context),
     button({ icon: 'back', label: 'Previous walk', key: 'K', class: 'plain', act: neighbours.previous }),
     button({ icon: 'next', label: 'Next walk', key: 'J', class: 'plain', act: neighbours.next }),
@@ -182,7 +255,11 @@ function comparisonButton(context: WalkContext): Child {
   const { against } = context.report.index;
   if (!against || !comparable(context)) return null;
   const toggle = button({
-    icon: 'compare', label: `Compare with ${against.name}`, text: 'Compare', key: 'C', class: 'small',
+    icon: 'compare',
+    label: `Compare with ${against.name}`,
+    text: 'Compare',
+    key: 'C',
+    class: 'small',
     act: () => context.store.set({ against: !context.store.state.against }),
   });
   setPressed(toggle, context.other !== null);
@@ -194,19 +271,37 @@ function comparable(context: WalkContext): boolean {
   return context.report.index.against?.walks.some((row) => row.index === index) ?? false;
 }
 
+/** Where what is shown isn't the model itself. */
+function geometryNote(campus: CampusEntry | null): HTMLElement | null {
+  const note = (text: string): HTMLElement => element('p', { class: 'note corner', text });
+  if (!campus) return null;
+  const { geometry, objects } = campus;
+  if (geometry?.kind === 'simplified') return note(`Geometry simplified to ${Math.round(geometry.error * 100)} cm`);
+  if (geometry) return null;
+  return note(objects.length > 0 ? 'Boxes stand in for the geometry.' : 'This report has no geometry.');
+}
+
 function legend(context: WalkContext): HTMLElement {
   const { other, data } = context;
   const outcome = (row: WalkRow): string => outcomeNames[statusOf(row)] ?? row.outcome;
-  return element('div', { class: 'legend' },
+  return element(
+    'div',
+    { class: 'legend' },
     element('div', { class: 'legend-row this' }, `this run: ${outcome(data.row)}`),
-    element('div', { class: 'legend-row other' }, name(other?.name ?? ''), `: ${outcome(other?.data.row ?? data.row)}`));
+    element('div', { class: 'legend-row other' }, name(other?.name ?? ''), `: ${outcome(other?.data.row ?? data.row)}`),
+  );
 }
 
 export function missingWalk(row: WalkRow, list: () => void): HTMLElement {
-  return element('main', { class: 'walk-missing' },
+  return element(
+    'main',
+    { class: 'walk-missing' },
     button({ icon: 'back', label: 'All walks', text: 'All walks', class: 'plain', act: list }),
-    emptyState(`${row.id}: ${outcomeNames[statusOf(row)] ?? row.outcome}`,
+    emptyState(
+      `${row.id}: ${outcomeNames[statusOf(row)] ?? row.outcome}`,
       row.status_reason ? element('p', { text: row.status_reason }) : null,
       row.message ? element('pre', { class: 'complaint', text: row.message }) : null,
-      element('p', { text: 'The report holds nothing more of this walk.' })));
+      element('p', { text: 'The report holds nothing more of this walk.' }),
+    ),
+  );
 }

@@ -1,0 +1,335 @@
+// The viewer's modules that need no page: logs, paths, filters, groups, links, reasons, snippets, rays.
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join, resolve } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { build } from 'esbuild';
+
+const root = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
+let folder;
+const modules = {};
+
+before(async () => {
+  folder = mkdtempSync(join(tmpdir(), 'campuswalk-modules-'));
+  const names = [
+    'data/log',
+    'data/path',
+    'data/filter',
+    'data/groups',
+    'data/link',
+    'data/reason',
+    'data/snippets',
+    'data/spans',
+    'data/text',
+    'scene/triangle_tree',
+  ];
+  await build({
+    entryPoints: names.map((name) => join(root, 'tools/viewer/src', `${name}.ts`)),
+    outbase: join(root, 'tools/viewer/src'),
+    outdir: folder,
+    outExtension: { '.js': '.mjs' },
+    bundle: true,
+    format: 'esm',
+    platform: 'node',
+    logLevel: 'error',
+  });
+  for (const name of names) Object.assign(modules, await import(pathToFileURL(join(folder, `${name}.mjs`)).href));
+});
+after(() => rmSync(folder, { recursive: true, force: true }));
+
+describe('a log line', () => {
+  test('is read as it was written', () => {
+    const line = modules.parseLogLine(
+      '000386    6.433333 trigger.enter    gatehouse/arch    pos=0.000,-1.440,80.000 at=0.714',
+    );
+    assert.equal(line.tick, 386);
+    assert.equal(line.seconds, 6.433333);
+    assert.equal(line.kind, 'trigger.enter');
+    assert.equal(line.object, 'gatehouse/arch');
+    assert.equal(modules.fieldOf(line, 'pos'), '0.000,-1.440,80.000');
+    assert.equal(modules.fieldOf(line, 'at'), '0.714');
+  });
+  test('has quoted names and texts', () => {
+    const line = modules.parseLogLine(
+      '000001 0.016667 popup.open "a \\"b\\" c" title="x=1, \\\\ y\\nz" body="\\xe2\\x80\\xae\u603b" n=2',
+    );
+    assert.equal(line.object, 'a "b" c');
+    assert.deepEqual(
+      line.fields.map((field) => field.value),
+      ['x=1, \\ y\nz', '\u202E\u603b', '2'],
+    );
+  });
+  test('without details has an object', () => {
+    assert.deepEqual(modules.parseLogLine('000729   12.150000 popup.close      gatehouse').fields, []);
+  });
+  test('is refused if it is none', () => {
+    assert.equal(modules.parseLogLine('# walk-log 1 walk=x'), null);
+  });
+  test('is found in every line of the golden log', () => {
+    const lines = readFileSync(join(root, 'tests/golden/first-tour.log'), 'utf8').trim().split('\n').slice(1);
+    const log = modules.parseLog(lines);
+    assert.equal(log.length, lines.length);
+    assert.ok(log.every((line) => lines.includes(line.text) && line.object !== ''));
+    const open = log.filter((line) => line.kind === 'popup.open');
+    assert.ok(open.length > 10 && open.every((line) => modules.fieldOf(line, 'body').length > 20));
+    const spans = modules.spansOf(log, log.at(-1).tick);
+    assert.equal(spans.length, log.filter((line) => /^(collision|trigger|ray)\.enter$/.test(line.kind)).length);
+    const arch = spans.find((span) => span.object === 'gatehouse/arch');
+    assert.deepEqual([arch.from, arch.to], [386, 729]);
+  });
+});
+
+describe('a path', () => {
+  const frames = {
+    tick: [0, 10, 10, 1, 9],
+    x: [0, 1000, 0, 5000, 500],
+    y: [60, 0, 0, 0, 0],
+    z: [17000, 0, -2000, 0, 0],
+    yaw: [0, 900, 0, 0, 2700],
+    pitch: [0, 0, 0, -100, 0],
+    cut: [3],
+  };
+  const at = (tick) => new modules.Path(frames).at(tick);
+  test('is linear between key frames', () => {
+    assert.deepEqual([at(5).x, at(5).y, at(5).z], [0.5, 0.06, 17]);
+    assert.ok(Math.abs(at(5).yaw - Math.PI / 4) < 1e-12);
+    assert.equal(at(15).z, 16);
+  });
+  test('holds until a jump', () => {
+    assert.deepEqual([at(20).x, at(20.9).x, at(21).x], [1, 1, 6]);
+  });
+  test('ends where it ends', () => {
+    assert.deepEqual([at(-3).x, at(30).x, at(99).x], [0, 6.5, 6.5]);
+  });
+  test('counts metres, but not those of a jump', () => {
+    const path = new modules.Path(frames);
+    assert.equal(path.distanceAt(10), 1);
+    assert.equal(path.distanceAt(30), 3.5);
+    assert.deepEqual(path.pieces(), [
+      [0, 2],
+      [3, 4],
+    ]);
+  });
+  test('of a row is coded in decimetres', () => {
+    assert.deepEqual(modules.planPoints([10, -20, 5, 5]), [
+      [1, -2],
+      [1.5, -1.5],
+    ]);
+  });
+});
+
+const row = (changes) => ({
+  id: 'walks/a.walk.yaml',
+  file: 'walks/a.walk.yaml',
+  name: 'a',
+  project: '',
+  repetition: 0,
+  tags: [],
+  outcome: 'passed',
+  expected_to_fail: false,
+  seconds: 1,
+  ticks: 60,
+  distance: 2,
+  campus: 0,
+  chunk: 0,
+  line: 0,
+  ...changes,
+});
+
+describe('a filter', () => {
+  const matches = (query, changes) => modules.parseFilter(query).matches(modules.searchable(row(changes), 'demo'));
+  test('takes outcomes, tags, projects, campuses, files and text', () => {
+    assert.ok(matches('s:failed', { outcome: 'failed' }));
+    assert.ok(!matches('s:failed', {}));
+    assert.ok(matches('s:xfail', { expected_to_fail: true }) && !matches('s:passed', { expected_to_fail: true }));
+    assert.ok(matches('@smoke', { tags: ['Smoke'] }) && !matches('@smo', { tags: ['smoke'] }));
+    assert.ok(matches('p:child', { project: 'Child' }) && !matches('p:child', { project: 'adult' }));
+    assert.ok(matches('c:demo', {}) && !matches('c:school', {}));
+    assert.ok(matches('f:walks/', {}) && !matches('f:a.yaml', {}));
+    assert.ok(matches('riser', { message: 'a Riser of 0.45 m' }));
+  });
+  test('wants all words, and none of the excluded', () => {
+    assert.ok(matches('s:failed @x door', { outcome: 'failed', tags: ['x'], name: 'door' }));
+    assert.ok(!matches('s:failed @y', { outcome: 'failed', tags: ['x'] }));
+    assert.ok(!matches('!s:failed', { outcome: 'failed' }) && matches('-@x', { tags: ['y'] }));
+  });
+  test('keeps quoted words together', () => {
+    assert.ok(
+      matches('"two words"', { message: 'of two words here' }) && !matches('"two words"', { message: 'words two' }),
+    );
+    assert.ok(matches('@"a b"', { tags: ['a b'] }) && matches('!"two words', { message: 'words two' }));
+  });
+  test('can be toggled by words', () => {
+    assert.equal(modules.toggled('door', 's:failed'), 'door s:failed');
+    assert.equal(modules.toggled('door s:failed', 's:failed'), 'door');
+  });
+});
+
+test('failures come first, in groups of a file', () => {
+  const rows = [
+    row({}),
+    row({ file: 'b', outcome: 'passed' }),
+    row({ file: 'b', outcome: 'failed', project: 'x' }),
+    row({ file: 'c', outcome: 'broken' }),
+  ];
+  const groups = modules.grouped(rows, [0, 1, 2, 3]);
+  assert.deepEqual(
+    groups.map((group) => group.walks),
+    [[2, 1], [3], [0]],
+  );
+  assert.deepEqual(
+    groups.map((group) => group.failed),
+    [1, 1, 0],
+  );
+  const counts = modules.counted(rows, [0, 1, 2, 3]);
+  assert.deepEqual([counts.passed, counts.failed, counts.broken, counts.seconds], [2, 1, 1, 4]);
+});
+
+test('a link says where and when', () => {
+  const link = { walk: 'a b/c&d.walk.yaml #1', time: 12.35, against: true, camera: 'top' };
+  assert.deepEqual(modules.parseLink(modules.formatLink(link)), link);
+  assert.deepEqual(modules.parseLink('#walk=x/y.walk.yaml&t=12.35'), { walk: 'x/y.walk.yaml', time: 12.35 });
+  assert.deepEqual(modules.parseLink('#t=nonsense'), {});
+});
+
+describe('a reason', () => {
+  const ids = new Set(['fountain', 'planter/planter-01', 'tree/lime/tree-lime-009']);
+  const failure = (message, code = 'blocked') => ({ code, message, file: '', line: 0, column: 0, scene: { tick: 10 } });
+  test('has a place, an object and a measure', () => {
+    const reason = modules.reasonOf(
+      failure('go_to x: riser of 0.45 m at tree/lime/tree-lime-009, -4.44, -0.71, 58.00; the avatar steps 0.30 m'),
+      [],
+      ids,
+    );
+    assert.deepEqual(reason.at, [-4.44, -0.71, 58]);
+    assert.equal(reason.object, 'tree/lime/tree-lime-009');
+    assert.deepEqual(reason.measure, { kind: 'riser', unit: 'm', measured: 0.45, allowed: 0.3 });
+  });
+  test('is measured in metres or degrees', () => {
+    const measure = (text) => {
+      const { kind, measured, allowed } = modules.measureIn(text);
+      return [kind, measured, allowed];
+    };
+    assert.deepEqual(measure('headroom of 1.50 m under a, 1.00, 2.00, 3.00; the body needs 1.80 m'), [
+      'headroom',
+      1.5,
+      1.8,
+    ]);
+    assert.deepEqual(measure('slope of 61.0 degrees at 1.00, 2.00, 3.00; the avatar walks up 50.0'), ['slope', 61, 50]);
+    assert.deepEqual(measure('the opening at a, 1.00, 2.00, 3.00 is 0.50 m wide, the body needs 0.60 m'), [
+      'opening',
+      0.5,
+      0.6,
+    ]);
+    assert.deepEqual(measure('ledge of 2.00 m at a, 1.00, 2.00, 3.00; no way up'), ['ledge', 2, null]);
+    assert.equal(modules.measureIn('it is closed off'), null);
+  });
+  test('comes from the last obstacle where the message has none', () => {
+    const log = modules.parseLog([
+      '000009 0.15 avatar.blocked desk pos=0,0,0 by=fountain why="riser of 0.52 m at fountain, 0.00, 0.36, 13.26; the avatar steps 0.30 m"',
+    ]);
+    const reason = modules.reasonOf(
+      failure('desk was not reached: the avatar came within 3.580 m', 'reaches'),
+      log,
+      ids,
+    );
+    assert.deepEqual([reason.object, reason.at, reason.measure.measured], ['fountain', [0, 0.36, 13.26], 0.52]);
+  });
+  test('is split into expected and actual', () => {
+    assert.deepEqual(modules.expectedAndActual("'popup.open *' occurred once, expected at least 4"), {
+      actual: "'popup.open *' occurred once",
+      expected: 'at least 4',
+    });
+    assert.equal(modules.expectedAndActual('not expected, but 0,24 was reached'), null);
+    assert.equal(modules.expectedAndActual("'a b' never occurred"), null);
+  });
+});
+
+describe('a snippet', () => {
+  test('is YAML', () => {
+    assert.equal(modules.walkToStep([1.23456, -0.0001, 7]), '- walk_to: [1.235, 0, 7]');
+    assert.equal(
+      modules.followStep([
+        [0, 0, 0],
+        [1, 0, 2],
+      ]),
+      '- follow:\n    - [0, 0, 0]\n    - [1, 0, 2]',
+    );
+  });
+  test('of a box is centred, and turned as the YAML turns', () => {
+    const box = modules.boxBetween([0, 1, 0], [2, 1, -4], 2.4, 0);
+    assert.equal(
+      modules.triggerCollider(box, 'hall/door', 'hall'),
+      [
+        '- id: hall/door',
+        '  building: hall',
+        '  mode: trigger',
+        '  shape: box',
+        '  center: [1, 2.2, -2]',
+        '  size: [2, 2.4, 4]',
+      ].join('\n'),
+    );
+    const turned = modules.boxBetween([0, 0, 0], [2, 0, -4], 2, 90);
+    assert.ok(Math.abs(turned.width - 4) < 1e-9 && Math.abs(turned.depth - 2) < 1e-9);
+    assert.match(modules.triggerCollider(turned, 'a', ''), /yaw_deg: 90/);
+  });
+  test('of a command is safe to paste', () => {
+    const command = (file, project) =>
+      modules.replayCommand('campuswalk run {file}[ --project {project}]', { file, project });
+    assert.equal(command('a/b.walk.yaml', ''), 'campuswalk run a/b.walk.yaml');
+    assert.equal(command("it's; rm.walk.yaml", 'child'), "campuswalk run 'it'\\''s; rm.walk.yaml' --project child");
+  });
+});
+
+test('characters that would control the display are shown', () => {
+  assert.equal(modules.visible('a\u202Eb\u0007\n'), 'a\\u{202e}b\\u{7}\n');
+});
+
+test('the triangle tree finds what testing every triangle finds', () => {
+  let seed = 7;
+  const random = () => ((seed = (seed * 16807) % 2147483647) / 2147483647) * 10;
+  const count = 400;
+  const values = Array.from({ length: count * 9 }, (_, i) => random());
+  for (let t = 0; t < count; ++t)
+    for (let k = 3; k < 9; ++k) values[t * 9 + k] = values[t * 9 + (k % 3)] + (random() - 5) * 0.2;
+  const geometry = {
+    getAttribute: () => ({
+      count: count * 3,
+      getX: (i) => values[i * 3],
+      getY: (i) => values[i * 3 + 1],
+      getZ: (i) => values[i * 3 + 2],
+    }),
+    getIndex: () => null,
+  };
+  const tree = new modules.TriangleTree(geometry);
+  let hits = 0;
+  for (let ray = 0; ray < 300; ++ray) {
+    const origin = [random(), random(), -1];
+    const direction = [(random() - 5) / 20, (random() - 5) / 20, 1];
+    const nearest = Math.min(...Array.from({ length: count }, (_, t) => bruteForce(values, t, origin, direction)));
+    const found = tree.cast(origin, direction, Infinity);
+    assert.ok(found === null ? nearest === Infinity : Math.abs(found.distance - nearest) < 1e-4, `ray ${ray}`);
+    hits += found === null ? 0 : 1;
+  }
+  assert.ok(hits > 50 && hits < 300);
+});
+
+/** By the plane and three edges, in another way than the tree does it. */
+function bruteForce(values, triangle, origin, direction) {
+  const vertex = (k) => Array.from({ length: 3 }, (_, axis) => Math.fround(values[triangle * 9 + k * 3 + axis]));
+  const minus = (p, q) => p.map((value, i) => value - q[i]);
+  const cross = (p, q) => [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]];
+  const dot = (p, q) => p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+  const [a, b, c] = [0, 1, 2].map(vertex);
+  const normal = cross(minus(b, a), minus(c, a));
+  const distance = dot(minus(a, origin), normal) / dot(direction, normal);
+  const point = origin.map((value, i) => value + direction[i] * distance);
+  const inside = [
+    [a, b],
+    [b, c],
+    [c, a],
+  ].every(([from, to]) => dot(cross(minus(to, from), minus(point, from)), normal) >= 0);
+  return inside && distance >= 0 ? distance : Infinity;
+}
