@@ -155,6 +155,7 @@ THIRD_PARTY = {
     "spdlog/": ["tools/campuswalk/base"],
     "re2/": ["tools/campuswalk/run/plan"],
     "poll.h": ["scene/process", "tools/campuswalk/run"],
+    "pthread.h": ["tools/campuswalk/run/results"],
     "spawn.h": ["scene/process"],
     "unistd.h": ["scene/base", "scene/cache", "scene/import", "scene/process", "tools/campuswalk", "tools/campuswalk_bench",
                  "tests"],
