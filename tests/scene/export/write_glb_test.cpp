@@ -234,8 +234,8 @@ TEST(WriteGlb, NodesAreTaggedAndNamed) {
     for (const nlohmann::json& node : json.at("nodes")) {
         tags[node.at("extras").at("node")] = node.at("extras").at("objects");
     }
-    EXPECT_EQ(tags.at("hills"), nlohmann::json({0}));
-    EXPECT_EQ(tags.at("again \"<&"), nlohmann::json({1}));
+    EXPECT_EQ(tags.at("hills"), nlohmann::json::array({0}));
+    EXPECT_EQ(tags.at("again \"<&"), nlohmann::json::array({1}));
 }
 
 TEST(WriteGlb, MaterialsComeBackAsTheyWere) {

@@ -12,6 +12,7 @@
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/html/html_reports.h"
+#include "tools/campuswalk/loading/model_importer.h"
 #include "tools/campuswalk/loading/walk_loader.h"
 #include "tools/campuswalk/run/plan/find_walks.h"
 #include "tools/campuswalk/run/results/merged_run.h"
