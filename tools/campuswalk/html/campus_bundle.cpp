@@ -3,7 +3,7 @@
 #include <span>
 #include <utility>
 
-#include "engine/report/html/campus_entry.h"
+#include "engine/html_report/campus_entry.h"
 #include "scene/base/atomic_file.h"
 #include "scene/cache/content_hash.h"
 #include "tools/campuswalk/base/json_text.h"

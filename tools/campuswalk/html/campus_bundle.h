@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "engine/report/html/html_reporter.h"
+#include "engine/html_report/html_reporter.h"
 #include "scene/campus/campus.h"
 #include "tools/campuswalk/html/html_reports.h"
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "engine/report/html/html_reporter.h"
+#include "engine/html_report/html_reporter.h"
 
 namespace campuswalk::tools {
 

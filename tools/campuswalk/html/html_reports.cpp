@@ -4,7 +4,7 @@
 
 #include "config/loader/load_run.h"
 #include "config/loader/values/read_roots.h"
-#include "engine/report/html/html_reporter.h"
+#include "engine/html_report/html_reporter.h"
 #include "scene/base/diagnostic.h"
 #include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/base/print.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/report/html/html_page.h"
+#include "engine/html_report/html_page.h"
 
 namespace campuswalk::tools {
 

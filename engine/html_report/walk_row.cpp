@@ -1,4 +1,4 @@
-#include "engine/report/html/walk_row.h"
+#include "engine/html_report/walk_row.h"
 
 #include <cmath>
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/report/html/details_chunks.h"
-#include "engine/report/html/html_page.h"
-#include "engine/report/html/recorded_path.h"
+#include "engine/html_report/details_chunks.h"
+#include "engine/html_report/html_page.h"
+#include "engine/html_report/recorded_path.h"
 #include "engine/report/reporter.h"
 
 namespace campuswalk::engine {

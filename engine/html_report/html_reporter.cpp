@@ -1,4 +1,4 @@
-#include "engine/report/html/html_reporter.h"
+#include "engine/html_report/html_reporter.h"
 
 #include <algorithm>
 #include <functional>
@@ -7,8 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engine/report/html/report_images.h"
-#include "engine/report/html/walk_row.h"
+#include "engine/html_report/report_images.h"
+#include "engine/html_report/walk_row.h"
 #include "engine/report/result_json.h"
 
 namespace campuswalk::engine {

@@ -1,4 +1,4 @@
-#include "engine/report/html/encodings.h"
+#include "engine/html_report/encodings.h"
 
 #include <libdeflate.h>
 

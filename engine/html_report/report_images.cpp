@@ -1,4 +1,4 @@
-#include "engine/report/html/report_images.h"
+#include "engine/html_report/report_images.h"
 
 #include <cstdint>
 #include <span>

@@ -1,4 +1,4 @@
-#include "engine/report/html/recorded_path.h"
+#include "engine/html_report/recorded_path.h"
 
 #include <string>
 

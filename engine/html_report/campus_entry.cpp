@@ -1,4 +1,4 @@
-#include "engine/report/html/campus_entry.h"
+#include "engine/html_report/campus_entry.h"
 
 #include <array>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "collision/mesh/mesh_collider.h"
 #include "engine/events/decimals.h"
-#include "engine/report/html/floor_heights.h"
+#include "engine/html_report/floor_heights.h"
 
 namespace campuswalk::engine {
 

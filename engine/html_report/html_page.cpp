@@ -1,10 +1,10 @@
-#include "engine/report/html/html_page.h"
+#include "engine/html_report/html_page.h"
 
 #include <span>
 #include <stdexcept>
 #include <utility>
 
-#include "engine/report/html/encodings.h"
+#include "engine/html_report/encodings.h"
 #include "scene/cache/content_hash.h"
 
 namespace campuswalk::engine {

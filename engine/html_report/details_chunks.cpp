@@ -1,4 +1,4 @@
-#include "engine/report/html/details_chunks.h"
+#include "engine/html_report/details_chunks.h"
 
 #include <utility>
 

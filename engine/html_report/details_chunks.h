@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/report/html/html_page.h"
+#include "engine/html_report/html_page.h"
 
 namespace campuswalk::engine {
 

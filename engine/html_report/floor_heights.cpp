@@ -1,4 +1,4 @@
-#include "engine/report/html/floor_heights.h"
+#include "engine/html_report/floor_heights.h"
 
 #include <algorithm>
 #include <cmath>

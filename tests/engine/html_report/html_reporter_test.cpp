@@ -1,4 +1,4 @@
-#include "engine/report/html/html_reporter.h"
+#include "engine/html_report/html_reporter.h"
 
 #include <libdeflate.h>
 
@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "engine/report/html/encodings.h"
-#include "engine/report/html/walk_row.h"
+#include "engine/html_report/encodings.h"
+#include "engine/html_report/walk_row.h"
 #include "engine/report/result_json.h"
 #include "tests/engine/report/some_results.h"
 
