@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 using support::Dice;
 
-const fs::path kConfig = fs::path(CAMPUSWALK_SOURCE_FOLDER) / "config";
+const fs::path kMutated = fs::path(CAMPUSWALK_SOURCE_FOLDER) / "config";
 
 std::string bytes_of(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
@@ -105,13 +105,13 @@ protected:
         for (const char* name :
              {"demo.campus.yaml", "walks/first-tour.walk.yaml", "walks/every-step.walk.yaml",
               "walks/fountain-lap.steps.yaml", "avatars/adult.avatar.yaml"}) {
-            folder_.write(name, bytes_of(kConfig / name));
+            folder_.write(name, bytes_of(kMutated / name));
         }
     }
 
     /// Mutates the file and loads it; returns how often that was refused.
     int refused(const std::string& name, int times, const std::function<void(const fs::path&)>& load) {
-        const std::string original = bytes_of(kConfig / name);
+        const std::string original = bytes_of(kMutated / name);
         Dice dice(1);
         int refusals = 0;
         for (int trial = 0; trial < times && !HasFailure(); ++trial) {
@@ -130,7 +130,7 @@ protected:
 
     /// The names that a walk may use, without the buildings and colliders that take long to read.
     void write_campus_of_places_only() {
-        const std::string campus = bytes_of(kConfig / "demo.campus.yaml");
+        const std::string campus = bytes_of(kMutated / "demo.campus.yaml");
         folder_.write("demo.campus.yaml",
                       "scenes: [{file: a.glb}]\ncolliders: []\n" + campus.substr(campus.find("\nspawns:")));
     }

@@ -19,6 +19,13 @@ WalkToStep walk_to(double x, double z, const std::string& label) {
     return step;
 }
 
+WalkToStep walk_to_or_proceed(double x, double z, std::optional<double> speed) {
+    WalkToStep step = walk_to(x, z);
+    step.if_blocked = IfBlocked::proceed;
+    step.speed = speed;
+    return step;
+}
+
 WaitStep wait_for(double seconds) {
     WaitStep step;
     step.seconds = seconds;

@@ -16,6 +16,8 @@ namespace campuswalk::engine {
 SpawnStep spawn_at(const Eigen::Vector3d& foot, double yaw = 0.0, const std::string& label = "start");
 /// A target without a height, as `[x, z]`.
 WalkToStep walk_to(double x, double z, const std::string& label = "goal");
+/// Goes on with the next step when something is in the way.
+WalkToStep walk_to_or_proceed(double x, double z, std::optional<double> speed = std::nullopt);
 WaitStep wait_for(double seconds);
 TurnStep turn_by(double degrees);
 TurnStep turn_to(double degrees);

@@ -34,6 +34,12 @@ scene::Campus walled_yard() {
     return campus;
 }
 
+scene::Campus walled_campus() {
+    scene::Campus campus = level_campus();
+    add_box(campus, "wall", {-5, 0, -4}, {5, 3, -3});
+    return campus;
+}
+
 void add_building(scene::Campus& campus, const std::string& id, const std::string& title,
                   const std::string& hours, const std::string& text) {
     scene::Building building;

@@ -25,6 +25,9 @@ scene::Campus level_campus(double half_size = 50.0, collision::TreeKind tree = c
 /// A level floor of 12 m x 12 m within walls of 4 m, about the origin.
 scene::Campus walled_yard();
 
+/// A level floor with a wall of 3 m across the way north, 3 m from the origin.
+scene::Campus walled_campus();
+
 /// Appends a building with an information record.
 void add_building(scene::Campus& campus, const std::string& id, const std::string& title = "",
                   const std::string& hours = "", const std::string& text = "");

@@ -8,7 +8,7 @@
 namespace campuswalk::collision::course {
 namespace {
 
-constexpr double kGravity = 9.81;
+constexpr double kFreeFall = 9.81;
 
 TEST(CourseFalls, FollowTheParabolaAtEveryTickRate) {
     const auto world = floor_world();
@@ -17,13 +17,13 @@ TEST(CourseFalls, FollowTheParabolaAtEveryTickRate) {
         SCOPED_TRACE(rate);
         body.ticks_per_second = rate;
         body.stand({0, 15.0, 0}, 0.1);
-        const double falls_for = std::sqrt(2.0 * 15.0 / kGravity);
+        const double falls_for = std::sqrt(2.0 * 15.0 / kFreeFall);
         int tick = 1;
         for (; tick / rate < falls_for - 1e-3; ++tick) {
             ASSERT_NO_FATAL_FAILURE(body.tick(kEast));
             const double t = tick / rate;
-            ASSERT_NEAR(body.foot().y(), 15.0 - 0.5 * kGravity * t * t, 1e-9) << t << " s";
-            ASSERT_NEAR(body.state().vertical_speed, -kGravity * t, 1e-9);
+            ASSERT_NEAR(body.foot().y(), 15.0 - 0.5 * kFreeFall * t * t, 1e-9) << t << " s";
+            ASSERT_NEAR(body.state().vertical_speed, -kFreeFall * t, 1e-9);
             ASSERT_NEAR(body.foot().x(), kPace * t, 1e-9);
         }
         ASSERT_NO_FATAL_FAILURE(body.tick(kEast));

@@ -19,7 +19,7 @@ using support::radians;
 
 constexpr double kRadius = 0.3;
 constexpr double kSkin = 0.02;
-const Vec3 kEast(1.4, 0, 0);
+const Vec3 kEastward(1.4, 0, 0);
 
 /// A level floor to add things to.
 class MoverAndWalls : public ::testing::Test {
@@ -72,13 +72,13 @@ TEST_F(MoverAndWalls, StopsInFrontOfAWallAndStaysThere) {
     const ObjectId wall = add_wall({3, 0, 5}, {3, 0, -5});
     AuditedBody body(*world_);
     body.stand({0, 0, 0});
-    body.walk(kEast, 4.0);
+    body.walk(kEastward, 4.0);
     EXPECT_NEAR(body.foot().x(), 3.0 - kRadius - kSkin, 1e-3);
     EXPECT_NEAR(body.foot().z(), 0.0, 1e-12);
     ASSERT_TRUE(body.touches(wall));
     EXPECT_NEAR(body.trace().touching.front().gap, kSkin, 1e-3);
     const Vec3 rest = body.foot();
-    body.walk(kEast, 1.0);
+    body.walk(kEastward, 1.0);
     EXPECT_LT((body.foot() - rest).norm(), 1e-6) << "no jitter";
 }
 
@@ -86,9 +86,9 @@ TEST_F(MoverAndWalls, LeavesAWallAtFullSpeed) {
     add_wall({3, 0, 5}, {3, 0, -5});
     AuditedBody body(*world_);
     body.stand({2, 0, 0});
-    body.walk(kEast, 2.0);
+    body.walk(kEastward, 2.0);
     const Vec3 at_wall = body.foot();
-    body.walk(-kEast, 1.0);
+    body.walk(-kEastward, 1.0);
     EXPECT_NEAR(at_wall.x() - body.foot().x(), 1.4, 1e-9);
 }
 
@@ -161,9 +161,9 @@ TEST_F(MoverAndWalls, StandsStillInAWedge) {
         add_object(world, place);
         AuditedBody body(world);
         body.stand({0.5, 0, 0});
-        body.walk(kEast, 5.0);
+        body.walk(kEastward, 5.0);
         const Vec3 rest = body.foot();
-        body.walk(kEast, 2.0);
+        body.walk(kEastward, 2.0);
         EXPECT_LT((body.foot() - rest).norm(), 1e-4) << "no jitter";
         // The clearance of a radius and a skin ends there; along a straight wall the body may slide.
         EXPECT_NEAR(rest.x(), 5.0 - (kRadius + kSkin) / std::sin(half), 0.01);
@@ -206,7 +206,7 @@ TEST_F(MoverAndWalls, WalksAroundATree) {
     body.stand({0, 0, 0});
     bool bumped = false;
     for (int i = 0; i < 400; ++i) {
-        body.tick(kEast);
+        body.tick(kEastward);
         bumped = bumped || body.touches(tree);
     }
     EXPECT_TRUE(bumped);
@@ -232,9 +232,9 @@ TEST_F(MoverAndWalls, StopsAtAThinRailAtHipHeight) {
     add_object(*world_, Capsule{0.02, 2.0}, {-2, 1.0, 0});
     AuditedBody body(*world_);
     body.stand({0, 0, 0});
-    body.walk(kEast, 3.0);
+    body.walk(kEastward, 3.0);
     EXPECT_LT(body.foot().x(), 2.0 - kRadius + 1e-9);
-    body.walk(-kEast, 5.0);
+    body.walk(-kEastward, 5.0);
     EXPECT_GT(body.foot().x(), -10.0);
 }
 
@@ -250,11 +250,11 @@ TEST_F(MoverAndWalls, WalksThroughTriggersAndIgnoredLayers) {
     world_->add(ghost);
     AuditedBody body(*world_, {}, {Detection::solid, 1U << 5U});
     body.stand({0, 0, 0});
-    body.walk(kEast, 5.0);
+    body.walk(kEastward, 5.0);
     EXPECT_NEAR(body.foot().x(), 7.0, 1e-9);
     AuditedBody other(*world_);
     other.stand({0, 0, 0});
-    other.walk(kEast, 5.0);
+    other.walk(kEastward, 5.0);
     EXPECT_NEAR(other.foot().x(), 3.5 - kRadius - kSkin, 1e-3) << "it stops unless the layer is ignored";
 }
 

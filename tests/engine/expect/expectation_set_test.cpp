@@ -12,13 +12,13 @@
 namespace campuswalk::engine {
 namespace {
 
-const SourceMark kMark = {"a.walk.yaml", 7, 5};
+const SourceMark kWhole = {"a.walk.yaml", 7, 5};
 
 // ---- at the end -----------------------------------------------------------------------------------------
 
 TEST(ExpectationSet, ReportsFailuresInTheOrderOfTheFile) {
     Walk walk;
-    walk.expectations = {expect_reaches({"far", {50, 0, 0}, false}, 0.5), ExpectLog{kMark},
+    walk.expectations = {expect_reaches({"far", {50, 0, 0}, false}, 0.5), ExpectLog{kWhole},
                          expect_never("popup.open"), expect_count("popup.open", 1),
                          expect_sequence({"popup.open b"})};
     const scene::Campus campus = empty_campus();
@@ -60,11 +60,11 @@ std::string when_stopped(const Expectation& expectation) {
 TEST(StoppedWalk, FailsExpectationsThatCanNoLongerHold) {
     for (const Expectation& lost : std::vector<Expectation>{
              expect_never("popup.open"), expect_count("popup.open", 0), expect_count("popup.open", {}, {}, 0),
-             ExpectWithin{kMark, pattern("walk.start"), pattern("avatar.fell"), 0.05},
-             ExpectNear{kMark, {"far", {9, 0, 0}, true}, 1.0, pattern("popup.open")},
-             ExpectDuration{kMark, {{}, {}, 0.05}}, ExpectDistance{kMark, {{}, {}, 2.0}},
-             ExpectGrounded{kMark, 1.0}, ExpectNot{kMark, ExpectStuck{kMark, {kMark, "*"}}},
-             ExpectNot{kMark, expect_sequence({"walk.start", "popup.open"})}}) {
+             ExpectWithin{kWhole, pattern("walk.start"), pattern("avatar.fell"), 0.05},
+             ExpectNear{kWhole, {"far", {9, 0, 0}, true}, 1.0, pattern("popup.open")},
+             ExpectDuration{kWhole, {{}, {}, 0.05}}, ExpectDistance{kWhole, {{}, {}, 2.0}},
+             ExpectGrounded{kWhole, 1.0}, ExpectNot{kWhole, ExpectStuck{kWhole, {kWhole, "*"}}},
+             ExpectNot{kWhole, expect_sequence({"walk.start", "popup.open"})}}) {
         EXPECT_EQ(when_stopped(lost), "fails") << lost.index();
     }
 }
@@ -74,16 +74,16 @@ TEST(StoppedWalk, LeavesExpectationsOpenThatCouldStillHold) {
     for (const Expectation& open : std::vector<Expectation>{
              expect_sequence({"popup.open", "popup.close"}), expect_count("popup.open", 2),
              expect_count("popup.open", {}, 2),
-             ExpectWithin{kMark, pattern("popup.open"), pattern("popup.close"), 5.0},
-             ExpectWithin{kMark, pattern("avatar.jump"), pattern("avatar.landed"), 5.0},
-             ExpectPopup{kMark, {kMark, "b"}}, expect_reaches({"far", {9, 0, 0}, true}, 1.0),
-             ExpectNear{kMark, {"far", {9, 0, 0}, true}, 1.0, std::nullopt},
-             ExpectNear{kMark, {"here", {0, 0, 0}, true}, 1.0, pattern("avatar.fell")},
-             ExpectDuration{kMark, {5.0, {}, {}}}, ExpectDistance{kMark, {{}, 5.0, {}}},
-             ExpectGrounded{kMark, 0.9}, ExpectBlockedBy{kMark, {kMark, "wall"}},
-             ExpectStuck{kMark, {kMark, "wall"}}, ExpectFell{kMark},
-             ExpectNot{kMark, expect_never("avatar.fell")}, ExpectNot{kMark, ExpectNoPenetration{kMark}},
-             ExpectNot{kMark, expect_count("popup.open", 1)}}) {
+             ExpectWithin{kWhole, pattern("popup.open"), pattern("popup.close"), 5.0},
+             ExpectWithin{kWhole, pattern("avatar.jump"), pattern("avatar.landed"), 5.0},
+             ExpectPopup{kWhole, {kWhole, "b"}}, expect_reaches({"far", {9, 0, 0}, true}, 1.0),
+             ExpectNear{kWhole, {"far", {9, 0, 0}, true}, 1.0, std::nullopt},
+             ExpectNear{kWhole, {"here", {0, 0, 0}, true}, 1.0, pattern("avatar.fell")},
+             ExpectDuration{kWhole, {5.0, {}, {}}}, ExpectDistance{kWhole, {{}, 5.0, {}}},
+             ExpectGrounded{kWhole, 0.9}, ExpectBlockedBy{kWhole, {kWhole, "wall"}},
+             ExpectStuck{kWhole, {kWhole, "wall"}}, ExpectFell{kWhole},
+             ExpectNot{kWhole, expect_never("avatar.fell")}, ExpectNot{kWhole, ExpectNoPenetration{kWhole}},
+             ExpectNot{kWhole, expect_count("popup.open", 1)}}) {
         EXPECT_EQ(when_stopped(open), "open") << index;
         ++index;
     }
@@ -92,7 +92,7 @@ TEST(StoppedWalk, LeavesExpectationsOpenThatCouldStillHold) {
 TEST(StoppedWalk, PassesExpectationsThatHold) {
     for (const Expectation& held : std::vector<Expectation>{
              expect_never("avatar.fell"), expect_count("popup.open", 1), expect_sequence({"popup.open"}),
-             ExpectNot{kMark, ExpectFell{kMark}}, ExpectNoPenetration{kMark}}) {
+             ExpectNot{kWhole, ExpectFell{kWhole}}, ExpectNoPenetration{kWhole}}) {
         EXPECT_EQ(when_stopped(held), "holds") << held.index();
     }
 }
@@ -100,7 +100,7 @@ TEST(StoppedWalk, PassesExpectationsThatHold) {
 // ---- not ------------------------------------------------------------------------------------------------
 
 TEST(NotExpectation, FailsIfTheExpectationHolds) {
-    SingleEvaluator evaluator(ExpectNot{kMark, ExpectStuck{kMark, {kMark, "*"}}});
+    SingleEvaluator evaluator(ExpectNot{kWhole, ExpectStuck{kWhole, {kWhole, "*"}}});
     TickFeed feed(evaluator);
     feed.tick({"avatar.arrive goal"});
     EXPECT_FALSE(evaluator.failure());
@@ -118,24 +118,24 @@ TEST(NotExpectation, DescribesWhatHappenedForEveryKind) {
         {expect_sequence({"walk.start", "popup.open a"}), {"popup.open a at 0.100 s"}},
         {expect_never("avatar.fell"), {"'avatar.fell'"}},
         {expect_count("popup.open", 1), {"'popup.open'"}},
-        {ExpectWithin{kMark, pattern("walk.start"), pattern("popup.open"), 1.0},
+        {ExpectWithin{kWhole, pattern("walk.start"), pattern("popup.open"), 1.0},
          {"'popup.open'", "1.000 s", "'walk.start'"}},
-        {ExpectPopup{kMark, {kMark, "a"}}, {"'a'"}},
-        {ExpectVisits{kMark, {{kMark, "*"}}, 1.0}, {"0 of 0"}},
+        {ExpectPopup{kWhole, {kWhole, "a"}}, {"'a'"}},
+        {ExpectVisits{kWhole, {{kWhole, "*"}}, 1.0}, {"0 of 0"}},
         {expect_reaches({"here", {0, 0, 0}, true}, 1.0), {"here", "0.000 m", "0.000 s"}},
-        {ExpectNear{kMark, {"here", {0, 0, 0}, true}, 1.0, std::nullopt}, {"here", "0.000 m", "0.100 s"}},
-        {ExpectDuration{kMark, {{}, {}, 1.0}}, {"0.100 s"}},
-        {ExpectDistance{kMark, {{}, {}, 1.0}}, {"0.000 m"}},
-        {ExpectNoPenetration{kMark}, {"nothing"}},
-        {ExpectGrounded{kMark}, {"on the ground"}},
-        {ExpectBlockedBy{kMark, {kMark, "wall"}}, {"wall", "0.100 s"}},
-        {ExpectStuck{kMark, {kMark, "wall"}}, {"wall", "0.100 s"}},
-        {ExpectFell{kMark}, {"fell", "0.100 s"}}};
+        {ExpectNear{kWhole, {"here", {0, 0, 0}, true}, 1.0, std::nullopt}, {"here", "0.000 m", "0.100 s"}},
+        {ExpectDuration{kWhole, {{}, {}, 1.0}}, {"0.100 s"}},
+        {ExpectDistance{kWhole, {{}, {}, 1.0}}, {"0.000 m"}},
+        {ExpectNoPenetration{kWhole}, {"nothing"}},
+        {ExpectGrounded{kWhole}, {"on the ground"}},
+        {ExpectBlockedBy{kWhole, {kWhole, "wall"}}, {"wall", "0.100 s"}},
+        {ExpectStuck{kWhole, {kWhole, "wall"}}, {"wall", "0.100 s"}},
+        {ExpectFell{kWhole}, {"fell", "0.100 s"}}};
     // The last two, reachable and route, don't depend on what happens: route_check_test.cpp.
     ASSERT_EQ(cases.size(), std::variant_size_v<PlainExpectation> - 2);
     for (std::size_t i = 0; i < cases.size(); ++i) {
         EXPECT_EQ(cases[i].expectation.index(), i) << "each kind once";
-        SingleEvaluator evaluator(ExpectNot{kMark, cases[i].expectation});
+        SingleEvaluator evaluator(ExpectNot{kWhole, cases[i].expectation});
         std::vector<Event> events = {made_event("popup.open a")};
         if (i >= 12) {
             events = {made_event("avatar.stuck me", {{"by", std::string("wall")}}),
@@ -210,8 +210,8 @@ TEST(ExpectStep, IsEvaluatedAgainInEachRound) {
 
 TEST(ExpectStep, DoesNotChangeTheHash) {
     const Walk without = walk_of({spawn_at({0, 0, 0}), walk_to(0, -1), walk_to(0, -2)});
-    const Walk with = walk_of({spawn_at({0, 0, 0}), walk_to(0, -1), expect_here(ExpectGrounded{kMark}),
-                               walk_to(0, -2), expect_here(ExpectNoPenetration{kMark}, 6)});
+    const Walk with = walk_of({spawn_at({0, 0, 0}), walk_to(0, -1), expect_here(ExpectGrounded{kWhole}),
+                               walk_to(0, -2), expect_here(ExpectNoPenetration{kWhole}, 6)});
     EXPECT_EQ(run(level_campus(), with).summary.hash, run(level_campus(), without).summary.hash);
 }
 

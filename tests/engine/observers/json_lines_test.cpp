@@ -17,7 +17,7 @@ namespace campuswalk::engine {
 namespace {
 
 using Eigen::Vector3d;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 std::vector<std::string> lines_of(const std::vector<Event>& events, double time = 0.0) {
     std::vector<std::string> lines;
@@ -50,8 +50,8 @@ TEST(JsonLines, BeginWithTheWalksSettings) {
     EXPECT_TRUE(header.ends_with(R"(,"origin":{"at":[84000.0,0.0,-447000.25]}})")) << header;
     walk.origin.geographic = scene::GeographicPlace{51.99875, 4.37325, 43.5, {0, 0, 0}};
     json.begin(walk);
-    EXPECT_EQ(Json::parse(header)["origin"],
-              Json::parse(R"({"at": [84000.0, 0.0, -447000.25], "latitude_deg": 51.99875,
+    EXPECT_EQ(OrderedJson::parse(header)["origin"],
+              OrderedJson::parse(R"({"at": [84000.0, 0.0, -447000.25], "latitude_deg": 51.99875,
                               "longitude_deg": 4.37325, "height": 43.5, "of": [0.0, 0.0, 0.0]})"));
 }
 
@@ -75,10 +75,11 @@ TEST(JsonLines, RoundNumbersAsTheTextLogDoes) {
     for (int i = 0; i < 2000; ++i) {
         const double value = dice.between(-1000.0, 1000.0);
         const Event event{0, 1.0, EventKind::ray_enter, "x", {{"distance", Decimal{value, 3}}}};
-        const double shown = Json::parse(line_of(event)).at("distance").get<double>();
+        const double shown = OrderedJson::parse(line_of(event)).at("distance").get<double>();
         ASSERT_EQ(shown, std::round(value * 1000.0) / 1000.0) << value;
     }
-    const Json third = Json::parse(line_of({1, 1.0, EventKind::popup_close, "x", {}}, 1.0 / 3.0));
+    const OrderedJson third =
+        OrderedJson::parse(line_of({1, 1.0, EventKind::popup_close, "x", {}}, 1.0 / 3.0));
     EXPECT_EQ(third.at("time").get<double>(), 0.333333);
 }
 
@@ -90,19 +91,20 @@ TEST(JsonLines, PreserveEveryString) {
     const std::string line =
         line_of({0, 1.0, EventKind::popup_open, odd, {{"body", Text{odd}}, {"by", odd}}});
     EXPECT_EQ(line.find('\n'), std::string::npos);
-    const Json json = Json::parse(line);
+    const OrderedJson json = OrderedJson::parse(line);
     EXPECT_EQ(json.at("object"), odd);
     EXPECT_EQ(json.at("body"), odd);
     EXPECT_EQ(json.at("by"), odd);
 }
 
 TEST(JsonLines, ReplaceBytesThatAreNotUtf8) {
-    const Json json = Json::parse(line_of({0, 1.0, EventKind::popup_open, "b", {{"t", Text{"caf\xe9!"}}}}));
+    const OrderedJson json =
+        OrderedJson::parse(line_of({0, 1.0, EventKind::popup_open, "b", {{"t", Text{"caf\xe9!"}}}}));
     EXPECT_EQ(json.at("t"), "caf\xEF\xBF\xBD!");
 }
 
 /// A JSON value as the text log prints it, with this many digits after the point.
-std::string as_text(const Json& value, int digits) {
+std::string as_text(const OrderedJson& value, int digits) {
     std::array<char, 64> text{};
     if (value.is_array()) {
         return as_text(value[0], 3) + "," + as_text(value[1], 3) + "," + as_text(value[2], 3);
@@ -134,7 +136,7 @@ TEST(JsonLines, ContainTheSameValuesAsTheTextLog) {
     ASSERT_EQ(text.size(), json.size());
     ASSERT_GT(text.size(), 10U);
     for (std::size_t i = 1; i < json.size(); ++i) {
-        const Json object = Json::parse(json[i]);
+        const OrderedJson object = OrderedJson::parse(json[i]);
         std::string rebuilt;
         for (const auto& [name, value] : object.items()) {
             if (name == "title" || name == "body" || name == "why") {

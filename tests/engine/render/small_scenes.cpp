@@ -171,6 +171,14 @@ scene::Texture half_clear() {
     });
 }
 
+AvatarState avatar_at(const Eigen::Vector3d& position, double yaw, double pitch) {
+    AvatarState avatar;
+    avatar.position = position;
+    avatar.yaw = yaw;
+    avatar.pitch = pitch;
+    return avatar;
+}
+
 Viewpoint ahead() {
     return looking(Eigen::Vector3d::Zero(), 0.0, 0.0, kFov);
 }

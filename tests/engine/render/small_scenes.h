@@ -7,6 +7,7 @@
 
 #include "engine/render/geometry/camera.h"
 #include "engine/render/passes/render_settings.h"
+#include "engine/script/avatar.h"
 #include "scene/campus/campus.h"
 #include "scene/model/model.h"
 
@@ -66,6 +67,8 @@ scene::Texture four_blocks();
 scene::Texture plain_texture(const std::array<std::uint8_t, 4>& rgba);
 /// Opaque white on its right half, transparent on its left.
 scene::Texture half_clear();
+
+AvatarState avatar_at(const Eigen::Vector3d& position, double yaw, double pitch = 0.0);
 
 /// At the origin, looking along -Z.
 Viewpoint ahead();

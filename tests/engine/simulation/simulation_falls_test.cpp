@@ -12,14 +12,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kGravity = 9.81;
+constexpr double kFreeFall = 9.81;
 constexpr double kRadius = 0.3;
 constexpr double kTickLength = 1.4 / 60.0;
 
 /// The height of a body `ticks` after it began to fall from `height`.
 double fallen(double height, Tick ticks, int ticks_per_second = 60) {
     const double t = static_cast<double>(ticks) / ticks_per_second;
-    return height - 0.5 * kGravity * t * t;
+    return height - 0.5 * kFreeFall * t * t;
 }
 
 TEST(Falls, FollowAParabolaAtEveryTickRate) {
@@ -27,12 +27,12 @@ TEST(Falls, FollowAParabolaAtEveryTickRate) {
         Walk walk = walk_of({spawn_at({0, 5, 0}), wait_for(2.0)});
         walk.sim.ticks_per_second = rate;
         const RecordedRun result = run(level_campus(), walk);
-        const auto landing = static_cast<Tick>(std::ceil(std::sqrt(2.0 * 5.0 / kGravity) * rate));
+        const auto landing = static_cast<Tick>(std::ceil(std::sqrt(2.0 * 5.0 / kFreeFall) * rate));
         for (Tick tick = 0; tick < landing; ++tick) {
             const AvatarState& avatar = result.recorder.at(tick);
             ASSERT_NEAR(avatar.position.y(), fallen(5.0, tick, rate), 1e-9) << rate << " tps, tick " << tick;
             ASSERT_FALSE(avatar.grounded);
-            ASSERT_NEAR(avatar.vertical_speed, -kGravity * static_cast<double>(tick) / rate, 1e-9);
+            ASSERT_NEAR(avatar.vertical_speed, -kFreeFall * static_cast<double>(tick) / rate, 1e-9);
         }
         const AvatarState& landed = result.recorder.at(landing);
         EXPECT_TRUE(landed.grounded);
@@ -59,7 +59,7 @@ TEST(Falls, OffALedgeAreLoggedWithTheirHeight) {
     const auto last_supported = static_cast<Tick>(std::floor((1.0 + kRadius) / kTickLength));
     EXPECT_TRUE(result.recorder.at(last_supported).grounded);
     EXPECT_FALSE(result.recorder.at(last_supported + 1).grounded);
-    const double fall = std::sqrt(2.0 * (3.0 - rolled) / kGravity) * 60.0;
+    const double fall = std::sqrt(2.0 * (3.0 - rolled) / kFreeFall) * 60.0;
     EXPECT_NEAR(static_cast<double>(lands[0].tick - last_supported), fall, 2.0);
     EXPECT_EQ(result.recorder.events("avatar.arrive goal").size(), 1U) << "it walks on after the landing";
 }
@@ -87,7 +87,7 @@ TEST(Falls, OffTheWorldEndTheWalk) {
     const auto fell = result.recorder.events("avatar.fell stroll");
     ASSERT_EQ(fell.size(), 1U);
     // Ten metres below the lowest object; the fall begins in tick 1.
-    const auto tick = 1 + static_cast<Tick>(std::ceil(std::sqrt(2.0 * 10.0 / kGravity) * 60.0));
+    const auto tick = 1 + static_cast<Tick>(std::ceil(std::sqrt(2.0 * 10.0 / kFreeFall) * 60.0));
     EXPECT_EQ(fell[0].tick, tick);
     EXPECT_NEAR(field<Vector3d>(fell[0], "pos").y(), fallen(0.0, tick - 1), 1e-9);
     EXPECT_EQ(result.summary.ticks, tick);

@@ -17,19 +17,6 @@ constexpr double kSkin = 0.02;
 constexpr double kRadius = 0.3;
 constexpr double kTickLength = 1.4 / 60.0;
 
-WalkToStep walk_to_or_proceed(double x, double z, double speed = 1.4) {
-    WalkToStep step = walk_to(x, z);
-    step.if_blocked = IfBlocked::proceed;
-    step.speed = speed;
-    return step;
-}
-
-scene::Campus walled_campus() {
-    scene::Campus campus = level_campus();
-    add_box(campus, "wall", {-5, 0, -4}, {5, 3, -3});
-    return campus;
-}
-
 TEST(Solids, AreTouchedAtTheSkinsWidthAndLeftOnTheReturn) {
     const RecordedRun result = run(
         walled_campus(), walk_of({spawn_at({0, 0, 0}), walk_to_or_proceed(0, -10), walk_to(0, 0, "home")}));

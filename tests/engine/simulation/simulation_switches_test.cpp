@@ -16,16 +16,10 @@ using testing::HasSubstr;
 using Lines = std::vector<std::string>;
 
 const ObjectTraits kTrigger{Detection::trigger, "", true, ""};
-const ObjectTraits kSeen{Detection::ray, "", true, ""};
+const ObjectTraits kLookedAt{Detection::ray, "", true, ""};
 
 std::string cause_of(const Event& event) {
     return has_field(event, "cause") ? field<std::string>(event, "cause") : "";
-}
-
-WalkToStep walk_to_or_proceed(double x, double z) {
-    WalkToStep step = walk_to(x, z);
-    step.if_blocked = IfBlocked::proceed;
-    return step;
 }
 
 TEST(Disable, OpensAGateAndEnableClosesIt) {
@@ -82,7 +76,7 @@ TEST(Disable, ExitsATriggerAroundTheAvatar) {
 TEST(Disable, LetsTheGazePassThroughTheObject) {
     scene::Campus campus = level_campus();
     add_box(campus, "curtain", {-1, 0, -4}, {1, 3, -3});
-    add_box(campus, "picture", {-1, 0, -6}, {1, 3, -5}, kSeen);
+    add_box(campus, "picture", {-1, 0, -6}, {1, 3, -5}, kLookedAt);
     const RecordedRun result =
         run(campus, walk_of({spawn_at({0, 0, 0}), wait_for(0.1), disable("curtain"), wait_for(0.1)}));
     const auto enters = result.recorder.events("ray.enter picture");

@@ -100,12 +100,6 @@ TEST(Simulation, CountsItsQueries) {
 
 // ---- how steps end --------------------------------------------------------------------------------------
 
-scene::Campus walled_campus() {
-    scene::Campus campus = level_campus();
-    add_box(campus, "wall", {-5, 0, -4}, {5, 3, -3});
-    return campus;
-}
-
 TEST(Simulation, LogsArrivals) {
     const RecordedRun result =
         run(level_campus(), walk_of({spawn_at({0, 0, 0}), walk_to(0, -1.4, "square")}));

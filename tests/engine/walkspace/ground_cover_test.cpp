@@ -10,7 +10,6 @@ namespace {
 
 using collision::TriangleMesh;
 using collision::Vec3;
-using support::add_box;
 
 GroundCover cover_of(const TriangleMesh& mesh) {
     const scene::Campus campus = campus_of(mesh);
@@ -19,7 +18,7 @@ GroundCover cover_of(const TriangleMesh& mesh) {
 
 TEST(GroundCover, IsAFloorWithoutItsEdge) {
     TriangleMesh mesh;
-    add_box(mesh, {0, -0.2, 0}, {5, 0, 4});
+    support::add_box(mesh, {0, -0.2, 0}, {5, 0, 4});
     const GroundCover cover = cover_of(mesh);
     EXPECT_GT(cover.area, (5 - 1.3) * (4 - 1.3));
     EXPECT_LT(cover.area, 5 * 4);
@@ -30,7 +29,7 @@ TEST(GroundCover, IsAFloorWithoutItsEdge) {
 
 TEST(GroundCover, IsNotExploredFartherThanNeedBe) {
     TriangleMesh mesh;
-    add_box(mesh, {-100, -0.2, -100}, {100, 0, 100});
+    support::add_box(mesh, {-100, -0.2, -100}, {100, 0, 100});
     const GroundCover cover = cover_of(mesh);
     EXPECT_TRUE(cover.is_bounded);
     EXPECT_GT(cover.area, 200.0);
@@ -41,16 +40,16 @@ TEST(GroundCover, IsNotExploredFartherThanNeedBe) {
 
 TEST(GroundCover, IsTheLargestOfSeveralRegions) {
     TriangleMesh mesh;
-    add_box(mesh, {8, -0.2, 0}, {10, 0, 5});
-    add_box(mesh, {0, -1.2, 0}, {5, -1, 5});
+    support::add_box(mesh, {8, -0.2, 0}, {10, 0, 5});
+    support::add_box(mesh, {0, -1.2, 0}, {5, -1, 5});
     EXPECT_NEAR(cover_of(mesh).height, -1.0, 0.01);
 }
 
 TEST(GroundCover, CrossesLowStepsOnly) {
     const auto area_with_step = [](double step) {
         TriangleMesh mesh;
-        add_box(mesh, {0, -1, 0}, {4, 0, 4});
-        add_box(mesh, {4, -1, 0}, {8, step, 4});
+        support::add_box(mesh, {0, -1, 0}, {4, 0, 4});
+        support::add_box(mesh, {4, -1, 0}, {8, step, 4});
         return cover_of(mesh).area;
     };
     EXPECT_GT(area_with_step(0.25), 1.6 * area_with_step(0.9));
@@ -59,8 +58,8 @@ TEST(GroundCover, CrossesLowStepsOnly) {
 /// A grid of closed rooms of 5 m, four by four.
 void add_walls(TriangleMesh& mesh) {
     for (int i = 0; i < 5; ++i) {
-        add_box(mesh, {0, 0, 5.0 * i}, {20.2, 2.8, 5.0 * i + 0.2});
-        add_box(mesh, {5.0 * i, 0, 0}, {5.0 * i + 0.2, 2.8, 20.2});
+        support::add_box(mesh, {0, 0, 5.0 * i}, {20.2, 2.8, 5.0 * i + 0.2});
+        support::add_box(mesh, {5.0 * i, 0, 0}, {5.0 * i + 0.2, 2.8, 20.2});
     }
 }
 
@@ -68,14 +67,14 @@ TEST(GroundCover, IsLackingOnTopsOfWalls) {
     TriangleMesh mesh;
     add_walls(mesh);
     EXPECT_TRUE(lacks_ground(cover_of(mesh)));
-    add_box(mesh, {-10, -0.1, -10}, {30, 0, 30});
+    support::add_box(mesh, {-10, -0.1, -10}, {30, 0, 30});
     EXPECT_FALSE(lacks_ground(cover_of(mesh)));
 }
 
 TEST(GroundCover, AddsUpRoomsBehindClosedDoors) {
     TriangleMesh mesh;
     add_walls(mesh);
-    add_box(mesh, {0, -0.1, 0}, {20.2, 0, 20.2});
+    support::add_box(mesh, {0, -0.1, 0}, {20.2, 0, 20.2});
     const GroundCover cover = cover_of(mesh);
     EXPECT_FALSE(lacks_ground(cover));
     EXPECT_GT(cover.area, 0.25 * 20.2 * 20.2);  // each room has at most 4.8 m by 4.8 m, 5.6 %
@@ -111,7 +110,7 @@ TEST(GroundCover, IsOnlyLookedAtAmongVeryManyTriangles) {
 TEST(GroundCover, KeepsOutOfWhereMostTrianglesAre) {
     TriangleMesh mesh;
     add_fine_floor(mesh, 3.0, 200);  // a carpet in the corner
-    add_box(mesh, {0, -0.2, 0}, {12, -0.01, 12});
+    support::add_box(mesh, {0, -0.2, 0}, {12, -0.01, 12});
     const GroundCover cover = cover_of(mesh);
     EXPECT_TRUE(cover.is_bounded);
     EXPECT_GT(cover.area, 30.0);
@@ -120,34 +119,34 @@ TEST(GroundCover, KeepsOutOfWhereMostTrianglesAre) {
 
 TEST(GroundCover, IsLackingOnARoof) {
     TriangleMesh mesh;
-    add_box(mesh, {0, 0, 0}, {10, 20, 10});
+    support::add_box(mesh, {0, 0, 0}, {10, 20, 10});
     const GroundCover tower = cover_of(mesh);
     EXPECT_GT(tower.share, 0.25);
     // 900 of 1,000 m2, all but the roof: the centroids of the walls' triangles are at 1/3 and 2/3.
     EXPECT_NEAR(tower.share_below, 0.9, 1e-6);
     EXPECT_TRUE(is_roof(tower));
-    add_box(mesh, {-20, -0.1, -20}, {30, 0, 30});
+    support::add_box(mesh, {-20, -0.1, -20}, {30, 0, 30});
     EXPECT_FALSE(lacks_ground(cover_of(mesh)));
 }
 
 TEST(GroundCover, MayBeAboveCellars) {
     TriangleMesh mesh;
-    add_box(mesh, {-50, -0.2, -50}, {50, 0, 50});
-    add_box(mesh, {0, -6, 0}, {20, -2, 20});
+    support::add_box(mesh, {-50, -0.2, -50}, {50, 0, 50});
+    support::add_box(mesh, {0, -6, 0}, {20, -2, 20});
     EXPECT_FALSE(lacks_ground(cover_of(mesh)));
 }
 
 TEST(GroundCover, NeedsHeadroom) {
     TriangleMesh mesh;
-    add_box(mesh, {0, -0.2, 0}, {5, 0, 5});
-    add_box(mesh, {0, 1.2, 0}, {5, 1.4, 5});
+    support::add_box(mesh, {0, -0.2, 0}, {5, 0, 5});
+    support::add_box(mesh, {0, 1.2, 0}, {5, 1.4, 5});
     EXPECT_NEAR(cover_of(mesh).height, 1.4, 0.01);
 }
 
 TEST(GroundCover, IsFastForManyOverlappingLayers) {
     TriangleMesh mesh;
     for (int i = 0; i < 1000; ++i) {  // 12,000 triangles of up to half a square kilometre
-        add_box(mesh, {0, 3.0 * i, 0}, {1000, 3.0 * i + 0.1, 1000});
+        support::add_box(mesh, {0, 3.0 * i, 0}, {1000, 3.0 * i + 0.1, 1000});
     }
     EXPECT_TRUE(cover_of(mesh).is_bounded);  // looking at every cell would take minutes and gigabytes
 }

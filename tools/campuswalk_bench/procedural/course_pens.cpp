@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kFront = 14.5;  ///< z
 constexpr double kBack = 18.0;
-constexpr double kHalf = 1.7;     ///< along x
+constexpr double kHalfPen = 1.7;  ///< along x
 constexpr double kHeight = 2.3;   ///< walls
 constexpr double kPlateau = 1.5;  ///< high
 
@@ -23,9 +23,9 @@ struct Pen {
     double x = 0.0;
 
     void add_sides() const {
-        ground.add_box({x - kHalf, -0.5, kFront}, {x - kHalf + 0.1, kHeight, kBack});
-        ground.add_box({x + kHalf - 0.1, -0.5, kFront}, {x + kHalf, kHeight, kBack});
-        ground.add_box({x - kHalf, -0.5, kBack - 0.1}, {x + kHalf, kHeight, kBack});
+        ground.add_box({x - kHalfPen, -0.5, kFront}, {x - kHalfPen + 0.1, kHeight, kBack});
+        ground.add_box({x + kHalfPen - 0.1, -0.5, kFront}, {x + kHalfPen, kHeight, kBack});
+        ground.add_box({x - kHalfPen, -0.5, kBack - 0.1}, {x + kHalfPen, kHeight, kBack});
     }
 
     /// A piece of the front wall, `thick` metres, or a single quad if 0.
@@ -45,36 +45,36 @@ struct Pen {
 
 void add_walled(const Pen& pen) {
     pen.add_sides();
-    pen.add_front(-kHalf, kHalf, -0.5, pen.ground.sizes.wall);
+    pen.add_front(-kHalfPen, kHalfPen, -0.5, pen.ground.sizes.wall);
     pen.add_path("wall");
 }
 
 void add_riser(const Pen& pen) {
     const double high = pen.ground.sizes.too_high;
-    pen.ground.add_box({pen.x - kHalf, -0.5, kFront}, {pen.x + kHalf, high, kBack});
+    pen.ground.add_box({pen.x - kHalfPen, -0.5, kFront}, {pen.x + kHalfPen, high, kBack});
     pen.add_path("riser too high", high);
 }
 
 void add_slope(const Pen& pen) {
     const auto [sin, cos] = collision::sin_cos(std::numbers::pi / 180.0 * pen.ground.sizes.too_steep);
     const double run = kPlateau * cos / sin;
-    pen.ground.add_box({pen.x - kHalf, -0.5, kFront}, {pen.x + kHalf, kPlateau, kBack});
-    pen.ground.add_ramp(pen.x - kHalf, pen.x + kHalf, kFront - run, kFront, kPlateau);
+    pen.ground.add_box({pen.x - kHalfPen, -0.5, kFront}, {pen.x + kHalfPen, kPlateau, kBack});
+    pen.ground.add_ramp(pen.x - kHalfPen, pen.x + kHalfPen, kFront - run, kFront, kPlateau);
     pen.add_path("slope too steep", kPlateau, run + 1.0);
 }
 
 void add_gap(const Pen& pen) {
     const double half = 0.5 * pen.ground.sizes.too_narrow;
     pen.add_sides();
-    pen.add_front(-kHalf, -half, -0.5, 0.2);
-    pen.add_front(half, kHalf, -0.5, 0.2);
+    pen.add_front(-kHalfPen, -half, -0.5, 0.2);
+    pen.add_front(half, kHalfPen, -0.5, 0.2);
     pen.add_path("gap too narrow");
 }
 
 void add_low_opening(const Pen& pen) {
     pen.add_sides();
-    pen.add_front(-kHalf, -0.6, -0.5, 0.2);
-    pen.add_front(0.6, kHalf, -0.5, 0.2);
+    pen.add_front(-kHalfPen, -0.6, -0.5, 0.2);
+    pen.add_front(0.6, kHalfPen, -0.5, 0.2);
     pen.add_front(-0.6, 0.6, pen.ground.sizes.too_low, 0.2);
     pen.add_path("opening too low");
 }

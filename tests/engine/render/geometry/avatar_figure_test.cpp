@@ -3,19 +3,15 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
+#include "tests/engine/render/small_scenes.h"
+
 namespace campuswalk::engine::render {
 namespace {
 
 using Eigen::Vector3d;
+using test::avatar_at;
 
 constexpr double kHalfTurn = 3.141592653589793;
-
-AvatarState avatar_at(const Vector3d& position, double yaw) {
-    AvatarState avatar;
-    avatar.position = position;
-    avatar.yaw = yaw;
-    return avatar;
-}
 
 Eigen::AlignedBox3d box_of(const FigureMesh& mesh) {
     Eigen::AlignedBox3d box;

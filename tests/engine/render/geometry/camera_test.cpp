@@ -4,23 +4,18 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/engine/render/small_scenes.h"
+
 namespace campuswalk::engine::render {
 namespace {
 
 using Eigen::Vector3d;
+using test::avatar_at;
 
 constexpr double kPi = 3.141592653589793;
 constexpr double kFov = kPi / 3.0;
 // Half of 720 pixels over the tangent of 30 degrees.
 const double kFocalPixels = 360.0 * std::sqrt(3.0);
-
-AvatarState avatar_at(const Vector3d& position, double yaw, double pitch = 0.0) {
-    AvatarState avatar;
-    avatar.position = position;
-    avatar.yaw = yaw;
-    avatar.pitch = pitch;
-    return avatar;
-}
 
 void expect_pixel(const Viewpoint& view, const Vector3d& point, double x, double y) {
     const auto pixel = pixel_of(view, 1280, 720, point);

@@ -10,7 +10,7 @@ namespace {
 constexpr int kImageWidth = 1280;
 constexpr int kImageHeight = 720;
 constexpr double kShade = 7.0;  // pixels around a window that its shade may darken
-const std::array<std::uint8_t, 3> kGround = {120, 160, 90};
+const std::array<std::uint8_t, 3> kMeadow = {120, 160, 90};
 
 InfoWindow library() {
     return {"Main Library", "library", "08-22", "Four floors of books.", 4, {}};
@@ -24,7 +24,7 @@ struct Drawn {
 Drawn drawn(const std::vector<InfoWindow>& windows, int width = kImageWidth, int height = kImageHeight,
             std::size_t max_windows = 3) {
     const Fonts fonts;
-    const Canvas canvas(plain_image(width, height, kGround), fonts);
+    const Canvas canvas(plain_image(width, height, kMeadow), fonts);
     Drawn result;
     result.rects = draw_info_windows(canvas, windows, max_windows);
     result.image = canvas.image();
@@ -42,7 +42,7 @@ std::size_t changed_outside(const Drawn& drawn) {
         for (int x = 0; x < drawn.image.width; ++x) {
             const bool inside = std::ranges::any_of(
                 drawn.rects, [&](const WindowRect& rect) { return within(rect, kShade, x, y); });
-            count += !inside && drawn.image.pixel(x, y) != kGround ? 1U : 0U;
+            count += !inside && drawn.image.pixel(x, y) != kMeadow ? 1U : 0U;
         }
     }
     return count;

@@ -7,7 +7,7 @@
 namespace campuswalk::engine::render::test {
 namespace {
 
-const std::array<std::uint8_t, 3> kGround = {60, 110, 60};
+const std::array<std::uint8_t, 3> kLawn = {60, 110, 60};
 constexpr int kSide = 400;
 
 Viewpoint map_view() {
@@ -22,14 +22,14 @@ Viewpoint map_view() {
 class MapMarks : public testing::Test {
 protected:
     Fonts fonts_;
-    Canvas canvas_{plain_image(kSide, kSide, kGround), fonts_};
+    Canvas canvas_{plain_image(kSide, kSide, kLawn), fonts_};
 
     int marked(int left, int top, int right, int bottom) const {
         const Image image = canvas_.image();
         int count = 0;
         for (int y = top; y < bottom; ++y) {
             for (int x = left; x < right; ++x) {
-                count += image.pixel(x, y) != kGround ? 1 : 0;
+                count += image.pixel(x, y) != kLawn ? 1 : 0;
             }
         }
         return count;
@@ -46,7 +46,7 @@ TEST(RoundLength, IsOneTwoOrFiveTimesAPowerOfTen) {
 
 TEST_F(MapMarks, ScaleBarHasTheLengthOfItsLabel) {
     // 960 x 720 pixels at 3.6 per metre: 18 % of the width are 48 m, so the bar is labelled 20 m.
-    const Canvas canvas(plain_image(960, 720, kGround), fonts_);
+    const Canvas canvas(plain_image(960, 720, kLawn), fonts_);
     draw_scale_bar(canvas, map_view());
     const Image image = canvas.image();
     int longest = 0;
@@ -76,7 +76,7 @@ TEST_F(MapMarks, PathConnectsItsPoints) {
     const Image image = canvas_.image();
     EXPECT_EQ(color_name(image, 200, 200), "yellow");
     EXPECT_EQ(color_name(image, 300, 150), "yellow");
-    EXPECT_EQ(image.pixel(200, 150), kGround);
+    EXPECT_EQ(image.pixel(200, 150), kLawn);
 }
 
 TEST_F(MapMarks, LabelsAreDrawnAtTheirBuildings) {
@@ -91,14 +91,14 @@ TEST_F(MapMarks, OverlappingLabelsMoveAside) {
     draw_map_labels(canvas_, map_view(), std::span(labels).first(1));
     const int alone = marked(0, 0, kSide, kSide);
     const int middle = marked(180, 192, 220, 208);
-    Canvas both(plain_image(kSide, kSide, kGround), fonts_);
+    Canvas both(plain_image(kSide, kSide, kLawn), fonts_);
     draw_map_labels(both, map_view(), labels);
     const Image image = both.image();
     int all = 0;
     int covered = 0;
     for (int y = 0; y < kSide; ++y) {
         for (int x = 0; x < kSide; ++x) {
-            const bool mark = image.pixel(x, y) != kGround;
+            const bool mark = image.pixel(x, y) != kLawn;
             all += mark ? 1 : 0;
             covered += mark && x >= 180 && x < 220 && y >= 192 && y < 208 ? 1 : 0;
         }
@@ -117,9 +117,9 @@ TEST_F(MapMarks, LabelsAndCompassAvoidWindows) {
     EXPECT_GT(marked(200, 60, 250, 100), 20) << "moved to its left";
     EXPECT_GT(marked(80, 60, 120, 100), 20);
     EXPECT_GT(marked(180, 0, 250, 60), 50) << "the compass";
-    const Canvas free(plain_image(kSide, kSide, kGround), fonts_);
+    const Canvas free(plain_image(kSide, kSide, kLawn), fonts_);
     draw_compass(free, 0.3);
-    EXPECT_NE(free.image().pixel(370, 31), kGround) << "in the corner if that is free";
+    EXPECT_NE(free.image().pixel(370, 31), kLawn) << "in the corner if that is free";
 }
 
 TEST_F(MapMarks, LabelsOutsideOfTheImageAreOmitted) {

@@ -8,7 +8,7 @@ namespace campuswalk::engine::render::test {
 namespace {
 
 constexpr int kPlanSide = 400;
-const std::array<std::uint8_t, 3> kGround = {60, 60, 60};
+const std::array<std::uint8_t, 3> kAsphalt = {60, 60, 60};
 
 // 200 m of campus: west red, east green, but everything south of z = 0 blue.
 Minimap two_halves() {
@@ -36,7 +36,7 @@ constexpr int kMiddleY = 720 - 114;
 
 Image drawn(const Eigen::Vector3d& position, double yaw, int height = 720) {
     const Fonts fonts;
-    const Canvas canvas(plain_image(16 * height / 9, height, kGround), fonts);
+    const Canvas canvas(plain_image(16 * height / 9, height, kAsphalt), fonts);
     AvatarState avatar;
     avatar.position = position;
     avatar.yaw = yaw;
@@ -77,14 +77,14 @@ TEST(Minimap, ArrowTurnsWhileTheMapStaysNorthUp) {
 
 TEST(Minimap, LeavesTheRestOfTheImageUnchanged) {
     const Image image = drawn({0, 0, 0}, 0.0);
-    EXPECT_EQ(image.pixel(kMiddleX + 100, kMiddleY), kGround);
-    EXPECT_EQ(image.pixel(640, 360), kGround);
-    EXPECT_EQ(image.pixel(kMiddleX - 80, kMiddleY - 80), kGround) << "a circle, not a square";
+    EXPECT_EQ(image.pixel(kMiddleX + 100, kMiddleY), kAsphalt);
+    EXPECT_EQ(image.pixel(640, 360), kAsphalt);
+    EXPECT_EQ(image.pixel(kMiddleX - 80, kMiddleY - 80), kAsphalt) << "a circle, not a square";
 }
 
 TEST(Minimap, IsOmittedFromSmallImages) {
     const Image image = drawn({0, 0, 0}, 0.0, kSmallestMinimapImage - 1);
-    EXPECT_EQ(differing_pixels(image, plain_image(image.width, image.height, kGround)), 0U);
+    EXPECT_EQ(differing_pixels(image, plain_image(image.width, image.height, kAsphalt)), 0U);
 }
 
 }  // namespace
