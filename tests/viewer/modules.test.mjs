@@ -7,7 +7,7 @@ import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { build } from 'esbuild';
 
-const root = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
+const root = process.env.CAMPUSWALK_ROOT ?? resolve(dirname(fileURLToPath(import.meta.url)), '../..');
 let folder;
 const modules = {};
 

@@ -1,4 +1,5 @@
-// Makes the reports that the tests open, with the program: CAMPUSWALK_PROGRAM, or that of the release build.
+// Makes the reports that the tests open, with the program: CAMPUSWALK_PROGRAM, or that of the release build. The
+// repository is CAMPUSWALK_ROOT, where these tests are a copy elsewhere.
 import { execFileSync, spawnSync } from 'node:child_process';
 import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -6,7 +7,7 @@ import { dirname, join, relative, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { withViewer } from './page_file.mjs';
 
-export const root = resolve(dirname(fileURLToPath(import.meta.url)), '../../..');
+export const root = process.env.CAMPUSWALK_ROOT ?? resolve(dirname(fileURLToPath(import.meta.url)), '../../..');
 export const program = process.env.CAMPUSWALK_PROGRAM ?? join(root, 'build/release/campuswalk');
 export const hostile = '</script><img src=x onerror=alert(1)>';
 export const bidi = '\u202Edesrever\u202C';
