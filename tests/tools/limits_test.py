@@ -98,7 +98,7 @@ class Walks(ProgramCase):
             self.assertIn("after 5.000 s, its timeout", outcome.out + outcome.err)
 
     def test_a_log(self):
-        boxes = "".join("  - {id: t%d, shape: box, center: [0, 1, 0], size: [40, 4, 40], mode: trigger}\n" % i
+        boxes = "".join("  - {id: t%d-%s, shape: box, center: [0, 1, 0], size: [40, 4, 40], mode: trigger}\n" % (i, 90 * "x")
                         for i in range(200))
         self.write("small.campus.yaml", CAMPUS.replace("spawns:", boxes + "spawns:"))
         self.write("short.walk.yaml", WALK.replace("steps:", "sim: {stay_every: 0}\nsteps:").replace(

@@ -91,17 +91,17 @@ TEST(Light, ShadowsFallAwayFromTheSun) {
 }
 
 // An image large enough that walls are more than a few pixels wide.
-constexpr int kPictureWidth = 480;
-constexpr int kPictureHeight = 270;
+constexpr int kImageWidth = 480;
+constexpr int kImageHeight = 270;
 
 TEST(Light, EveryAntiAliasingIsCloserToSupersampling) {
     const scene::Model model = tower_scene();
     Renderer renderer(std::span(&model, 1),
                       apply_light(quick_settings(), {.anti_aliasing = AntiAliasing::none}));
     const Image fine = downsampled_by_two(
-        downsampled_by_two(renderer.draw(tower_view(), 4 * kPictureWidth, 4 * kPictureHeight)));
+        downsampled_by_two(renderer.draw(tower_view(), 4 * kImageWidth, 4 * kImageHeight)));
     const auto error = [&](AntiAliasing mode) {
-        const Image image = drawn({.anti_aliasing = mode}, kPictureWidth, kPictureHeight);
+        const Image image = drawn({.anti_aliasing = mode}, kImageWidth, kImageHeight);
         double sum = 0.0;
         for (std::size_t i = 0; i < fine.rgba.size(); ++i) {
             sum += std::pow(fine.rgba[i] - image.rgba[i], 2);
