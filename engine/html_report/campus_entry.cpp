@@ -9,6 +9,7 @@
 #include "collision/mesh/mesh_collider.h"
 #include "engine/events/decimals.h"
 #include "engine/html_report/floor_heights.h"
+#include "engine/html_report/foreign_json.h"
 
 namespace campuswalk::engine {
 
@@ -157,6 +158,22 @@ std::string campus_entry(const scene::Campus& campus, const std::string& file) {
                        {"storeys", floor_heights(campus)}};
     const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
     return text.substr(1, text.size() - 2);
+}
+
+bool is_campus_entry(const Json& json) {
+    const auto is_object = [](const Json& object) {
+        return has_strings(object, {"id", "shape"}) && has_numbers(object, {"building"}) &&
+               has_points(object, {"min", "max"}) &&
+               has_list(object, "modes", [](const Json& mode) { return mode.is_string(); });
+    };
+    const auto is_building = [](const Json& building) { return has_strings(building, {"id", "title"}); };
+    const auto is_place = [](const Json& place) {
+        return has_strings(place, {"name"}) && has_points(place, {"at"});
+    };
+    return has_strings(json, {"name", "file"}) && has_points(json, {"min", "max"}) &&
+           has_list(json, "objects", is_object) && has_list(json, "buildings", is_building) &&
+           has_list(json, "spawns", is_place) && has_list(json, "places", is_place) &&
+           has_list(json, "storeys", [](const Json& height) { return height.is_number(); });
 }
 
 }  // namespace campuswalk::engine

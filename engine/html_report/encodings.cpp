@@ -16,19 +16,29 @@ struct FreeCompressor {
     void operator()(libdeflate_compressor* compressor) const { libdeflate_free_compressor(compressor); }
 };
 
+std::uint32_t byte(char value) {
+    return static_cast<unsigned char>(value);
+}
+
 }  // namespace
 
 std::string base64(std::string_view bytes) {
     constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t at = 0; at < bytes.size(); at += 3) {
-        std::uint32_t bits = 0;
-        for (std::size_t i = 0; i < 3; ++i) {
-            bits = (bits << 8U) | (at + i < bytes.size() ? static_cast<unsigned char>(bytes[at + i]) : 0U);
-        }
-        for (unsigned i = 0; i < 4; ++i) {
-            text += at + i > bytes.size() ? '=' : kDigits[(bits >> (18U - 6U * i)) & 63U];
+    std::string text((bytes.size() + 2) / 3 * 4, '=');
+    char* digit = text.data();
+    for (; bytes.size() >= 3; bytes.remove_prefix(3)) {  // megabytes of geometry: each branch would cost
+        const std::uint32_t bits = byte(bytes[0]) << 16U | byte(bytes[1]) << 8U | byte(bytes[2]);
+        *digit++ = kDigits[bits >> 18U];
+        *digit++ = kDigits[bits >> 12U & 63U];
+        *digit++ = kDigits[bits >> 6U & 63U];
+        *digit++ = kDigits[bits & 63U];
+    }
+    if (!bytes.empty()) {
+        const std::uint32_t bits = byte(bytes[0]) << 16U | (bytes.size() > 1 ? byte(bytes[1]) << 8U : 0U);
+        *digit++ = kDigits[bits >> 18U];
+        *digit++ = kDigits[bits >> 12U & 63U];
+        if (bytes.size() > 1) {
+            *digit++ = kDigits[bits >> 6U & 63U];
         }
     }
     return text;

@@ -135,35 +135,38 @@ void HtmlReporter::compare(const WalkResult& result, const std::optional<Recorde
     seen_.push_back(std::hash<std::string>()(result.id));
     const std::optional<WalkResult> other = inputs_.against->find(result.id);
     if (other && (other->outcome != result.outcome || other->hash != result.hash)) {
-        add_compared(*other, static_cast<std::ptrdiff_t>(walks_), path);
+        add_compared(*other, walks_, path);
     }
 }
 
-void HtmlReporter::add_compared(const WalkResult& other, std::ptrdiff_t index,
+void HtmlReporter::add_compared(const WalkResult& other, std::size_t index,
                                 const std::optional<RecordedPath>& path) {
     Details details = details_of(other, inputs_.against->read_artifact);
-    const std::optional<Tick> parts_at =
-        path && details.path ? parting_tick(*path, *details.path) : std::nullopt;
-    details.row += ",\"index\":" + std::to_string(index) +
-                   ",\"parts_at\":" + (parts_at ? std::to_string(*parts_at) : "null");
+    std::string parts_at = "-1";  // there is nothing to compare
+    if (path && details.path) {
+        const std::optional<Tick> tick = parting_tick(*path, *details.path);
+        parts_at = tick ? std::to_string(*tick) : "null";
+    }
+    details.row += ",\"index\":" + std::to_string(index) + ",\"parts_at\":" + parts_at;
     details_.add(details.line, std::move(details.row), against_rows_);
 }
 
-/// Walks that only the other run has.
+/// Walks that only the other run has are listed: there is nothing to compare their details with.
 void HtmlReporter::add_unmatched() {
     std::ranges::sort(seen_);
     inputs_.against->for_each([this](const WalkResult& other) {
         if (!std::ranges::binary_search(seen_, std::hash<std::string>()(other.id))) {
-            add_compared(other, -1, std::nullopt);
+            against_rows_ += (against_rows_.empty() ? "" : ",\n") + open_walk_row(other, {}) +
+                             ",\"index\":-1,\"parts_at\":-1,\"chunk\":-1,\"line\":0}";
         }
     });
 }
 
 void HtmlReporter::end(const RunReport& /*report*/) {
+    details_.flush();
     if (inputs_.against) {
         add_unmatched();
     }
-    details_.flush();
     std::string campuses;
     for (const std::string& entry : campus_entries_) {
         campuses += (campuses.empty() ? "" : ",\n") + entry;

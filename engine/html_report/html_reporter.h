@@ -74,7 +74,7 @@ private:
     std::ptrdiff_t campus_of(const WalkResult& result, const std::optional<RecordedPath>& path);
     void add_campus(const ReportCampus& campus);
     void compare(const WalkResult& result, const std::optional<RecordedPath>& path);
-    void add_compared(const WalkResult& other, std::ptrdiff_t index, const std::optional<RecordedPath>& path);
+    void add_compared(const WalkResult& other, std::size_t index, const std::optional<RecordedPath>& path);
     void add_unmatched();
     std::string against_json() const;
     std::string findings_json() const;

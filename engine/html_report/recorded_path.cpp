@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
-#include <nlohmann/json.hpp>
+#include "engine/html_report/foreign_json.h"
 
 namespace campuswalk::engine {
 
@@ -12,38 +13,92 @@ using Eigen::Vector3d;
 
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 constexpr double kApart = 1.0;  // millimetres, along an axis
+// What a walk can't come to: a year of ticks, and a thousand million metres or turns.
+constexpr std::int64_t kMostTicks = std::int64_t{1} << 31U;
+constexpr std::int64_t kMost = std::int64_t{1} << 40U;
 
 Vector3d point(const RecordedPath::Key& key) {
     return {static_cast<double>(key.at[0]), static_cast<double>(key.at[1]), static_cast<double>(key.at[2])};
 }
 
-std::vector<std::int64_t> summed(const Json& differences) {
+/// The sums of a list of differences; empty if it isn't a list of whole numbers with sums up to `most`.
+std::vector<std::int64_t> summed(const Json& path, const char* name, std::int64_t most) {
     std::vector<std::int64_t> values;
+    const auto list = path.find(name);
+    if (list == path.end() || !list->is_array()) {
+        return {};
+    }
     std::int64_t value = 0;
-    for (const Json& difference : differences) {
-        values.push_back(value += difference.get<std::int64_t>());
+    for (const Json& difference : *list) {
+        // An unsigned one above the signed numbers reads as a negative one.
+        const std::int64_t step =
+            difference.is_number_integer() ? difference.get<std::int64_t>() : 2 * most + 1;
+        if (step < -2 * most || step > 2 * most || value + step < -most || value + step > most) {
+            return {};
+        }
+        values.push_back(value += step);
     }
     return values;
 }
 
-RecordedPath path_of(const Json& recording) {
+bool ascend_from_zero(const std::vector<std::int64_t>& ticks) {
+    return !ticks.empty() && ticks.front() >= 0 &&
+           std::ranges::adjacent_find(ticks, std::ranges::greater_equal()) == ticks.end();
+}
+
+/// Whether a viewer finds in it what it reads besides the path.
+bool is_recording(const Json& json) {
+    const auto version = json.is_object() ? json.find("campuswalk_recording") : json.end();
+    return version != json.end() && *version == 1 && has_numbers(json, {"ticks_per_second", "ticks"}) &&
+           json["ticks_per_second"] > 0 && json.contains("campus") && has_strings(json["campus"], {"file"}) &&
+           json.contains("avatar") && has_numbers(json["avatar"], {"radius", "height", "eye_height"}) &&
+           json.contains("way") && json["way"].is_object() &&
+           has_list(json, "log", [](const Json& line) { return line.is_string(); });
+}
+
+std::optional<RecordedPath> path_of(const Json& recording) {
+    const Json& stored = recording["way"];
+    const std::vector<std::int64_t> ticks = summed(stored, "tick", kMostTicks);
+    std::array<std::vector<std::int64_t>, 5> columns;
+    constexpr std::array<const char*, 5> kNames = {"x", "y", "z", "yaw", "pitch"};
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        columns[i] = summed(stored, kNames[i], kMost);
+        if (columns[i].size() != ticks.size()) {
+            return std::nullopt;
+        }
+    }
+    if (!ascend_from_zero(ticks)) {
+        return std::nullopt;
+    }
     RecordedPath path;
-    path.campus_file = recording.at("campus").at("file").get<std::string>();
-    const Json& stored = recording.at("way");
-    const std::vector<std::int64_t> ticks = summed(stored.at("tick"));
-    const std::vector<std::int64_t> x = summed(stored.at("x"));
-    const std::vector<std::int64_t> y = summed(stored.at("y"));
-    const std::vector<std::int64_t> z = summed(stored.at("z"));
+    path.campus_file = recording["campus"]["file"].get<std::string>();
     for (std::size_t i = 0; i < ticks.size(); ++i) {
-        path.keys.push_back({ticks[i], {x.at(i), y.at(i), z.at(i)}, false});
+        path.keys.push_back({ticks[i], {columns[0][i], columns[1][i], columns[2][i]}, false});
     }
-    for (const Json& index : stored.at("cut")) {
-        path.keys.at(index.get<std::size_t>()).cut = true;
+    const bool cuts_fit = has_list(stored, "cut", [&](const Json& index) {
+        const bool fits = index.is_number_unsigned() && index.get<std::uint64_t>() < path.keys.size();
+        if (fits) {
+            path.keys[index.get<std::size_t>()].cut = true;
+        }
+        return fits;
+    });
+    return cuts_fit ? std::optional(std::move(path)) : std::nullopt;
+}
+
+bool are_apart(const RecordedPath& a, const RecordedPath& b, Tick tick) {
+    return (a.at(tick) - b.at(tick)).cwiseAbs().maxCoeff() > kApart;
+}
+
+/// The first tick after `together` and up to `end` at which they are apart, if both are straight in between.
+Tick first_apart(const RecordedPath& a, const RecordedPath& b, Tick together, Tick end) {
+    while (end - together > 1) {
+        const Tick middle = together + (end - together) / 2;
+        (are_apart(a, b, middle) ? end : together) = middle;
     }
-    return path;
+    return end;
 }
 
 /// Twice the area of the triangle that a point makes with its neighbours: how much it is missed.
@@ -69,18 +124,8 @@ Vector3d RecordedPath::at(Tick tick) const {
 }
 
 std::optional<RecordedPath> read_recorded_path(std::string_view recording) {
-    const Json json = Json::parse(recording, nullptr, false);
-    if (!json.is_object() || json.value("campuswalk_recording", Json()) != 1) {
-        return std::nullopt;
-    }
-    try {
-        RecordedPath path = path_of(json);
-        return path.keys.empty() ? std::nullopt : std::optional(std::move(path));
-    } catch (const Json::exception&) {
-        return std::nullopt;
-    } catch (const std::out_of_range&) {
-        return std::nullopt;
-    }
+    const std::optional<Json> json = parse_foreign(recording);
+    return json && is_recording(*json) ? path_of(*json) : std::nullopt;
 }
 
 // Visvalingam and Whyatt, "Line generalisation by repeated elimination of points", 1993.
@@ -120,9 +165,19 @@ std::vector<std::int64_t> plan_of(const RecordedPath& path, std::size_t most) {
 
 std::optional<Tick> parting_tick(const RecordedPath& a, const RecordedPath& b) {
     const Tick end = std::min(a.keys.back().tick, b.keys.back().tick);
-    for (Tick tick = 0; tick <= end; ++tick) {
-        if ((a.at(tick) - b.at(tick)).cwiseAbs().maxCoeff() > kApart) {
-            return tick;
+    // Between these the distance along each axis is linear; a cut moves the avatar in the last tick before a
+    // key.
+    std::vector<Tick> ticks = {0, end};
+    for (const RecordedPath* path : {&a, &b}) {
+        for (const RecordedPath::Key& key : path->keys) {
+            ticks.push_back(std::min(key.tick, end));
+            ticks.push_back(std::clamp<Tick>(key.tick - 1, 0, end));
+        }
+    }
+    std::ranges::sort(ticks);
+    for (std::size_t i = 0; i < ticks.size(); ++i) {
+        if (are_apart(a, b, ticks[i])) {
+            return i == 0 ? ticks[i] : first_apart(a, b, ticks[i - 1], ticks[i]);
         }
     }
     return a.keys.back().tick != b.keys.back().tick ? std::optional(end + 1) : std::nullopt;

@@ -21,14 +21,14 @@ struct RecordedPath {
         std::array<std::int64_t, 3> at = {};  ///< foot, millimetres
         bool cut = false;                     ///< the avatar was put there
     };
-    std::vector<Key> keys;    ///< ascending by tick
+    std::vector<Key> keys;    ///< ascending by tick, from 0 on; at least one
     std::string campus_file;  ///< as the walk names it
 
     /// Millimetres; before the first key and after the last where it began and ended.
     Eigen::Vector3d at(Tick tick) const;
 };
 
-/// None for text that isn't a recording, such as one of another version.
+/// None for text that isn't a recording, such as one of another version, or one that no walk can have left.
 std::optional<RecordedPath> read_recorded_path(std::string_view recording);
 
 /// The path seen from above in at most `most` points: x, z, x, z, … in whole decimetres, each minus the one

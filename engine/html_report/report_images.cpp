@@ -35,7 +35,8 @@ std::optional<ReportImage> report_image(const Artifact& artifact, std::string_vi
     }
     const scene::PixelView pixels{decoded->width, decoded->height, decoded->rgba};
     if (is_compared(artifact)) {
-        return ReportImage{scene::encode_webp_lossless(pixels), "image/webp"};
+        const scene::Pixels whole = scene::shrunk_to_fit(pixels, kMaxHeight, kMaxHeight);
+        return ReportImage{scene::encode_webp_lossless(whole.view()), "image/webp"};
     }
     const scene::Pixels shown = scene::shrunk_to_fit(pixels, kMaxWidth, kMaxHeight);
     return ReportImage{scene::encode_webp(shown.view(), kQuality), "image/webp"};

@@ -24,7 +24,7 @@ struct KeyFrame {
 };
 
 /// Thins a path where it is straight: between two key frames of which the second isn't a cut, every sample
-/// lies within kHalfUnit of the straight line, positions as well as angles (of these, within a whole unit).
+/// lies close to the straight line: positions within kHalfUnit, angles within kAngleUnit.
 /// One sample at a time, without looking back.
 class KeyFrames {
 public:

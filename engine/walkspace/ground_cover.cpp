@@ -123,7 +123,7 @@ GroundCover cover_of(const collision::World& world, const WalkSpace& space, doub
         cover.height = *low;
     }
     cover.area = static_cast<double>(heights.size()) * space.grid.cell * space.grid.cell;
-    cover.is_bounded = std::ranges::find(space.bounds, Bound::nodes) != space.bounds.end();
+    cover.is_cut_short = std::ranges::find(space.bounds, Bound::nodes) != space.bounds.end();
     cover.share = footprint > 0.0 ? std::min(cover.area / footprint, 1.0) : 0.0;
     cover.share_below = share_of_area_below(world, cover.height - kDrop);
     return cover;
@@ -181,7 +181,7 @@ private:
             settings_.max_nodes > 0 ? explore(worlds_, settings_) : WalkSpace(WalkGrid{settings_.cell});
         GroundCover cover = cover_of(worlds_[0], space, footprint_, start.y());
         if (is_limited_) {  // then the columns tell how much there would have been
-            cover.is_bounded = true;
+            cover.is_cut_short = true;
             cover.share = std::clamp(area / footprint_, cover.share, 1.0);
         }
         add(cover);
@@ -246,7 +246,7 @@ private:
         } else {
             ground_.area += cover.area;
             ground_.share = std::min(1.0, ground_.share + cover.share);
-            ground_.is_bounded = ground_.is_bounded || cover.is_bounded;
+            ground_.is_cut_short = ground_.is_cut_short || cover.is_cut_short;
         }
     }
 
@@ -272,7 +272,7 @@ GroundCover measure_ground(const WorkerWorlds& worlds) {
 
 bool lacks_ground(const GroundCover& cover) {
     constexpr double kMinShare = 0.25;
-    const bool is_large = cover.is_bounded && cover.area > 0.5 * kEnoughGround;
+    const bool is_large = cover.is_cut_short && cover.area > 0.5 * kEnoughGround;
     return (cover.share < kMinShare && !is_large) || is_roof(cover);
 }
 

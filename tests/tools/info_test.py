@@ -132,7 +132,7 @@ class Info(ProgramCase):
         found = self.info("floor.obj")
         self.assertAlmostEqual(0, found["ground"]["height"], delta=0.001)
         self.assertEqual([], found["warnings"])
-        self.assertIn("ground     %s%.1f m² at 0.00 m\n" % ("more than " * found["ground"]["bounded"], found["ground"]["area"]),
+        self.assertIn("ground     %s%.1f m² at 0.00 m\n" % ("more than " * (not found["ground"]["complete"]), found["ground"]["area"]),
                       self.passes("info", "floor.obj").out)
         self.write("tower.obj", box("tower", 1, 0, 0, 0, 6, 20, 6))
         warning, = self.info("tower.obj")["warnings"]

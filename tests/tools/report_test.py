@@ -112,6 +112,20 @@ class Reports(ReportCase):
         self.assertEqual(page.index["walks"][0]["name"], name)
         self.assertIn(name, page.index["title"])
 
+    def test_the_title_is_what_was_named(self):
+        for named, title in (("short.walk.yaml", "short.walk.yaml"), (".", "campuswalk"), ("", "campuswalk")):
+            self.run_walks("--reporter", "html=r.html", *([named] if named else []))
+            self.assertEqual(self.page("r.html").index["title"], title)
+
+    def test_a_configured_report_is_written_again(self):
+        self.write("walks.config.yaml", "reporters: [{html: r.html}]\n")
+        for _ in range(2):
+            self.assertNotIn("isn't a report of this kind", self.run_walks().err)
+            self.assertEqual(len(self.page("r.html").index["walks"]), 3)
+        self.write("r.html", "<!doctype html>My own page")
+        self.assertIn("isn't a report of this kind", self.run_walks().err)
+        self.assertEqual(self.read("r.html"), b"<!doctype html>My own page")
+
     def test_a_run_can_leave_the_models_out(self):
         self.run_walks("--reporter", "html=r.html", "--report-geometry", "boxes")
         campus = self.page("r.html").index["campuses"][0]
@@ -246,6 +260,30 @@ class LaterReports(ReportCase):
         outcome = self.run_program("report", "r.jsonl", "-o", "r.jsonl")
         self.assert_refused(outcome, "r.jsonl: error report-unwritable:")
         self.assertTrue(self.read("r.jsonl").startswith(b'{"campuswalk_results"'))
+        self.passes("explore", "small.campus.yaml", "--json", "explored.json")
+        shutil.copy(self.path("r.jsonl"), self.path("old.jsonl"))
+        for name in ("old.jsonl", "explored.json"):
+            before = self.read(name)
+            outcome = self.run_program("report", "r.jsonl", "--against", "old.jsonl", "--findings", "explored.json", "-o", name)
+            self.assert_refused(outcome, name + ": error report-unwritable:")
+            self.assertEqual(self.read(name), before)
+
+    def test_a_mistake_leaves_the_old_report(self):
+        old = self.report_bytes()
+        for mistake in (("--against", "gone.jsonl"), ("--findings", "gone.json")):
+            self.assertEqual(self.run_program("report", "r.jsonl", "-o", "later.html", *mistake).code, 2)
+            self.assertEqual(self.read("later.html"), old)
+
+    def test_a_forged_bundle_counts_as_none(self):
+        whole = self.page_of_report()
+        [name] = [name for name in os.listdir(self.path("out/campuses")) if name.endswith(".json")]
+        bundle = json.loads(self.read("out/campuses/" + name))
+        deep = "[" * 100_000 + "]" * 100_000
+        forged = [json.dumps({**bundle, "campus": campus}) for campus in ({}, {"name": "x"}, 7, {**bundle["campus"], "min": [0, 0]},
+                                                                          {**bundle["campus"], "objects": [{}]})]
+        for text in (*forged, '{"campuswalk_campus":1,"error":0,"campus":%s}' % deep):
+            self.write("out/campuses/" + name, text)
+            self.assertEqual(self.page_of_report().index["campuses"], whole.index["campuses"])
 
     def test_results_from_elsewhere_read_only_the_run_and_the_project(self):
         self.write("../secret.yaml", "secret: 1\n")
@@ -286,6 +324,10 @@ class LaterReports(ReportCase):
         self.write("other.json", "{}")
         self.assert_refused(self.run_program("report", "r.jsonl", "--findings", "other.json"),
                             "other.json:1:1: error bad-report: explore")
+        for forged in ([1], [{}], 5, [{**findings[0], "at": [0, 1]}]):
+            self.write("other.json", json.dumps({**json.loads(explored), "findings": forged}))
+            self.assert_refused(self.run_program("report", "r.jsonl", "--findings", "other.json"),
+                                "other.json:1:1: error bad-report: explore")
 
     def test_memory_does_not_grow_with_the_walks(self):
         header, first, *_ = self.read("r.jsonl").decode().splitlines()

@@ -123,8 +123,9 @@ WalkResult result_named(const std::string& name) {
 }
 
 std::string recording_in(const std::string& campus, int x = 0) {
-    return R"({"campuswalk_recording":1,"campus":{"name":"a","file":")" + campus +
-           "\"},\n\"log\":[\n\"000000 x\"\n],\"way\":{\"tick\":[0,60],\"x\":[" + std::to_string(x) +
+    return R"({"campuswalk_recording":1,"ticks_per_second":60,"ticks":60,)"
+           R"("avatar":{"radius":0.3,"height":1.8,"eye_height":1.7},"campus":{"name":"a","file":")" +
+           campus + "\"},\n\"log\":[\n\"000000 x\"\n],\"way\":{\"tick\":[0,60],\"x\":[" + std::to_string(x) +
            R"(,1400],"y":[0,0],"z":[0,0],"yaw":[0,0],"pitch":[0,0],"cut":[0]}})";
 }
 
@@ -257,6 +258,7 @@ TEST(HtmlReporter, ComparesWithAnotherRun) {
     before[1].hash = 7;
     before[2].outcome = Outcome::failed;
     others[before[1].artifacts[0].path] = recording_in("a.campus.yaml", 1400);
+    others[before[2].artifacts[0].path] = recording_in("a.campus.yaml");
     HtmlInputs inputs = inputs_of(files);
     ComparedRun against;
     against.name = "main.jsonl";
@@ -282,6 +284,8 @@ TEST(HtmlReporter, ComparesWithAnotherRun) {
     EXPECT_EQ(compared["walks"][1].at("parts_at"), nullptr);
     EXPECT_EQ(compared["walks"][2].at("name"), "gone");
     EXPECT_EQ(compared["walks"][2].at("index"), -1);
+    EXPECT_EQ(compared["walks"][2].at("chunk"), -1);
+    EXPECT_EQ(compared["walks"][2].at("parts_at"), -1);
 }
 
 TEST(HtmlReporter, FindingsGetTheIndexOfTheirCampus) {

@@ -1,5 +1,7 @@
 #include "engine/html_report/recorded_path.h"
 
+#include <optional>
+#include <random>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -8,7 +10,9 @@ namespace campuswalk::engine {
 namespace {
 
 std::string recording(const std::string& path) {
-    return R"({"campuswalk_recording":1,"campus":{"name":"a","file":"a.campus.yaml"},"way":)" + path + "}";
+    return R"({"campuswalk_recording":1,"ticks_per_second":60,"campus":{"name":"a","file":"a.campus.yaml"},)"
+           R"("avatar":{"radius":0.3,"height":1.8,"eye_height":1.7},"log":[],"ticks":20,"way":)" +
+           path + "}";
 }
 
 RecordedPath path(const std::string& text) {
@@ -17,6 +21,15 @@ RecordedPath path(const std::string& text) {
 
 const char* const kStraight =
     R"({"tick":[0,10,1,9],"x":[1000,500,3500,0],"y":[0,0,0,0],"z":[0,-100,0,50],"yaw":[0,0,0,0],"pitch":[0,0,0,0],"cut":[0,2]})";
+
+/// With the same numbers for all columns but the first.
+std::string way(const std::string& ticks, const std::string& x, const std::string& cut) {
+    std::string text = "{\"tick\":[" + ticks + "]";
+    for (const char* column : {"x", "y", "z", "yaw", "pitch"}) {
+        text += std::string(",\"") + column + "\":[" + x + "]";
+    }
+    return text + ",\"cut\":[" + cut + "]}";
+}
 
 TEST(RecordedPath, IsLinearBetweenKeysAndHoldsUntilACut) {
     const RecordedPath straight = path(kStraight);
@@ -32,13 +45,29 @@ TEST(RecordedPath, IsLinearBetweenKeysAndHoldsUntilACut) {
 TEST(RecordedPath, OtherTextIsNone) {
     for (const std::string& text :
          {std::string(), std::string("["), std::string("[]"), std::string("{\"campuswalk_recording\":2}"),
-          std::string("{\"campuswalk_recording\":1}"), recording("{}"),
-          recording(R"({"tick":[],"x":[],"y":[],"z":[],"cut":[]})"),
-          recording(R"({"tick":[0,1],"x":[0],"y":[0],"z":[0],"cut":[]})"),
-          recording(R"({"tick":[0],"x":[0],"y":[0],"z":[0],"cut":[7]})"),
-          recording(R"({"tick":["a"],"x":[0],"y":[0],"z":[0],"cut":[]})")}) {
+          std::string("{\"campuswalk_recording\":1}"), recording("{}"), recording(way("", "", "")),
+          recording(way("0,1", "0", "")), recording(way("0", "0", "7")), recording(way("\"a\"", "0", "")),
+          recording(R"({"tick":[0],"x":[0],"y":[0],"z":[0],"cut":[]})"),
+          "\xEF\xBB\xBF" + recording(kStraight)}) {
         EXPECT_FALSE(read_recorded_path(text)) << text;
     }
+}
+
+TEST(RecordedPath, IsNoneIfNoWalkCanHaveLeftIt) {
+    EXPECT_TRUE(read_recorded_path(recording(way("0,1", "0,0", ""))));
+    for (const char* ticks :
+         {"0,0", "5,-1", "-1,2", "0,4000000000000000000", "0,18446744073709551615", "0,1.5", "0,1e300"}) {
+        EXPECT_FALSE(read_recorded_path(recording(way(ticks, "0,0", "")))) << ticks;
+    }
+    EXPECT_FALSE(read_recorded_path(recording(way("0,1", "9000000000000000000,9000000000000000000", ""))));
+    for (const char* member : {"\"log\":[]", "\"ticks_per_second\":60", "\"radius\":0.3"}) {
+        std::string text = recording(kStraight);
+        text.replace(text.find(member), std::string(member).size(), "\"other\":0");
+        EXPECT_FALSE(read_recorded_path(text)) << member;
+    }
+    const std::string deep(100'000, '[');
+    EXPECT_FALSE(
+        read_recorded_path("{\"campuswalk_recording\":" + deep + std::string(deep.size(), ']') + "}"));
 }
 
 TEST(RecordedPath, ThePlanKeepsTheVertices) {
@@ -50,10 +79,38 @@ TEST(RecordedPath, ThePlanKeepsTheVertices) {
         x += i <= 50 ? ",1000" : ",0";
         z += i <= 50 ? ",0" : ",1000";
     }
-    const RecordedPath vertex =
-        path("{\"tick\":[" + ticks + "],\"x\":[" + x + "],\"y\":[" + z + "],\"z\":[" + z + "],\"cut\":[]}");
+    const RecordedPath vertex = path("{\"tick\":[" + ticks + "],\"x\":[" + x + "],\"y\":[" + z + "],\"z\":[" +
+                                     z + "],\"yaw\":[" + z + "],\"pitch\":[" + z + "],\"cut\":[]}");
     EXPECT_EQ(plan_of(vertex, 3), (std::vector<std::int64_t>{0, 0, 500, 0, 0, 500}));
     EXPECT_EQ(plan_of(vertex).size(), 48U);  // 24 points
+}
+
+TEST(RecordedPath, PartsAtTheTickThatATickByTickSearchFinds) {
+    std::mt19937 random(3);
+    const auto below = [&](int most) {
+        return static_cast<std::int64_t>(random() % static_cast<unsigned>(most));
+    };
+    for (int round = 0; round < 300; ++round) {
+        RecordedPath one;
+        Tick tick = 0;
+        for (int i = 0; i < 6; ++i) {
+            one.keys.push_back({tick, {below(20), below(20), below(20)}, i > 0 && below(4) == 0});
+            tick += 1 + below(12);
+        }
+        RecordedPath other = one;
+        RecordedPath::Key& changed = other.keys[static_cast<std::size_t>(below(6))];
+        changed.at[static_cast<std::size_t>(below(3))] += below(5) - 2;
+        std::optional<Tick> expected;
+        for (Tick at = 0; at <= one.keys.back().tick && !expected; ++at) {
+            if ((one.at(at) - other.at(at)).cwiseAbs().maxCoeff() > 1.0) {
+                expected = at;
+            }
+        }
+        EXPECT_EQ(parting_tick(one, other), expected) << round;
+    }
+    const RecordedPath far = path(way("0,2000000000", "0,0", ""));
+    const RecordedPath farther = path(way("0,2000000000", "0,1000000", ""));
+    EXPECT_EQ(parting_tick(far, farther), 2001);
 }
 
 TEST(RecordedPath, PartsWhereItIsMoreThanAMillimetreOff) {

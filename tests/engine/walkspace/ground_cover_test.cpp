@@ -31,7 +31,7 @@ TEST(GroundCover, IsNotExploredFartherThanNeedBe) {
     TriangleMesh mesh;
     support::add_box(mesh, {-100, -0.2, -100}, {100, 0, 100});
     const GroundCover cover = cover_of(mesh);
-    EXPECT_TRUE(cover.is_bounded);
+    EXPECT_TRUE(cover.is_cut_short);
     EXPECT_GT(cover.area, 200.0);
     EXPECT_LT(cover.area, 1'000.0);
     EXPECT_LT(cover.share, 0.03);
@@ -101,7 +101,7 @@ TEST(GroundCover, IsOnlyLookedAtAmongVeryManyTriangles) {
     TriangleMesh scan;
     add_fine_floor(scan, 12.0, 400);
     const GroundCover cover = cover_of(scan);  // walking over all of it would take tens of seconds
-    EXPECT_TRUE(cover.is_bounded);
+    EXPECT_TRUE(cover.is_cut_short);
     EXPECT_LT(cover.area, 10.0);
     EXPECT_GT(cover.share, 0.8);
     EXPECT_FALSE(lacks_ground(cover));
@@ -112,7 +112,7 @@ TEST(GroundCover, KeepsOutOfWhereMostTrianglesAre) {
     add_fine_floor(mesh, 3.0, 200);  // a carpet in the corner
     support::add_box(mesh, {0, -0.2, 0}, {12, -0.01, 12});
     const GroundCover cover = cover_of(mesh);
-    EXPECT_TRUE(cover.is_bounded);
+    EXPECT_TRUE(cover.is_cut_short);
     EXPECT_GT(cover.area, 30.0);
     EXPECT_NEAR(cover.height, -0.01, 0.02);
 }
@@ -148,7 +148,7 @@ TEST(GroundCover, IsFastForManyOverlappingLayers) {
     for (int i = 0; i < 1000; ++i) {  // 12,000 triangles of up to half a square kilometre
         support::add_box(mesh, {0, 3.0 * i, 0}, {1000, 3.0 * i + 0.1, 1000});
     }
-    EXPECT_TRUE(cover_of(mesh).is_bounded);  // looking at every cell would take minutes and gigabytes
+    EXPECT_TRUE(cover_of(mesh).is_cut_short);  // looking at every cell would take minutes and gigabytes
 }
 
 }  // namespace

@@ -61,8 +61,9 @@ Json json_of(const std::optional<scene::GeographicPlace>& place) {
 }
 
 Json json_of(const std::optional<engine::GroundCover>& ground) {
-    return ground ? Json{{"area", ground->area}, {"bounded", ground->is_bounded}, {"height", ground->height}}
-                  : Json();
+    return ground
+               ? Json{{"area", ground->area}, {"complete", !ground->is_cut_short}, {"height", ground->height}}
+               : Json();
 }
 
 const char* name_of(scene::AlphaMode mode) {

@@ -39,7 +39,7 @@ int merge_reports(const MergeOptions& options) {
     check_targets(settings.reports);
     HtmlRequest html;
     html.output = as_seen_from_here(options.output);
-    html.title = options.inputs.front().filename().generic_string();
+    html.title = title_of_inputs(options.inputs);
     html.problems = merged.problems();
     engine::ReportStyle style{settings.color, false, html.output.generic_string()};
     style.html = [&html](engine::TextSink sink) { return make_html_reporter(html, std::move(sink)); };

@@ -31,20 +31,21 @@ struct Options {
     HtmlRequest html;
 };
 
-std::string title_of(const std::vector<fs::path>& inputs) {
-    std::string title;
-    for (const fs::path& input : inputs) {
-        title += (title.empty() ? "" : ", ") + input.filename().generic_string();
-    }
-    return title;
-}
-
 /// The new file may not replace one that it is made from.
-void refuse_inputs(const fs::path& file, const std::vector<ResultFile>& inputs) {
-    std::error_code ignored;
+void refuse_inputs(const Options& options, const std::vector<ResultFile>& inputs) {
+    std::vector<fs::path> read = options.html.findings;
     for (const ResultFile& input : inputs) {
-        if (fs::equivalent(file, input.file(), ignored)) {
-            throw error_about(file, "report-unwritable",
+        read.push_back(input.file());
+    }
+    if (options.html.against) {
+        for (const ResultFile& input : open_result_files({*options.html.against})) {
+            read.push_back(input.file());
+        }
+    }
+    for (const fs::path& file : read) {
+        std::error_code ignored;
+        if (fs::equivalent(options.file, file, ignored)) {
+            throw error_about(options.file, "report-unwritable",
                               "this would replace a file that the report is made from; name another");
         }
     }
@@ -53,14 +54,14 @@ void refuse_inputs(const fs::path& file, const std::vector<ResultFile>& inputs) 
 int report(const Options& options) {
     require_html_reports("report");
     const std::vector<ResultFile> inputs = open_result_files(options.inputs);
-    refuse_inputs(options.file, inputs);
+    refuse_inputs(options, inputs);
     const std::vector<ReportTarget> targets = {{"html", as_seen_from_here(options.file)}};
     check_targets(targets);
     const MergedRun merged(inputs);
 
     HtmlRequest request = options.html;
     request.output = as_seen_from_here(request.output);
-    request.title = options.title.empty() ? title_of(options.inputs) : options.title;
+    request.title = options.title.empty() ? title_of_inputs(options.inputs) : options.title;
     request.problems = merged.problems();
     engine::ReportStyle style;
     style.html = [&request](engine::TextSink sink) { return make_html_reporter(request, std::move(sink)); };

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/html_report/campus_entry.h"
+#include "engine/html_report/foreign_json.h"
 #include "scene/base/atomic_file.h"
 #include "scene/cache/content_hash.h"
 #include "tools/campuswalk/base/json_text.h"
@@ -53,16 +54,17 @@ void write_bundle(const fs::path& output, const std::string& file, const engine:
 std::optional<engine::ReportCampus> read_bundle(const fs::path& output, const std::string& file) {
     const std::string name = bundle_name(file);
     const std::optional<std::string> text = read_below(output, name + ".json");
-    const Json json = text ? Json::parse(*text, nullptr, false) : Json();
-    if (!json.is_object() || json.value("campuswalk_campus", Json()) != 1 || !json.contains("campus") ||
-        !json["campus"].is_object()) {
+    const std::optional<Json> json = text ? engine::parse_foreign(*text) : std::nullopt;
+    if (!json || !engine::has_numbers(*json, {"campuswalk_campus", "error"}) ||
+        (*json)["campuswalk_campus"] != 1 || !json->contains("campus") ||
+        !engine::is_campus_entry((*json)["campus"])) {
         return std::nullopt;
     }
     engine::ReportCampus campus;
-    const std::string entry = json["campus"].dump(-1, ' ', false, Json::error_handler_t::replace);
+    const std::string entry = (*json)["campus"].dump(-1, ' ', false, Json::error_handler_t::replace);
     campus.entry = entry.substr(1, entry.size() - 2);
-    campus.error = json.contains("error") && json["error"].is_number() ? json["error"].get<double>() : 0.0;
-    if (json.contains("glb") && json["glb"].is_string()) {
+    campus.error = (*json)["error"].get<double>();
+    if (engine::has_strings(*json, {"glb"})) {
         campus.glb = read_below(output, name + ".glb").value_or("");
     }
     return campus;

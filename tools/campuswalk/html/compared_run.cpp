@@ -34,7 +34,7 @@ engine::ComparedRun open_compared_run(const fs::path& input, const fs::path& out
         });
     }
     engine::ComparedRun run;
-    run.name = input.filename().generic_string();
+    run.name = title_of_inputs({input});
     run.find = [index](const std::string& id) -> std::optional<engine::WalkResult> {
         const auto found = index->places.find(id);
         return found == index->places.end()

@@ -4,6 +4,7 @@
 
 #include "config/loader/load_run.h"
 #include "config/loader/values/read_roots.h"
+#include "engine/html_report/foreign_json.h"
 #include "engine/html_report/html_reporter.h"
 #include "scene/base/diagnostic.h"
 #include "tools/campuswalk/base/json_text.h"
@@ -124,6 +125,11 @@ private:
     WalkLoader loader_;
 };
 
+bool is_finding(const Json& json) {
+    return engine::has_numbers(json, {"number"}) && engine::has_strings(json, {"kind", "subject", "text"}) &&
+           engine::has_points(json, {"at"});
+}
+
 /// All findings of the files, each with the name of its campus.
 std::string read_findings(const std::vector<fs::path>& files) {
     if (files.empty()) {
@@ -131,14 +137,15 @@ std::string read_findings(const std::vector<fs::path>& files) {
     }
     Json all = Json::array();
     for (const fs::path& file : files) {
-        const Json json = Json::parse(read_bytes(file), nullptr, false);
-        if (!json.is_object() || json.value("campuswalk_explore", Json()) != 1 ||
-            !json.contains("findings") || !json.contains("campus") || !json["campus"].is_string()) {
+        const std::optional<Json> json = engine::parse_foreign(read_bytes(file));
+        if (!json || !engine::has_numbers(*json, {"campuswalk_explore"}) ||
+            (*json)["campuswalk_explore"] != 1 || !engine::has_strings(*json, {"campus"}) ||
+            !engine::has_list(*json, "findings", is_finding)) {
             throw scene::InputError({file.generic_string(), 1, 1}, "bad-report",
                                     "this isn't what explore --json writes");
         }
-        for (Json finding : json["findings"]) {
-            finding["campus"] = json["campus"];
+        for (Json finding : (*json)["findings"]) {
+            finding["campus"] = (*json)["campus"];
             all.push_back(std::move(finding));
         }
     }

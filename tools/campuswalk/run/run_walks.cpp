@@ -379,7 +379,9 @@ private:
     std::string title_of_run() const {
         std::string title;
         for (const fs::path& path : options_.paths) {
-            title += (title.empty() ? "" : ", ") + path.generic_string();
+            if (path.lexically_normal() != ".") {  // which names nothing
+                title += (title.empty() ? "" : ", ") + path.generic_string();
+            }
         }
         return title.empty() ? "campuswalk" : title;
     }

@@ -79,7 +79,7 @@ void lint_ground(const std::optional<engine::GroundCover>& ground, scene::ModelR
 }
 
 std::string ground_text(const engine::GroundCover& ground) {
-    return (ground.is_bounded ? "more than " : "") + engine::fixed(ground.area, 1) + " m² at " +
+    return (ground.is_cut_short ? "more than " : "") + engine::fixed(ground.area, 1) + " m² at " +
            engine::fixed(ground.height, 2) + " m";
 }
 

@@ -8,12 +8,18 @@ import { themeButton, useTheme } from './ui/theme';
 import { formatLink, parseLink } from './data/link';
 import { grouped, isBad } from './data/groups';
 import { parseFilter, searchable } from './data/filter';
+import { BadReport } from './data/chunks';
 import type { Report } from './data/report';
+import type { AgainstRow } from './format';
 import { ListPage } from './list/list_page';
 import { Campuses } from './scene/campuses';
 import type { Store, CameraMode } from './store';
 import { contextOf } from './walk/context';
 import { missingWalk, WalkPage } from './walk/walk_page';
+
+function partingTick(row: AgainstRow): number | null {
+  return row.parts_at === null || row.parts_at < 0 ? null : row.parts_at;
+}
 
 export class App {
   readonly campuses: Campuses;
@@ -85,19 +91,26 @@ export class App {
     }
     const index = this.report.index.walks.findIndex((row) => row.id === link.walk);
     if (index < 0) {
-      this.end();
-      replace(
-        this.body,
-        element(
-          'main',
-          { class: 'walk-missing' },
-          button({ icon: 'back', label: 'All walks', text: 'All walks', class: 'plain', act: () => this.openList() }),
-          emptyState('This report has no such walk.', element('p', {}, name(link.walk))),
-        ),
-      );
+      this.showNoWalk('This report has no such walk.', link.walk);
       return;
     }
-    this.ready = this.showWalk(index, link.time, link.against ?? false, link.camera);
+    this.ready = this.showWalk(index, link.time, link.against ?? false, link.camera).catch((error: unknown) => {
+      const why = error instanceof BadReport ? error.message : 'This report is damaged: this walk is not readable.';
+      this.showNoWalk(why, link.walk!);
+    });
+  }
+
+  private showNoWalk(why: string, walk: string): void {
+    this.end();
+    replace(
+      this.body,
+      element(
+        'main',
+        { class: 'walk-missing', attributes: { role: 'alert' } },
+        button({ icon: 'back', label: 'All walks', text: 'All walks', class: 'plain', act: () => this.openList() }),
+        emptyState(why, element('p', {}, name(walk))),
+      ),
+    );
   }
 
   private end(): void {
@@ -142,7 +155,7 @@ export class App {
     }
     const other =
       otherRow && otherData
-        ? { data: otherData, name: this.report.index.against?.name ?? '', partsAt: otherRow.parts_at }
+        ? { data: otherData, name: this.report.index.against?.name ?? '', partsAt: partingTick(otherRow) }
         : null;
     const context = contextOf(this.report, this.store, this.campuses, data, other);
     const failedAt = context.failures[0]?.failure.scene?.tick;

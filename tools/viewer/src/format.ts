@@ -117,9 +117,9 @@ export interface Against {
 }
 
 export interface AgainstRow extends WalkRow {
-  /** Of the same walk in `walks`, or -1 if this run lacks it. */
+  /** Of the same walk in `walks`, or -1 if this run lacks it: then there are no details either. */
   index: number;
-  /** The first tick at which the two differ; null if their paths don't. */
+  /** The first tick at which the two differ; null if their paths don't, -1 if not both were recorded. */
   parts_at: number | null;
 }
 

@@ -2,6 +2,7 @@
 
 #include <pthread.h>
 
+#include <atomic>
 #include <csignal>
 #include <utility>
 
@@ -17,9 +18,17 @@ std::mutex& busy() {
     return mutex;
 }
 
+/// Whether a fork waits: mutexes aren't fair, and the thread would take it again at once.
+std::atomic<bool> fork_waits = false;
+
 void fork_only_between_results() {
-    static const int registered =
-        pthread_atfork([] { busy().lock(); }, [] { busy().unlock(); }, [] { busy().unlock(); });
+    static const int registered = pthread_atfork(
+        [] {
+            fork_waits = true;
+            busy().lock();
+            fork_waits = false;
+        },
+        [] { busy().unlock(); }, [] { busy().unlock(); });
     static_cast<void>(registered);
 }
 
@@ -31,6 +40,10 @@ BackgroundReporter::BackgroundReporter(std::unique_ptr<engine::Reporter> reporte
 }
 
 BackgroundReporter::~BackgroundReporter() {
+    {
+        const std::lock_guard lock(mutex_);
+        waiting_.clear();  // after end() nothing waits; without it, nobody wants the rest
+    }
     stop();
 }
 
@@ -53,7 +66,7 @@ void BackgroundReporter::end(const engine::RunReport& report) {
     reporter_->end(report);
 }
 
-/// At the first result, when the workers have been forked.
+/// At the first result: usually all workers have been forked by then.
 void BackgroundReporter::start() {
     if (thread_.joinable()) {
         return;
@@ -73,14 +86,15 @@ void BackgroundReporter::work() {
         if (waiting_.empty() || failure_) {
             return;
         }
+        const engine::WalkResult result = std::move(waiting_.front());
+        waiting_.pop_front();
         lock.unlock();
+        while (fork_waits) {
+            std::this_thread::yield();
+        }
         {
             const std::lock_guard working(busy());
             try {
-                lock.lock();
-                const engine::WalkResult result = std::move(waiting_.front());
-                waiting_.pop_front();
-                lock.unlock();
                 reporter_->result(result);
             } catch (...) {
                 lock.lock();

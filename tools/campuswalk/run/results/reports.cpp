@@ -41,7 +41,7 @@ bool begins_like(std::string_view kind, const fs::path& file) {
          {"<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\">\n"
           "<meta http-equiv=\"Content-Security-Policy\""}},
         {"log", {"# walk-log "}}};
-    constexpr std::size_t kEnough = 100;  // characters
+    constexpr std::size_t kEnough = 128;  // characters: the longest has 102
     std::ifstream stream(file, std::ios::binary);
     std::string text(kEnough, '\0');
     stream.read(text.data(), static_cast<std::streamsize>(text.size()));
@@ -127,9 +127,8 @@ Reports::Reports(const std::vector<ReportTarget>& targets, const engine::ReportS
 
 engine::TextSink Reports::sink_for(const ReportTarget& target) {
     if (target.file && is_whole(target)) {
-        const fs::path place = fs::weakly_canonical(*target.file);
-        fs::remove(place);
-        whole_files_.push_back(std::make_unique<scene::AtomicFile>(place));
+        outdated_.push_back(fs::weakly_canonical(*target.file));
+        whole_files_.push_back(std::make_unique<scene::AtomicFile>(outdated_.back()));
         return [file = whole_files_.back().get()](std::string_view text) {
             file->write(std::as_bytes(std::span(text)));
         };
@@ -140,6 +139,9 @@ engine::TextSink Reports::sink_for(const ReportTarget& target) {
 }
 
 void Reports::begin(const engine::RunPlan& plan) {
+    for (const fs::path& file : outdated_) {
+        fs::remove(file);
+    }
     for (const auto& reporter : reporters_) {
         reporter->begin(plan);
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -20,8 +21,8 @@ void check_targets(const std::vector<ReportTarget>& reports);
 class Reports {
 public:
     /// Opens the files, with the folders that they need. Streams are truncated; files that make sense only as
-    /// a whole (junit, json) are removed, written beside their place and renamed at the end, so that what is
-    /// there is neither half a report nor another run's. Leaves "log" out unless `with_logs`.
+    /// a whole (junit, json, html) are removed by begin(), written beside their place and renamed at the end,
+    /// so that what is there is neither half a report nor another run's. Leaves "log" out unless `with_logs`.
     Reports(const std::vector<ReportTarget>& targets, const engine::ReportStyle& style, bool with_logs);
 
     bool has_log() const { return !logs_.empty(); }
@@ -37,6 +38,7 @@ private:
     engine::TextSink sink_for(const ReportTarget& target);
 
     std::vector<std::unique_ptr<LogOutput>> outputs_;
+    std::vector<std::filesystem::path> outdated_;  ///< the places of whole files
     std::vector<std::unique_ptr<scene::AtomicFile>> whole_files_;
     std::vector<LogOutput*> logs_;
     std::vector<std::unique_ptr<engine::Reporter>> reporters_;

@@ -132,4 +132,13 @@ std::vector<ResultFile> open_result_files(const std::vector<fs::path>& inputs) {
     return files;
 }
 
+std::string title_of_inputs(const std::vector<fs::path>& inputs) {
+    std::string title;
+    for (const fs::path& input : inputs) {
+        const fs::path named = input.has_filename() ? input : input.parent_path();  // as in `shards/`
+        title += (title.empty() ? "" : ", ") + named.filename().generic_string();
+    }
+    return title;
+}
+
 }  // namespace campuswalk::tools

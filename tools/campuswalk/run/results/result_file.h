@@ -5,6 +5,7 @@
 #include <functional>
 #include <ios>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "engine/report/run_plan.h"
@@ -41,5 +42,8 @@ private:
 /// The reports among the inputs and, of folders, in them and below; at least one of each input. Throws
 /// scene::InputError: missing-file, bad-report.
 std::vector<ResultFile> open_result_files(const std::vector<std::filesystem::path>& inputs);
+
+/// The names of such inputs without their folders: the same on every machine.
+std::string title_of_inputs(const std::vector<std::filesystem::path>& inputs);
 
 }  // namespace campuswalk::tools

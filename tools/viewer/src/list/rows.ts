@@ -86,6 +86,12 @@ function secondLine(row: WalkRow, status: string): HTMLElement {
   return element('div', { class: 'walk-message muted' }, name(row.status_reason || row.file));
 }
 
+function howPathsDiffer(own: WalkRow, other: AgainstRow): string {
+  if (other.parts_at === null) return 'the same path';
+  if (other.parts_at < 0 || own.ticks === 0) return 'not recorded';
+  return `paths part at ${(other.parts_at / (own.ticks / Math.max(own.seconds, 1e-9))).toFixed(2)} s`;
+}
+
 /** A walk that ended otherwise, or walked elsewhere, in the other run. */
 export function againstRow(report: Report, other: AgainstRow, theme: Element): HTMLElement {
   const own = report.index.walks[other.index];
@@ -96,10 +102,7 @@ export function againstRow(report: Report, other: AgainstRow, theme: Element): H
       class: `outcome ${each ? statusOf(each) : 'skipped'}`,
       text: each ? (outcomeNames[statusOf(each)] ?? each.outcome) : 'not in this run',
     });
-  const parts =
-    other.parts_at === null || row.ticks === 0
-      ? 'the same path'
-      : `paths part at ${(other.parts_at / (row.ticks / Math.max(row.seconds, 1e-9))).toFixed(2)} s`;
+  const title = name(row.name);
   return element(
     'div',
     { class: `walk-row ${changed ? 'changed' : ''}` },
@@ -111,11 +114,9 @@ export function againstRow(report: Report, other: AgainstRow, theme: Element): H
       element(
         'div',
         { class: 'walk-line' },
-        element(
-          'a',
-          { class: 'walk-link', attributes: { href: formatLink({ walk: row.id, against: true }) } },
-          name(row.name),
-        ),
+        own
+          ? element('a', { class: 'walk-link', attributes: { href: formatLink({ walk: row.id, against: true }) } }, title)
+          : title,
         row.project !== '' && element('span', { class: 'chip' }, name(row.project)),
       ),
       element(
@@ -124,7 +125,7 @@ export function againstRow(report: Report, other: AgainstRow, theme: Element): H
         verdict(other),
         element('span', { class: 'arrow', text: '→' }),
         verdict(own),
-        element('span', { class: 'muted', text: parts }),
+        own && element('span', { class: 'muted', text: howPathsDiffer(own, other) }),
       ),
     ),
     element('div', { class: 'walk-numbers' }),

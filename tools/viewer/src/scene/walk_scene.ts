@@ -88,13 +88,13 @@ export class WalkScene {
     const avatar = data.details.recording?.avatar ?? defaultAvatar;
     const crouching = isCrouching(data.log, tick);
     const pose = data.path?.at(tick) ?? { x: 0, y: 0, z: 0, yaw: 0, pitch: 0 };
-    const lowered = crouching ? 0.6 : 1;
+    const crouched = data.details.recording?.avatar.crouch_height ?? avatar.height * 0.6;
     return {
       pose,
       eyeHeight: crouching
         ? (data.details.recording?.avatar.crouch_eye_height ?? avatar.eye_height * 0.6)
         : avatar.eye_height,
-      height: avatar.height * lowered,
+      height: crouching ? crouched : avatar.height,
     };
   }
 
