@@ -23,7 +23,7 @@ const char* const kStraight =
     R"({"tick":[0,10,1,9],"x":[1000,500,3500,0],"y":[0,0,0,0],"z":[0,-100,0,50],"yaw":[0,0,0,0],"pitch":[0,0,0,0],"cut":[0,2]})";
 
 /// With the same numbers for all columns but the first.
-std::string way(const std::string& ticks, const std::string& x, const std::string& cut) {
+std::string columns(const std::string& ticks, const std::string& x, const std::string& cut) {
     std::string text = "{\"tick\":[" + ticks + "]";
     for (const char* column : {"x", "y", "z", "yaw", "pitch"}) {
         text += std::string(",\"") + column + "\":[" + x + "]";
@@ -45,21 +45,22 @@ TEST(RecordedPath, IsLinearBetweenKeysAndHoldsUntilACut) {
 TEST(RecordedPath, OtherTextIsNone) {
     for (const std::string& text :
          {std::string(), std::string("["), std::string("[]"), std::string("{\"campuswalk_recording\":2}"),
-          std::string("{\"campuswalk_recording\":1}"), recording("{}"), recording(way("", "", "")),
-          recording(way("0,1", "0", "")), recording(way("0", "0", "7")), recording(way("\"a\"", "0", "")),
-          recording(R"({"tick":[0],"x":[0],"y":[0],"z":[0],"cut":[]})"),
+          std::string("{\"campuswalk_recording\":1}"), recording("{}"), recording(columns("", "", "")),
+          recording(columns("0,1", "0", "")), recording(columns("0", "0", "7")),
+          recording(columns("\"a\"", "0", "")), recording(R"({"tick":[0],"x":[0],"y":[0],"z":[0],"cut":[]})"),
           "\xEF\xBB\xBF" + recording(kStraight)}) {
         EXPECT_FALSE(read_recorded_path(text)) << text;
     }
 }
 
 TEST(RecordedPath, IsNoneIfNoWalkCanHaveLeftIt) {
-    EXPECT_TRUE(read_recorded_path(recording(way("0,1", "0,0", ""))));
+    EXPECT_TRUE(read_recorded_path(recording(columns("0,1", "0,0", ""))));
     for (const char* ticks :
          {"0,0", "5,-1", "-1,2", "0,4000000000000000000", "0,18446744073709551615", "0,1.5", "0,1e300"}) {
-        EXPECT_FALSE(read_recorded_path(recording(way(ticks, "0,0", "")))) << ticks;
+        EXPECT_FALSE(read_recorded_path(recording(columns(ticks, "0,0", "")))) << ticks;
     }
-    EXPECT_FALSE(read_recorded_path(recording(way("0,1", "9000000000000000000,9000000000000000000", ""))));
+    EXPECT_FALSE(
+        read_recorded_path(recording(columns("0,1", "9000000000000000000,9000000000000000000", ""))));
     for (const char* member : {"\"log\":[]", "\"ticks_per_second\":60", "\"radius\":0.3"}) {
         std::string text = recording(kStraight);
         text.replace(text.find(member), std::string(member).size(), "\"other\":0");
@@ -108,8 +109,8 @@ TEST(RecordedPath, PartsAtTheTickThatATickByTickSearchFinds) {
         }
         EXPECT_EQ(parting_tick(one, other), expected) << round;
     }
-    const RecordedPath far = path(way("0,2000000000", "0,0", ""));
-    const RecordedPath farther = path(way("0,2000000000", "0,1000000", ""));
+    const RecordedPath far = path(columns("0,2000000000", "0,0", ""));
+    const RecordedPath farther = path(columns("0,2000000000", "0,1000000", ""));
     EXPECT_EQ(parting_tick(far, farther), 2001);
 }
 
