@@ -1,7 +1,10 @@
 #include "tools/campuswalk/base/read_lines.h"
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <fstream>
+#include <system_error>
 #include <utility>
 
 #include "tools/campuswalk/base/report_diagnostics.h"
@@ -9,6 +12,8 @@
 namespace campuswalk::tools {
 
 namespace {
+
+constexpr std::uintmax_t kMostReserved = std::uintmax_t{1} << 26U;  // bytes
 
 scene::InputError unreadable(const std::filesystem::path& file) {
     std::error_code ignored;
@@ -34,6 +39,10 @@ std::vector<std::string> read_lines(const std::filesystem::path& file) {
 std::string read_bytes(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     std::string bytes;
+    std::error_code ignored;
+    if (const std::uintmax_t size = std::filesystem::file_size(file, ignored); !ignored) {
+        bytes.reserve(std::min(size, kMostReserved));  // not more: a file may be nothing but a hole
+    }
     std::array<char, 1U << 16U> part;
     do {
         stream.read(part.data(), part.size());

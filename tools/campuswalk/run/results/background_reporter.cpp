@@ -11,6 +11,7 @@ namespace campuswalk::tools {
 namespace {
 
 constexpr std::size_t kMostWaiting = 64;
+constexpr std::size_t kAtOnce = 16;  // to wake the thread for each result takes longer than to write most
 
 /// Held while a thread of ours works, and while this process forks.
 std::mutex& busy() {
@@ -57,7 +58,9 @@ void BackgroundReporter::result(const engine::WalkResult& result) {
     changed_.wait(lock, [this] { return waiting_.size() < kMostWaiting || failure_; });
     throw_if_failed();
     waiting_.push_back(result);
-    changed_.notify_all();
+    if (waiting_.size() % kAtOnce == 0) {
+        changed_.notify_all();
+    }
 }
 
 void BackgroundReporter::end(const engine::RunReport& report) {
