@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { join } from 'node:path';
 import { ask, go, launch, open, ready } from '../support/browser.mjs';
-import { rewritten, withIndex } from '../support/page_file.mjs';
+import { readIndex, rewritten, withIndex } from '../support/page_file.mjs';
 import { bidi, hostile } from '../support/reports.mjs';
 import { browser, page, reports } from './session.mjs';
 
@@ -97,4 +97,17 @@ test('a damaged report says so', async () => {
     assert.match(await broken.locator('[role=alert]').textContent(), message);
     await broken.context().close();
   }
+});
+
+test('a walk whose details are damaged says so, and the list goes on', async () => {
+  const row = readIndex(reports.report).walks.find((each) => each.name === 'looks-round');
+  const file = rewritten(reports.report, join(reports.folder, 'details.html'), (text) =>
+    text.replace(new RegExp(`(data-chunk="${row.chunk}"[^>]*>)[^<]{40}`), '$1'),
+  );
+  const broken = await open(browser, file, { hash: `#walk=${row.id}` });
+  assert.match(await broken.locator('[role=alert]').textContent(), /damaged/);
+  await broken.click('text=All walks');
+  await broken.waitForSelector('.walk-row');
+  assert.deepEqual(broken.complaints, []);
+  await broken.context().close();
 });

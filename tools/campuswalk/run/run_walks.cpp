@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "scene/lint/wording.h"
+#include "tools/campuswalk/base/canonical_paths.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/base/print.h"
@@ -72,25 +73,24 @@ Selector selector_for(const RunOptions& options) {
 }
 
 /// What the cases are read from, as far as they could be read.
-std::set<fs::path> inputs_of(const Plan& plan) {
+std::set<fs::path> inputs_of(const Plan& plan, CanonicalPaths& canonical) {
     std::set<fs::path> inputs;
-    std::error_code ignored;
     for (const Case& each : plan.cases) {
-        inputs.insert(fs::weakly_canonical(each.result.file, ignored));
+        inputs.insert(canonical.of(each.result.file));
         if (each.walk) {
-            inputs.insert(fs::weakly_canonical(each.walk->walk.campus, ignored));
+            inputs.insert(canonical.of(each.walk->walk.campus));
             for (const fs::path& file : each.walk->campus->files) {
-                inputs.insert(fs::weakly_canonical(file, ignored));
+                inputs.insert(canonical.of(file));
             }
         }
     }
     return inputs;
 }
 
-void refuse_inputs(const std::vector<ReportTarget>& targets, const std::set<fs::path>& inputs) {
-    std::error_code ignored;
+void refuse_inputs(const std::vector<ReportTarget>& targets, const std::set<fs::path>& inputs,
+                   CanonicalPaths& canonical) {
     for (const ReportTarget& target : targets) {
-        if (target.file && inputs.contains(fs::weakly_canonical(*target.file, ignored))) {
+        if (target.file && inputs.contains(canonical.of(*target.file))) {
             throw error_about(*target.file, "report-unwritable",
                               "this would replace a file that the walks are read from; name another");
         }
@@ -98,9 +98,9 @@ void refuse_inputs(const std::vector<ReportTarget>& targets, const std::set<fs::
 }
 
 /// A snapshot there could have a texture's name, or a golden image's.
-void refuse_inputs_below(const fs::path& folder, const std::set<fs::path>& inputs) {
-    std::error_code ignored;
-    const fs::path whole = fs::weakly_canonical(folder, ignored);
+void refuse_inputs_below(const fs::path& folder, const std::set<fs::path>& inputs,
+                         CanonicalPaths& canonical) {
+    const fs::path whole = canonical.of(folder);
     for (const fs::path& part : whole) {
         if (part.native().ends_with(".walk.yaml-snapshots")) {
             throw error_about(folder, "output-unwritable",
@@ -266,10 +266,11 @@ private:
                 require_html_reports("--reporter");
             }
         }
-        const std::set<fs::path> inputs = inputs_of(plan);
-        refuse_inputs(targets, inputs);
+        CanonicalPaths canonical;
+        const std::set<fs::path> inputs = inputs_of(plan, canonical);
+        refuse_inputs(targets, inputs, canonical);
         for (const Case& each : plan.cases) {
-            refuse_inputs_below(settings_.output / each.folder, inputs);
+            refuse_inputs_below(settings_.output / each.folder, inputs, canonical);
             if (settings_.update != UpdateSnapshots::none) {
                 check_golden_folder(golden_log_file(each.result.file, each.result.project).parent_path());
             }
