@@ -102,6 +102,7 @@ export class App {
 
   private showNoWalk(why: string, walk: string): void {
     this.end();
+    this.store.set({ page: 'walk', walk: -1, against: false, playing: false });
     replace(
       this.body,
       element(
