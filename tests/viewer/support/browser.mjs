@@ -4,6 +4,7 @@ import { chromium } from 'playwright-core';
 const args = [
   '--headless=new',
   '--no-sandbox',
+  '--disable-dev-shm-usage', // containers have little of it
   '--disable-quic',
   '--no-first-run',
   '--disable-background-networking',
