@@ -10,6 +10,8 @@ namespace campuswalk::engine {
 
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 constexpr std::size_t kMostMessage = 300;  // bytes
 
 double to_a_thousandth(double value) {
@@ -38,7 +40,6 @@ std::string shortened(const std::string& text, std::size_t most) {
 }
 
 std::string open_walk_row(const WalkResult& result, const WalkPlacement& placement) {
-    using Json = nlohmann::ordered_json;
     const Json row = {{"id", result.id},
                       {"file", result.file},
                       {"name", result.name},
