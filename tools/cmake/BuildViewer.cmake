@@ -46,4 +46,6 @@ add_custom_command(
     DEPENDS ${bundle}/viewer.js ${bundle}/viewer.css ${PROJECT_SOURCE_DIR}/tools/cmake/EmbedViewer.cmake
     COMMENT "Embedding the viewer"
     VERBATIM)
-set_source_files_properties(${CAMPUSWALK_VIEWER_SOURCE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+# It is one string, longer than compilers must accept.
+set_source_files_properties(${CAMPUSWALK_VIEWER_SOURCE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON
+                                                                   COMPILE_OPTIONS -Wno-overlength-strings)
