@@ -22,11 +22,12 @@ TEST(CanonicalPaths, AreThoseOfTheStandardLibrary) {
     fs::create_symlink("nowhere", folder / "a" / "broken");
     CanonicalPaths canonical;
     for (int round = 0; round < 2; ++round) {  // the second time, each folder is known
-        for (const char* path :
-             {"a/file", "a/b", "a/b/", "a/./file", "a/b/../file", "link/file", "link/b/../file", "a/to-file", "link/to-file",
-              "a/missing", "missing/too", "missing/../a/file", "a/.", "a/..", "a/broken/on", ""}) {
+        for (const char* path : {"a/file", "a/b", "a/b/", "a/./file", "a/b/../file", "link/file",
+                                 "link/b/../file", "a/to-file", "link/to-file", "a/missing", "missing/too",
+                                 "missing/../a/file", "a/.", "a/..", "a/broken/on", ""}) {
             const fs::path file = folder / path;
-            EXPECT_EQ(canonical.of(file).lexically_normal(), fs::weakly_canonical(file).lexically_normal()) << path;
+            EXPECT_EQ(canonical.of(file).lexically_normal(), fs::weakly_canonical(file).lexically_normal())
+                << path;
         }
     }
     const fs::path here = fs::current_path();

@@ -5,8 +5,8 @@
 
 namespace campuswalk::tools {
 
-/// Canonical paths of many files in few folders: each folder is followed to the end of its links once, instead of
-/// a dozen system calls for each file.
+/// Canonical paths of many files in few folders: each folder is followed to the end of its links once,
+/// instead of a dozen system calls for each file.
 class CanonicalPaths {
 public:
     /// As std::filesystem::weakly_canonical of its absolute path: the file need not exist.
