@@ -10,7 +10,7 @@ namespace campuswalk::engine {
 
 namespace {
 
-constexpr int kEffort = 4;  // of gzip: 6 takes twice the time for a tenth less
+constexpr int kEffort = 3;  // of gzip: 6 takes twice the time for a tenth less
 /// Bytes that are encoded at a time, a multiple of three: megabytes of geometry needn't be in memory again.
 constexpr std::size_t kPiece = 48UL * 1024;
 

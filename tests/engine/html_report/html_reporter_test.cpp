@@ -236,6 +236,31 @@ TEST(HtmlReporter, SaysWhatIsMissing) {
     EXPECT_EQ(page_of(inputs_of({}), {}, 0).index().at("walks"), Json::array());
 }
 
+TEST(HtmlReporter, AThumbnailShowsWhatWasInTheWay) {
+    const std::string png = from_base64(  // a red pixel
+        "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGP4z8AAAAMBAQDJ/pLvAAAAAElFTkSuQmCC");
+    Files files;
+    WalkResult result = result_named("a");
+    for (const char* name : {"shot", "failure-eyes", "failure-beside", "failure-above"}) {
+        result.artifacts.push_back({name, std::string("a/") + name + ".png", "image/png"});
+        files.artifacts[result.artifacts.back().path] = png;
+    }
+    const auto thumbnail = [&](Outcome outcome) {
+        result.outcome = outcome;
+        const Page page = page_of(inputs_of(files), {result}, 1);
+        const Json row = page.index().at("walks")[0];
+        const Json images = page.details(row).at("pictures");
+        for (const auto& [path, chunk] : images.items()) {
+            if (chunk == row.at("thumbnail")) {
+                return path;
+            }
+        }
+        return std::string("none");
+    };
+    EXPECT_EQ(thumbnail(Outcome::passed), "a/shot.png");
+    EXPECT_EQ(thumbnail(Outcome::failed), "a/failure-beside.png");
+}
+
 TEST(HtmlReporter, ARecordingThatIsNoneIsLeftOut) {
     Files files;
     WalkResult result = result_named("a");

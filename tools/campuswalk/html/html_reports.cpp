@@ -69,11 +69,17 @@ private:
 /// Finds campuses as walks name them: as they were in the run, else as they are now.
 class CampusFinder {
 public:
-    CampusFinder(fs::path output, ReportGeometry geometry, std::shared_ptr<SourceFiles> sources)
-        : output_(std::move(output)), geometry_(geometry), sources_(std::move(sources)) {}
+    CampusFinder(const HtmlRequest& request, std::shared_ptr<SourceFiles> sources)
+        : output_(request.output),
+          geometry_(request.geometry),
+          played_(request.campuses),
+          sources_(std::move(sources)) {}
 
     std::optional<engine::ReportCampus> find(const std::string& file) {
-        std::optional<engine::ReportCampus> campus = read_bundle(output_, file);
+        const auto played = played_.find(file);
+        std::optional<engine::ReportCampus> campus = played != played_.end()
+                                                         ? std::optional(bundled(*played->second, file))
+                                                         : read_bundle(output_, file);
         const bool wants_more =
             campus && geometry_ == ReportGeometry::exact && (campus->glb.empty() || campus->error > 0.0);
         if (!campus || wants_more) {
@@ -103,6 +109,12 @@ public:
     }
 
 private:
+    engine::ReportCampus bundled(const scene::Campus& campus, const std::string& file) const {
+        engine::ReportCampus shown = report_campus(campus, file, geometry_);
+        write_bundle(output_, file, shown);
+        return shown;
+    }
+
     std::optional<engine::ReportCampus> load(const std::string& file) {
         if (!sources_->may_read(file)) {
             return std::nullopt;
@@ -126,6 +138,7 @@ private:
 
     fs::path output_;
     ReportGeometry geometry_;
+    CampusesByFile played_;
     std::shared_ptr<SourceFiles> sources_;
     WalkLoader loader_;
 };
@@ -169,7 +182,7 @@ void write_campus_bundles(const fs::path& output, const CampusesByFile& campuses
 
 std::unique_ptr<engine::Reporter> make_html_reporter(const HtmlRequest& request, engine::TextSink sink) {
     const auto sources = std::make_shared<SourceFiles>(request.walks);
-    const auto campuses = std::make_shared<CampusFinder>(request.output, request.geometry, sources);
+    const auto campuses = std::make_shared<CampusFinder>(request, sources);
     engine::HtmlInputs inputs;
     inputs.viewer = viewer_bundle();
     inputs.title = request.title;

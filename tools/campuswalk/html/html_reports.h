@@ -31,6 +31,7 @@ void write_campus_bundles(const std::filesystem::path& output, const CampusesByF
 struct HtmlRequest {
     std::filesystem::path output = "out";  ///< where the walks' files and the campus bundles are
     ReportGeometry geometry = ReportGeometry::simplified;
+    CampusesByFile campuses;  ///< of a run that goes on: each is bundled when its first walk is shown
     std::string title;
     std::string command;                           ///< that made the run, if known
     std::vector<std::filesystem::path> walks;      ///< files that the user named: their projects may be read

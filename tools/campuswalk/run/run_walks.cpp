@@ -348,7 +348,9 @@ private:
         const std::unique_ptr<LastRunWriter> last_run = open_last_run(plan);
         const bool plays =
             std::ranges::any_of(plan.cases, [](const Case& each) { return each.walk != nullptr; });
-        if (records_for_reports()) {
+        const bool shows =
+            std::ranges::find(settings_.reports, "html", &ReportTarget::name) != settings_.reports.end();
+        if (records_for_reports() && !shows) {  // an html report bundles them itself, while walks are played
             write_campus_bundles(settings_.output, campuses_of(plan), options_.report_geometry);
         }
         Reports reports(settings_.reports, report_style(plan), plays);
@@ -379,6 +381,7 @@ private:
         HtmlRequest request;
         request.output = settings_.output;
         request.geometry = options_.report_geometry;
+        request.campuses = campuses_of(plan);
         request.title = title_of_run();
         request.command = "campuswalk run";
         for (const fs::path& path : options_.paths) {

@@ -7,7 +7,7 @@
 #include "engine/observers/cost_trace.h"
 #include "engine/observers/recording.h"
 #include "engine/observers/trajectory.h"
-#include "scene/base/atomic_file.h"
+#include "scene/base/new_file.h"
 
 namespace campuswalk::tools {
 
@@ -83,7 +83,7 @@ std::vector<engine::Artifact> Records::write(const std::filesystem::path& output
     std::vector<engine::Artifact> written;
     for (const auto& record : records_) {
         const std::string path = record_file(*record->kind, folder);
-        scene::write_file_atomically(output / path, record->text);
+        scene::write_new_file(output / path, record->text);
         written.push_back({record->kind->artifact, path, record->kind->media_type});
     }
     return written;
