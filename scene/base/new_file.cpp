@@ -1,9 +1,9 @@
 #include "scene/base/new_file.h"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -14,8 +14,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr mode_t kMode = 0666;  // less the process's mask
-
 [[noreturn]] void fail_to_write(const fs::path& file, const std::error_code& reason) {
     throw std::runtime_error("can't write '" + file.string() + "': " + reason.message());
 }
@@ -24,8 +22,9 @@ std::error_code error_of_call() {
     return {errno, std::generic_category()};
 }
 
-int create(const fs::path& file) {
-    return open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kMode);
+/// Null if there is such a file, or a link of this name.
+std::FILE* create(const fs::path& file) {
+    return std::fopen(file.c_str(), "wbxe");
 }
 
 /// Whether what hinders is out of the way: a file of this name, or a folder that is missing.
@@ -44,30 +43,19 @@ bool make_room(const fs::path& file) {
     return false;
 }
 
-bool write_all(int descriptor, std::string_view text) {
-    while (!text.empty()) {
-        const ssize_t written = write(descriptor, text.data(), text.size());
-        if (written < 0 && errno != EINTR) {
-            return false;
-        }
-        text.remove_prefix(written < 0 ? 0 : static_cast<std::size_t>(written));
-    }
-    return true;
-}
-
 }  // namespace
 
 void write_new_file(const fs::path& file, std::string_view text) {
-    int descriptor = create(file);
-    if (descriptor < 0 && make_room(file)) {
-        descriptor = create(file);
+    std::FILE* stream = create(file);
+    if (stream == nullptr && make_room(file)) {
+        stream = create(file);
     }
-    if (descriptor < 0) {
+    if (stream == nullptr) {
         fail_to_write(file, error_of_call());
     }
-    const bool written = write_all(descriptor, text);
+    const bool written = std::fwrite(text.data(), 1, text.size(), stream) == text.size();
     std::error_code reason = written ? std::error_code() : error_of_call();
-    if (close(descriptor) != 0 && !reason) {
+    if (std::fclose(stream) != 0 && !reason) {  // it flushes: a full disk may be noticed only here
         reason = error_of_call();
     }
     if (reason) {

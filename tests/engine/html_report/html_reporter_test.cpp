@@ -236,7 +236,7 @@ TEST(HtmlReporter, SaysWhatIsMissing) {
     EXPECT_EQ(page_of(inputs_of({}), {}, 0).index().at("walks"), Json::array());
 }
 
-TEST(HtmlReporter, AThumbnailShowsWhatWasInTheWay) {
+TEST(HtmlReporter, AThumbnailShowsTheObstacle) {
     const std::string png = from_base64(  // a red pixel
         "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGP4z8AAAAMBAQDJ/pLvAAAAAElFTkSuQmCC");
     Files files;

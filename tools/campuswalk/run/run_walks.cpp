@@ -293,15 +293,17 @@ private:
             require_writable_folder(settings_.output, message);  // nothing in it can be in the way
             return;
         }
-        std::set<fs::path> folders;
+        std::set<fs::path> recordings;  // many in one folder
         for (const Case& each : plan.cases) {
             if (each.walk) {
-                folders.insert(settings_.output / each.folder);
-                folders.insert((settings_.output / report_record_file(each.folder)).parent_path());
+                require_writable_folder(settings_.output / each.folder, message);
+                recordings.insert((settings_.output / report_record_file(each.folder)).parent_path());
             }
         }
-        for (const fs::path& folder : folders) {
-            require_writable_folder(folder, message);
+        if (records_for_reports()) {
+            for (const fs::path& folder : recordings) {
+                require_writable_folder(folder, message);
+            }
         }
     }
 
