@@ -36,9 +36,10 @@ class PageRun:
 
     def __init__(self, page, program, scratch):
         self.page, self.program, self.scratch = page, program, scratch
-        self.folder, self.code, self.base = scratch, 0, None
-        tools = os.path.join(scratch, ".tools")
+        self.folder, self.code, self.base = os.path.join(scratch, "page"), 0, None
+        tools = os.path.join(scratch, "tools")
         os.makedirs(tools)
+        os.makedirs(self.folder)
         os.symlink(program, os.path.join(tools, "campuswalk"))
         self.variables = {name: value for name, value in os.environ.items() if name not in STEERING}
         self.variables.update(PATH=tools + ":" + os.environ["PATH"], CAMPUSWALK=ROOT, LC_ALL="C.UTF-8")
@@ -46,7 +47,7 @@ class PageRun:
 
     def shell(self, command):
         """Runs it where the one before ended; what it prints, and its code in self.code."""
-        where = os.path.join(self.scratch, ".where")
+        where = os.path.join(self.scratch, "where")
         script = "%s\ncode=$?\npwd > %s\nexit $code\n" % (command, where)
         # By lines, as on a terminal: what goes to standard error comes where the reader sees it.
         done = subprocess.run(["stdbuf", "-oL", "bash", "-c", script], cwd=self.folder, env=self.variables, stdout=subprocess.PIPE,

@@ -3,6 +3,7 @@
 import json
 import os
 import subprocess
+import tempfile
 
 from . import command_lines, diagnostic_codes, event_tables, json_tables, sections
 
@@ -20,6 +21,13 @@ class Sources:
 
     def schema(self, name):
         return json.loads(self.text("config", "schema", name))
+
+    def initial(self, file):
+        """A file that `campuswalk init` writes."""
+        with tempfile.TemporaryDirectory(prefix="campuswalk-docs-") as folder:
+            subprocess.run([self.program, "init", folder], check=True, capture_output=True)
+            with open(os.path.join(folder, file), encoding="utf-8") as opened:
+                return opened.read()
 
     def output(self, *arguments):
         """What the program prints."""
@@ -73,6 +81,11 @@ def json_keys(sources, argument):
     return table(("key", "value", "meaning"), json_tables.rows(schemas, file, pointer))
 
 
+def initial_file(sources, argument):
+    language, file = argument.split(" ")
+    return "```%s\n%s```" % (language, sources.initial(file))
+
+
 GENERATORS = {
     "commands": commands,
     "error-codes": error_codes,
@@ -80,6 +93,7 @@ GENERATORS = {
     "events": events,
     "exit-codes": exit_codes,
     "failure-codes": failure_codes,
+    "initial-file": initial_file,
     "json": json_keys,
     "reporters": reporters,
     "section": section,
