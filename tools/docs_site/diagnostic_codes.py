@@ -21,6 +21,7 @@ FAILURES = {"not-evaluated", "not-identical"}
 
 _LITERAL = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
 _COMPARED = re.compile(r"(?:==\s*|has_lint\([^()]*)$")
+_PRINTED = re.compile(r"(error|warning) ([a-z]+(?:-[a-z0-9]+)+): ?(.*)")
 _COMMA = re.compile(r"\s*,\s*")
 _CODE = re.compile(r"[a-z]+(?:-[a-z0-9]+)+")
 _WARNS = re.compile(r"(?:\bwarn|warning)$")
@@ -90,6 +91,14 @@ class Use:
             self.message, end = _message(argument), start + len(argument)
 
 
+class PrintedUse:
+    """A code within the text of a whole diagnostic."""
+
+    def __init__(self, severity, message):
+        self.warns = severity == "warning"
+        self.message = message
+
+
 def uses(root):
     """code -> its uses."""
     found = {}
@@ -101,6 +110,9 @@ def uses(root):
                         text = without_comments(file.read())
                     for literal in _LITERAL.finditer(text):
                         word = literal[1]
+                        printed = _PRINTED.search(word)
+                        if printed:
+                            found.setdefault(printed[2], []).append(PrintedUse(printed[1], printed[3]))
                         if _COMPARED.search(text[max(0, literal.start() - 80):literal.start()]):
                             continue
                         if word in PLAIN_CODES or _CODE.fullmatch(word) and word not in NOT_CODES | FAILURES:
