@@ -5,6 +5,7 @@ import re
 _COLUMN = 30  # where help describes an option
 _RANGE = re.compile(r":(?:INT|FLOAT) in \[(\S+) - (\S+?)\]")
 _DEFAULT = re.compile(r"(?<=\S)=(\S+)$")
+_WORDS = re.compile(r"(?: |=)\[?=?((?:[a-z0-9_-]+\|)+[a-z0-9_-]+)\]?( \.\.\.)?$")
 _VARIABLE = re.compile(r" \(Env:(\w+)\)")
 _EXCLUDES = re.compile(r" Excludes: (\S+)")
 
@@ -49,6 +50,10 @@ def _row(spec, text):
         if match:
             more.append(words % match.groups())
             spec = spec[:match.start()] + spec[match.end():]
+    match = _WORDS.search(spec)
+    if match:
+        more.append(", ".join("`%s`" % word for word in match[1].split("|")))
+        spec = spec[:match.start()] + (match[2] or "")
     match = _DEFAULT.search(spec)
     if match and not spec.endswith(("[=FILE]", "]")):
         more.append("default `%s`" % match[1])
