@@ -14,6 +14,7 @@ A comment `<!-- test: … -->` before a snippet, or anywhere on its own, says mo
     base FILE             what fragments of YAML are part of
     same FILE             the YAML is what that file says, comments aside
     picture FILE          the next picture of the page is this one, which the commands have made
+    excerpt FILE          the text is from this file of the checkout, with ellipses
     skip REASON           the next snippet isn't run; its reason is printed
 """
 

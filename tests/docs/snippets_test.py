@@ -132,6 +132,11 @@ class PageRun:
             file.write(text)
         self.must_succeed("g++ -std=c++20 -fsyntax-only -Wall -Wextra -Werror -I'%s' -isystem /usr/include/eigen3 example.cpp" % ROOT)
 
+    def excerpt(self, text, name):
+        with open(os.path.join(ROOT, name), encoding="utf-8") as file:
+            if not snippets.matches(file.read(), text.splitlines()):
+                raise Fault("it isn't from " + name)
+
     def picture(self, picture):
         kept = os.path.normpath(os.path.join(ROOT, os.path.dirname(self.page), picture.target))
         printed = self.shell("campuswalk imgdiff '%s' '%s'" % (kept, picture.expected))
@@ -149,8 +154,10 @@ class PageRun:
             self.picture(part)
             self.count("picture")
             return
-        skip = next((each for each in part.directives if each.kind == "skip"), None)
-        if skip:
+        skip, excerpt = (next((each for each in part.directives if each.kind == kind), None) for kind in ("skip", "excerpt"))
+        if excerpt:
+            self.excerpt(part.text, excerpt.argument)
+        elif skip:
             self.skipped.append((part.line, skip.argument))
         elif part.language == "console":
             self.console(part.text)
@@ -162,7 +169,7 @@ class PageRun:
             self.compile(part.text)
         elif part.language not in NOT_RUN:
             raise Fault("nobody knows how to run '%s'" % part.language)
-        self.count("skipped" if skip else part.language)
+        self.count("skipped" if skip else "excerpt" if excerpt else part.language)
 
     def count(self, what):
         self.counts[what] = self.counts.get(what, 0) + 1

@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import subprocess
 import tempfile
 
@@ -75,6 +76,11 @@ def section(sources, argument):
     return sections.section(sources.text(file), os.path.dirname(file), heading)
 
 
+def opening(sources, file):
+    """What a document says between its title and its first table or section."""
+    return re.search(r"^# .*\n+(.*?)\n+(?=\||## )", sources.text(file), re.DOTALL)[1]
+
+
 def json_keys(sources, argument):
     file, _, pointer = argument.partition("#")
     schemas = {name: sources.schema(name) for name in os.listdir(os.path.join(sources.root, "config", "schema"))}
@@ -95,6 +101,7 @@ GENERATORS = {
     "failure-codes": failure_codes,
     "initial-file": initial_file,
     "json": json_keys,
+    "opening": opening,
     "reporters": reporters,
     "section": section,
 }

@@ -63,7 +63,7 @@ std::string events() {
   ray.enter .stay .exit           the visitor looks at an object, with nothing solid in between
   popup.open .close               a building's first contact has begun, its last one has ended
   avatar.spawn .teleport          the avatar was placed
-  avatar.arrive .blocked          a walk_to or follow has ended
+  avatar.arrive .blocked          a walk_to, go_to or follow has ended
   avatar.stuck                    it tried to move for a second and got less than 10 cm farther
   avatar.jump .crouch .stand      a step made the avatar jump, crouch or stand up
   avatar.landed .fell             the avatar has landed, or has fallen out of the world
