@@ -127,10 +127,13 @@ class PageRun:
         os.remove(self.path(trial))
 
     def compile(self, text):
-        """A whole program is compiled against the headers of the checkout."""
+        """A whole program is compiled against the headers of the checkout; false if nothing here can."""
+        if not shutil.which("g++") or not os.path.isdir("/usr/include/eigen3"):
+            return False
         with open(self.path("example.cpp"), "w", encoding="utf-8") as file:
             file.write(text)
         self.must_succeed("g++ -std=c++20 -fsyntax-only -Wall -Wextra -Werror -I'%s' -isystem /usr/include/eigen3 example.cpp" % ROOT)
+        return True
 
     def excerpt(self, text, name):
         with open(os.path.join(ROOT, name), encoding="utf-8") as file:
@@ -166,7 +169,8 @@ class PageRun:
         elif part.language == "yaml":
             self.yaml(part)
         elif part.language == "cpp":
-            self.compile(part.text)
+            if not self.compile(part.text):
+                self.skipped.append((part.line, "g++ and Eigen aren't here"))
         elif part.language not in NOT_RUN:
             raise Fault("nobody knows how to run '%s'" % part.language)
         self.count("skipped" if skip else "excerpt" if excerpt else part.language)

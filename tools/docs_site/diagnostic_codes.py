@@ -129,7 +129,7 @@ def rows(root):
         shown = [_in_cell(message) for message in messages[:_MOST_MESSAGES]]
         if len(messages) > _MOST_MESSAGES:
             shown.append("and others")
-        found.append(("`%s`{ #%s }" % (code, code), ", ".join(severities), "<br>".join(shown)))
+        found.append(("`%s`{ #%s }" % (code, code), ", ".join(severities), "<br>".join(shown) or "…"))
     return found
 
 
