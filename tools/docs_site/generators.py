@@ -78,7 +78,7 @@ def section(sources, argument):
 
 def opening(sources, file):
     """What a document says between its title and its first table or section."""
-    return re.search(r"^# .*\n+(.*?)\n+(?=\||## )", sources.text(file), re.DOTALL)[1]
+    return re.search(r"\A# [^\n]*\n+(.*?)\n+(?=\||## )", sources.text(file), re.DOTALL)[1]
 
 
 def json_keys(sources, argument):

@@ -32,7 +32,10 @@ def with_generated(text, sources, to_images):
 
     def fill(match):
         name, *arguments = match[1].split(" ", 1)
-        return GENERATORS[name](sources, *arguments)
+        made = GENERATORS[name](sources, *arguments)
+        if not made.strip():
+            raise SystemExit("docs: nothing is made of <!-- generated: %s -->" % match[1])
+        return made
 
     return FOR_TESTS.sub("", GENERATED.sub(fill, TO_PICTURES.sub(to_images, text)))
 
