@@ -65,6 +65,12 @@ class Reference(unittest.TestCase):
         self.assertEqual(sorted(seen - described), [], "in logs, but not in event_fields.toml")
         self.assertEqual(sorted(described - seen), [], "in event_fields.toml, but in no log")
 
+    def test_the_header_of_json_lines_is_that_described(self):
+        text = self.sources.text("engine", "observers", "json_lines.cpp").partition("void JsonLines::begin")[2].partition("\n}\n")[0]
+        keys = set(re.findall(r'\{"([a-z_]+)",|header\["([a-z_]+)"\]', text))
+        self.assertEqual({a or b for a, b in keys} | {"campus"}, {key for cell in re.findall(
+            r"(?m)^\| (.*?) \|", self.pages["events.md"].partition("| key of the header |")[2]) for key in re.findall(r"`([a-z_]+)`", cell)})
+
     def fields_of_real_walks(self):
         seen = set()
         walks = [(ROOT, os.path.join(base, name)) for base, _, names in os.walk(os.path.join(ROOT, "config", "walks"))

@@ -161,6 +161,8 @@ class PageRun:
         if excerpt:
             self.excerpt(part.text, excerpt.argument)
         elif skip:
+            if part.language == "yaml":
+                yaml.safe_load(part.text)
             self.skipped.append((part.line, skip.argument))
         elif part.language == "console":
             self.console(part.text)
