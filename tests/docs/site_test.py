@@ -130,7 +130,7 @@ class Site(unittest.TestCase):
             with open(os.path.join(self.site, name), encoding="utf-8") as file:
                 text = file.read()
             with self.subTest(page=name):
-                self.assertNotRegex(text, r"<!-- (?:generated|test|keys)")
+                self.assertNotRegex(text, r"<!-- (?:generated|test|keys|in the)")
 
     def test_every_page_is_in_the_navigation(self):
         linked = {self.local("index.html", link)[0] for link in self.pages["index.html"].links if self.local("index.html", link)}

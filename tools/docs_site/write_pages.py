@@ -6,7 +6,7 @@ In a page, a line
     <!-- generated: NAME ARGUMENTS -->
 
 is replaced by what `generators.py` makes of it: so a key, an event, an option or a code is described only where it is
-defined. `<!-- test: ... -->`, which tests/docs/snippets_test.py reads, is left out.
+defined. `<!-- test: ... -->`, which tests/docs/snippets_test.py reads, is left out, and so is a paragraph after `<!-- in the repository -->`.
 """
 
 import argparse
@@ -22,7 +22,7 @@ from docs_site.generators import GENERATORS, Sources  # noqa: E402  (the path fi
 
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 GENERATED = re.compile(r"^<!-- generated: (.+?) -->$", re.MULTILINE)
-FOR_TESTS = re.compile(r"^<!-- test: .*? -->\n", re.MULTILINE | re.DOTALL)
+FOR_OTHERS = re.compile(r"^<!-- test: .*? -->\n|^<!-- in the repository -->\n.*?\n\n", re.MULTILINE | re.DOTALL)
 PICTURES = "campus_assets/pictures"  # which README shows, too
 TO_PICTURES = re.compile(r"(?<=\]\()(?:\.\./)+%s(?=/)" % PICTURES)
 
@@ -37,7 +37,7 @@ def with_generated(text, sources, to_images):
             raise SystemExit("docs: nothing is made of <!-- generated: %s -->" % match[1])
         return made
 
-    return FOR_TESTS.sub("", GENERATED.sub(fill, TO_PICTURES.sub(to_images, text)))
+    return FOR_OTHERS.sub("", GENERATED.sub(fill, TO_PICTURES.sub(to_images, text)))
 
 
 def main():
