@@ -22,6 +22,7 @@ FAILURES = {"not-evaluated", "not-identical"}
 _LITERAL = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
 _COMPARED = re.compile(r"(?:==\s*|has_lint\([^()]*)$")
 _PRINTED = re.compile(r"(error|warning) ([a-z]+(?:-[a-z0-9]+)+): ?(.*)")
+_LATER = re.compile(r"\bmessage = ")
 _COMMA = re.compile(r"\s*,\s*")
 _CODE = re.compile(r"[a-z]+(?:-[a-z0-9]+)+")
 _WARNS = re.compile(r"(?:\bwarn|warning)$")
@@ -63,8 +64,18 @@ def _argument(text, offset):
     return text[offset:i]
 
 
+def _without_choices(argument):
+    """The expression with each (a ? b : c) as a value."""
+    before = None
+    while before != argument:
+        before = argument
+        argument = re.sub(r'\([^()"]*\)', " v ", argument)
+    return re.sub(r"\([^()]*\?[^()]*\)", " v ", argument)
+
+
 def _message(argument):
     """The words of an expression that joins literals and values; a value is an ellipsis."""
+    argument = _without_choices(argument)
     words, end = [], 0
     for literal in _LITERAL.finditer(argument):
         if re.search(r"[\w)]", argument[end:literal.start()]):
@@ -89,6 +100,9 @@ class Use:
             start = _COMMA.match(text, end).end()
             argument = _argument(text, start)
             self.message, end = _message(argument), start + len(argument)
+        if not self.message:  # one that is put together later, in the same function
+            later = _LATER.search(text, end, max(end, text.find("\n}\n", end)))
+            self.message = _message(_argument(text, later.end())) if later else ""
 
 
 class PrintedUse:
