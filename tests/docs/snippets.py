@@ -6,6 +6,7 @@
     ```yaml         a file, if the first line is `# NAME`: it is written, and validated where campuswalk can; otherwise keys
                     that replace those of the page's base file, which must validate then
     ```cpp          a program, which is compiled
+    ```json         lines of JSON, which are parsed
     ```text         not run; `ini`, `cmake` and `groovy` neither
 
 A comment `<!-- test: … -->` before a snippet, or anywhere on its own, says more:

@@ -5,6 +5,7 @@
 """
 
 import argparse
+import json
 import os
 import shutil
 import subprocess
@@ -21,7 +22,7 @@ import snippets  # noqa: E402  (the path first)
 
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 VALIDATED = (".walk.yaml", ".campus.yaml", ".avatar.yaml", ".light.yaml", ".steps.yaml")
-NOT_RUN = {"text", "ini", "cmake", "groovy", "json"}
+NOT_RUN = {"text", "ini", "cmake", "groovy"}
 # What changes which walks run, or what they may write.
 STEERING = ("CI", "CAMPUSWALK_SHARD_INDEX", "CAMPUSWALK_SHARD_COUNT", "TEST_SHARD_INDEX", "TEST_TOTAL_SHARDS",
             "SLURM_ARRAY_TASK_ID", "JOB_COMPLETION_INDEX", "CAMPUSWALK_RUN_KEY", "GITHUB_STEP_SUMMARY")
@@ -173,6 +174,9 @@ class PageRun:
         elif part.language == "cpp":
             if not self.compile(part.text):
                 self.skipped.append((part.line, "g++ and Eigen aren't here"))
+        elif part.language == "json":
+            for line in part.text.splitlines():
+                json.loads(line)
         elif part.language not in NOT_RUN:
             raise Fault("nobody knows how to run '%s'" % part.language)
         self.count("skipped" if skip else "excerpt" if excerpt else part.language)
@@ -192,7 +196,7 @@ def run_page(page, program):
         for part in parts:
             try:
                 run.run(part)
-            except (Fault, ValueError, OSError, yaml.YAMLError, subprocess.TimeoutExpired) as error:
+            except (Fault, ValueError, OSError, KeyError, yaml.YAMLError, subprocess.TimeoutExpired) as error:
                 faults.append("%s:%d: %s" % (page, part.line, error))
                 break  # what follows may need it
     finally:
