@@ -124,7 +124,7 @@ std::ptrdiff_t HtmlReporter::campus_of(const WalkResult& result, const std::opti
 void HtmlReporter::add_campus(const ReportCampus& campus) {
     std::string geometry = "null";
     if (!campus.glb.empty()) {
-        geometry = dumped({{"chunk", page_.add_data(campus.glb)},
+        geometry = dumped({{"chunk", page_.add_packed(campus.glb)},
                            {"kind", campus.error > 0.0 ? "simplified" : "exact"},
                            {"error", campus.error}});
     }

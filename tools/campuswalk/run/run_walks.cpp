@@ -274,17 +274,34 @@ private:
             if (settings_.update != UpdateSnapshots::none) {
                 check_golden_folder(golden_log_file(each.result.file, each.result.project).parent_path());
             }
-            if (each.walk && (images_ || !settings_.records.empty())) {  // a failure is drawn, too
-                require_writable_folder(
-                    settings_.output / each.folder,
-                    std::string(images_ ? "pictures" : "records") + " can't be saved here");
-            }
+        }
+        if (images_ || !settings_.records.empty()) {  // a failure is drawn, too
+            check_folders_of_walks(plan);
         }
         if (records_for_reports()) {
             require_writable_folder(settings_.output / "campuses", "campuses can't be saved here");
         }
         if (!settings_.single) {
             require_writable_file(last_run_file(settings_.output), "results can't be saved here");
+        }
+    }
+
+    void check_folders_of_walks(const Plan& plan) const {
+        const std::string message = std::string(images_ ? "pictures" : "records") + " can't be saved here";
+        std::error_code ignored;
+        if (fs::symlink_status(settings_.output, ignored).type() == fs::file_type::not_found) {
+            require_writable_folder(settings_.output, message);  // nothing in it can be in the way
+            return;
+        }
+        std::set<fs::path> folders;
+        for (const Case& each : plan.cases) {
+            if (each.walk) {
+                folders.insert(settings_.output / each.folder);
+                folders.insert((settings_.output / report_record_file(each.folder)).parent_path());
+            }
+        }
+        for (const fs::path& folder : folders) {
+            require_writable_folder(folder, message);
         }
     }
 
