@@ -8,7 +8,7 @@ import { fileURLToPath, pathToFileURL } from 'node:url';
 import { build } from 'esbuild';
 
 const root = process.env.CAMPUSWALK_ROOT ?? resolve(dirname(fileURLToPath(import.meta.url)), '../..');
-const viewer = process.env.CAMPUSWALK_VIEWER ?? join(root, 'tools/viewer'); // with the packages that it needs
+const sources = process.env.CAMPUSWALK_VIEWER_SOURCES ?? join(root, 'tools/viewer/src'); // beside the packages that they need
 let folder;
 const modules = {};
 
@@ -28,8 +28,8 @@ before(async () => {
     'scene/triangle_tree',
   ];
   await build({
-    entryPoints: names.map((name) => join(viewer, 'src', `${name}.ts`)),
-    outbase: join(viewer, 'src'),
+    entryPoints: names.map((name) => join(sources, `${name}.ts`)),
+    outbase: sources,
     outdir: folder,
     outExtension: { '.js': '.mjs' },
     bundle: true,

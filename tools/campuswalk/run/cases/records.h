@@ -16,8 +16,8 @@ namespace campuswalk::tools {
 struct RecordKind {
     const char* name = "";      ///< as `run --record` takes it
     const char* artifact = "";  ///< its name in results
-    const char* before = "";    ///< the walk's folder in the file's path
-    const char* after = "";     ///< it
+    const char* before = "";    ///< what its path has before the walk's folder
+    const char* after = "";     ///< and after it
     const char* media_type = "";
     std::unique_ptr<engine::Observer> (*make)(engine::LineSink, const scene::Campus&) = nullptr;
 };
