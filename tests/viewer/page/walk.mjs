@@ -23,6 +23,25 @@ function trajectory(name) {
 }
 
 describe('a walk', () => {
+  test('is opened by its address, though the page is about to write its own', async () => {
+    const shown = await open(browser, reports.report);
+    await shown.evaluate(() => {
+      // The page's next delayed work runs when told, which is between an address and the event that tells of it.
+      const later = window.setTimeout;
+      let write = () => {};
+      window.setTimeout = (work) => ((write = work), 1);
+      const filter = document.querySelector('.filter-box');
+      filter.value = 's:failed';
+      filter.dispatchEvent(new Event('input'));
+      window.setTimeout = later;
+      location.hash = '#walk=to-the-bench.walk.yaml';
+      write();
+    });
+    await shown.waitForSelector('.transport .primary');
+    assert.match(await shown.locator('.walk-title').textContent(), /to-the-bench/);
+    await shown.context().close();
+  });
+
   test('is opened by its row, and by its address at a time', async () => {
     await page.click('.walk-link:has-text("first-tour")');
     await page.waitForSelector('.walk');

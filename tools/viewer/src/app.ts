@@ -211,6 +211,8 @@ export class App {
     let waiting = 0;
     const write = (): void => {
       waiting = 0;
+      // Someone has gone elsewhere, and `follow` is about to be told: that address mustn't be lost.
+      if (location.hash !== this.written) return;
       const { page, walk, tick, playing, query, against, camera } = this.store.state;
       const row = this.report.index.walks[walk];
       if (playing || (page === 'walk' && (!row || !this.walk))) return;
