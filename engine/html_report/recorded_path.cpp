@@ -15,10 +15,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kApart = 1.0;  // millimetres, along an axis
+constexpr double kTellApart = 1.0;  // millimetres, along an axis
 // What a walk can't come to: a year of ticks, and a thousand million metres or turns.
 constexpr std::int64_t kMostTicks = std::int64_t{1} << 31U;
-constexpr std::int64_t kMost = std::int64_t{1} << 40U;
+constexpr std::int64_t kMostUnits = std::int64_t{1} << 40U;
 
 Vector3d point(const RecordedPath::Key& key) {
     return {static_cast<double>(key.at[0]), static_cast<double>(key.at[1]), static_cast<double>(key.at[2])};
@@ -65,7 +65,7 @@ std::optional<RecordedPath> path_of(const Json& recording) {
     std::array<std::vector<std::int64_t>, 5> columns;
     constexpr std::array<const char*, 5> kNames = {"x", "y", "z", "yaw", "pitch"};
     for (std::size_t i = 0; i < columns.size(); ++i) {
-        columns[i] = summed(stored, kNames[i], kMost);
+        columns[i] = summed(stored, kNames[i], kMostUnits);
         if (columns[i].size() != ticks.size()) {
             return std::nullopt;
         }
@@ -89,7 +89,7 @@ std::optional<RecordedPath> path_of(const Json& recording) {
 }
 
 bool are_apart(const RecordedPath& a, const RecordedPath& b, Tick tick) {
-    return (a.at(tick) - b.at(tick)).cwiseAbs().maxCoeff() > kApart;
+    return (a.at(tick) - b.at(tick)).cwiseAbs().maxCoeff() > kTellApart;
 }
 
 /// The first tick after `together` and up to `end` at which they are apart, if both are straight in between.

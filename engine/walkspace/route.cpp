@@ -27,7 +27,7 @@ constexpr Tick kFewTicks = 5;
 constexpr double kSlide = 0.1;
 /// A straight piece may end this far above or below the node that it is headed for, metres: less than the
 /// way between two floors, more than a step.
-constexpr double kSameGround = 0.35;
+constexpr double kSameFloor = 0.35;
 /// Falls that differ by less are the same, metres.
 constexpr double kSameFall = 0.1;
 /// Ticks more than the chain takes that a straight piece may take: one that slides along a wall is no gain.
@@ -337,7 +337,7 @@ private:
 
     bool is_near_target(const Vec3& foot) const {
         return flat(target_.point - foot).norm() <= kNearTarget &&
-               (!target_.has_height || std::abs(foot.y() - target_.point.y()) <= kTargetLevel + kSameGround);
+               (!target_.has_height || std::abs(foot.y() - target_.point.y()) <= kTargetLevel + kSameFloor);
     }
 
     std::vector<ChainNode> chain_to(const WalkSpace& space) {
@@ -422,7 +422,7 @@ private:
         const auto end = trial_.walk(state_, pull.piece, most, may_touch);
         if (!end ||
             (!last &&
-             (!end->state.grounded || std::abs(end->state.foot.y() - goal.at.foot.y()) > kSameGround)) ||
+             (!end->state.grounded || std::abs(end->state.foot.y() - goal.at.foot.y()) > kSameFloor)) ||
             end->falls > std::max(kHarmlessFall, falls_of_chain(at, node)) + kSameFall) {
             return std::nullopt;
         }

@@ -17,7 +17,7 @@ using collision::Vec3;
 namespace {
 
 /// Between two places that are looked at, metres.
-constexpr double kApart = 0.03;
+constexpr double kSpacing = 0.03;
 /// Cosine of how far what stands at a side may be from straight left or right.
 constexpr double kSideways = 0.95;
 /// What leans more than this is ground or ceiling, no side: rise over run of the nearest way to it.
@@ -106,7 +106,7 @@ RouteFacts facts_of(const Route& route, const collision::World& world, const col
     bool first = true;
     for (std::size_t i = 1; i < route.path.size(); ++i) {
         const Vec3 ahead = flat(route.path[i] - route.path[i - 1]);
-        const bool far = (route.path[i] - last).norm() >= kApart;
+        const bool far = (route.path[i] - last).norm() >= kSpacing;
         if (ahead.norm() > 0.0 && (first || far || i + 1 == route.path.size())) {
             survey.look(route.path[i], ahead.normalized());
             last = route.path[i];

@@ -12,7 +12,7 @@
 namespace campuswalk::engine::render {
 namespace {
 
-constexpr const char* kAdvice =
+constexpr const char* kEglAdvice =
     "install Mesa 18 or newer (Debian, Ubuntu: apt install libegl1 libgl1-mesa-dri; Fedora: dnf install "
     "mesa-libEGL mesa-dri-drivers)";
 
@@ -30,18 +30,18 @@ struct EglLibrary {
     PFNEGLQUERYDEVICESEXTPROC query_devices = nullptr;
 };
 
-EglLibrary open_library() {
+EglLibrary open_egl() {
     const DynamicLibrary library({"libEGL.so.1", "libEGL.so"},
-                                 std::string("the library libEGL.so.1 can't be opened: ") + kAdvice);
+                                 std::string("the library libEGL.so.1 can't be opened: ") + kEglAdvice);
     EglLibrary egl;
-    library.load("eglGetProcAddress", egl.proc_address, kAdvice);
-    library.load("eglQueryString", egl.query_string, kAdvice);
-    library.load("eglInitialize", egl.initialize, kAdvice);
-    library.load("eglBindAPI", egl.bind_api, kAdvice);
-    library.load("eglChooseConfig", egl.choose_config, kAdvice);
-    library.load("eglCreateContext", egl.create_context, kAdvice);
-    library.load("eglDestroyContext", egl.destroy_context, kAdvice);
-    library.load("eglMakeCurrent", egl.make_current, kAdvice);
+    library.load("eglGetProcAddress", egl.proc_address, kEglAdvice);
+    library.load("eglQueryString", egl.query_string, kEglAdvice);
+    library.load("eglInitialize", egl.initialize, kEglAdvice);
+    library.load("eglBindAPI", egl.bind_api, kEglAdvice);
+    library.load("eglChooseConfig", egl.choose_config, kEglAdvice);
+    library.load("eglCreateContext", egl.create_context, kEglAdvice);
+    library.load("eglDestroyContext", egl.destroy_context, kEglAdvice);
+    library.load("eglMakeCurrent", egl.make_current, kEglAdvice);
     egl.platform_display =
         reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(egl.proc_address("eglGetPlatformDisplayEXT"));
     egl.query_devices = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(egl.proc_address("eglQueryDevicesEXT"));
@@ -76,12 +76,12 @@ EGLDisplay open_display(const EglLibrary& egl) {
             return display;
         }
     }
-    throw RenderError(std::string("libEGL has no driver that can render without a window: ") + kAdvice);
+    throw RenderError(std::string("libEGL has no driver that can render without a window: ") + kEglAdvice);
 }
 
 class EglContext final : public GlContext {
 public:
-    EglContext() : egl_(open_library()), display_(open_display(egl_)) {
+    EglContext() : egl_(open_egl()), display_(open_display(egl_)) {
         egl_.bind_api(EGL_OPENGL_API);
         const std::array<EGLint, 7> attributes = {EGL_CONTEXT_MAJOR_VERSION,
                                                   3,
@@ -92,7 +92,7 @@ public:
                                                   EGL_NONE};
         context_ = egl_.create_context(display_, config(), EGL_NO_CONTEXT, attributes.data());
         if (context_ == EGL_NO_CONTEXT) {
-            throw RenderError(std::string("EGL can't create an OpenGL 3.3 core context: ") + kAdvice);
+            throw RenderError(std::string("EGL can't create an OpenGL 3.3 core context: ") + kEglAdvice);
         }
         EglContext::make_current();
     }

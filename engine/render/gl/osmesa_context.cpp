@@ -19,7 +19,7 @@ struct OsMesaLibrary {
     OSMESAproc (*proc_address)(const char* name) = nullptr;
 };
 
-OsMesaLibrary open_library() {
+OsMesaLibrary open_osmesa() {
     const DynamicLibrary library(
         {"libOSMesa.so.8", "libOSMesa.so"},
         "Mesa's off-screen library libOSMesa.so.8 can't be opened: install it (Debian, Ubuntu: apt install "
@@ -35,7 +35,7 @@ OsMesaLibrary open_library() {
 
 class OsMesaContext final : public GlContext {
 public:
-    OsMesaContext() : library_(open_library()) {
+    OsMesaContext() : library_(open_osmesa()) {
         // No depth or stencil buffer, as nothing is drawn to the default framebuffer.
         const std::array<int, 15> attributes = {OSMESA_FORMAT,
                                                 OSMESA_RGBA,

@@ -14,7 +14,7 @@ using support::add_box;
 using support::add_object;
 using support::PenetrationOracle;
 
-constexpr double kGravity = 9.81;
+constexpr double kStandardGravity = 9.81;
 
 /// A body in the middle of a floor to which each test adds obstacles.
 class MoverBody : public ::testing::Test {
@@ -50,18 +50,18 @@ TEST_F(MoverBody, AJumpIsAParabolaAtAnyRate) {
     for (const double rate : {30.0, 60.0, 120.0, 240.0}) {
         state_ = start;
         ASSERT_TRUE(mover_.jump(state_, 4.0));
-        const int ticks = static_cast<int>(std::floor(2.0 * 4.0 / kGravity * rate));
+        const int ticks = static_cast<int>(std::floor(2.0 * 4.0 / kStandardGravity * rate));
         for (int i = 1; i <= ticks; ++i) {
             tick({1.0, 0, 0}, rate);
             const double t = i / rate;
-            ASSERT_NEAR(state_.foot.y() - start.foot.y(), 4.0 * t - 0.5 * kGravity * t * t, 1e-9) << rate;
+            ASSERT_NEAR(state_.foot.y() - start.foot.y(), 4.0 * t - 0.5 * kStandardGravity * t * t, 1e-9) << rate;
             ASSERT_NEAR(state_.foot.x(), t, 1e-9);
             ASSERT_FALSE(state_.grounded);
         }
         tick({1.0, 0, 0}, rate);
         EXPECT_TRUE(state_.grounded);
         EXPECT_TRUE(trace_.landed);
-        EXPECT_NEAR(trace_.fall_height, 4.0 * 4.0 / (2.0 * kGravity), 0.05);
+        EXPECT_NEAR(trace_.fall_height, 4.0 * 4.0 / (2.0 * kStandardGravity), 0.05);
     }
 }
 

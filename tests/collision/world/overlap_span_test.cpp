@@ -16,14 +16,14 @@ using support::add_object;
 using support::Dice;
 using support::Line;
 
-constexpr double kRadius = 0.3;
+constexpr double kBodyRadius = 0.3;
 
 Segment placement_at(const Vec3& foot) {
-    return {foot + Vec3(0, kRadius, 0), foot + Vec3(0, 1.5, 0)};
+    return {foot + Vec3(0, kBodyRadius, 0), foot + Vec3(0, 1.5, 0)};
 }
 
 std::optional<OverlapSpan> span_of(const World& world, ObjectId id, const Vec3& from, const Vec3& move) {
-    return overlap_span(world, id, placement_at(from), kRadius, move);
+    return overlap_span(world, id, placement_at(from), kBodyRadius, move);
 }
 
 /// The interval where a convex function is negative, by bisection from both ends.
@@ -70,7 +70,7 @@ TEST(OverlapSpan, OfASolidAgreesWithThePlainDistance) {
         const Vec3 move = dice.in_cube(2.0) - from;
         const Segment body = placement_at(from);
         const auto gap_at = [&](double f) {
-            return support::signed_distance(object, Line{body.a + f * move, body.b + f * move}) - kRadius;
+            return support::signed_distance(object, Line{body.a + f * move, body.b + f * move}) - kBodyRadius;
         };
         if (!clear_cut(gap_at)) {
             continue;
@@ -98,7 +98,7 @@ TEST(OverlapSpan, OfATriangleAgreesWithThePlainDistance) {
         const Vec3 move = dice.in_cube(2.0) - from;
         const Segment body = placement_at(from);
         const auto gap_at = [&](double f) {
-            return support::distance(Line{body.a + f * move, body.b + f * move}, rounded) - kRadius;
+            return support::distance(Line{body.a + f * move, body.b + f * move}, rounded) - kBodyRadius;
         };
         if (!clear_cut(gap_at)) {
             continue;

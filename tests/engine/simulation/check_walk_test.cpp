@@ -15,7 +15,7 @@ using support::says;
 using testing::ElementsAre;
 
 /// A floor, a wall in a separate layer, a table 0.4 m high and a door's trigger.
-scene::Campus furnished_campus() {
+scene::Campus furnished_room() {
     scene::Campus campus = level_campus();
     add_building(campus, "library");
     add_box(campus, "library/walls", {4, 0, -2}, {6, 3, 2}, {Detection::solid, "library", true, "buildings"});
@@ -26,7 +26,7 @@ scene::Campus furnished_campus() {
 
 std::vector<std::string> diagnostics(const Walk& walk) {
     std::vector<std::string> reported;
-    for (const scene::Diagnostic& diagnostic : check_walk(furnished_campus(), walk)) {
+    for (const scene::Diagnostic& diagnostic : check_walk(furnished_room(), walk)) {
         reported.push_back(scene::to_string(diagnostic));
     }
     return reported;
@@ -121,7 +121,7 @@ TEST(CheckWalk, ReportsEverythingAtOnce) {
     walk.expectations = {
         expect_sequence({"popup.open library", "popup.open librari", "collision.enter tabel"}),
         expect_never("popup.close l?b")};
-    const std::vector<scene::Diagnostic> found = check_walk(furnished_campus(), walk);
+    const std::vector<scene::Diagnostic> found = check_walk(furnished_room(), walk);
     std::vector<std::string> codes;
     for (const scene::Diagnostic& diagnostic : found) {
         codes.push_back(diagnostic.code);

@@ -13,8 +13,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kFreeFall = 9.81;
-constexpr double kRadius = 0.3;
-constexpr double kTickLength = 1.4 / 60.0;
+constexpr double kFallerRadius = 0.3;
+constexpr double kFallerTick = 1.4 / 60.0;
 
 /// The height of a body `ticks` after it began to fall from `height`.
 double fallen(double height, Tick ticks, int ticks_per_second = 60) {
@@ -53,10 +53,10 @@ TEST(Falls, OffALedgeAreLoggedWithTheirHeight) {
     const auto lands = result.recorder.events("avatar.landed");
     ASSERT_EQ(lands.size(), 1U);
     // The capsule rolls over the edge until its centre is a radius beyond; from there it falls.
-    const double beyond = std::floor((1.0 + kRadius) / kTickLength) * kTickLength - 1.0;
-    const double rolled = kRadius - std::sqrt(kRadius * kRadius - beyond * beyond);
+    const double beyond = std::floor((1.0 + kFallerRadius) / kFallerTick) * kFallerTick - 1.0;
+    const double rolled = kFallerRadius - std::sqrt(kFallerRadius * kFallerRadius - beyond * beyond);
     EXPECT_NEAR(field<Decimal>(lands[0], "height").value, 3.0 - rolled, 2e-3);
-    const auto last_supported = static_cast<Tick>(std::floor((1.0 + kRadius) / kTickLength));
+    const auto last_supported = static_cast<Tick>(std::floor((1.0 + kFallerRadius) / kFallerTick));
     EXPECT_TRUE(result.recorder.at(last_supported).grounded);
     EXPECT_FALSE(result.recorder.at(last_supported + 1).grounded);
     const double fall = std::sqrt(2.0 * (3.0 - rolled) / kFreeFall) * 60.0;

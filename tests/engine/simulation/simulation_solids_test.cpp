@@ -14,8 +14,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kSkin = 0.02;
-constexpr double kRadius = 0.3;
-constexpr double kTickLength = 1.4 / 60.0;
+constexpr double kWalkerRadius = 0.3;
+constexpr double kWalkerTick = 1.4 / 60.0;
 
 TEST(Solids, AreTouchedAtTheSkinsWidthAndLeftOnTheReturn) {
     const RecordedRun result = run(
@@ -23,9 +23,9 @@ TEST(Solids, AreTouchedAtTheSkinsWidthAndLeftOnTheReturn) {
     EXPECT_EQ(result.recorder.event_lines(),
               std::vector<std::string>({"collision.enter wall", "avatar.stuck stroll", "collision.stay wall",
                                         "avatar.blocked goal", "collision.exit wall", "avatar.arrive home"}));
-    const double distance = 3.0 - kRadius;
+    const double distance = 3.0 - kWalkerRadius;
     const Event enter = result.recorder.events("collision.enter")[0];
-    EXPECT_EQ(enter.tick, static_cast<Tick>(std::ceil((distance - kSkin - 1e-3) / kTickLength)));
+    EXPECT_EQ(enter.tick, static_cast<Tick>(std::ceil((distance - kSkin - 1e-3) / kWalkerTick)));
     EXPECT_EQ(enter.at, 1.0);
     EXPECT_FALSE(has_field(enter, "at"));
     const Event blocked = result.recorder.events("avatar.blocked")[0];
@@ -41,7 +41,7 @@ TEST(Solids, AreTouchedAtTheSkinsWidthAndLeftOnTheReturn) {
 TEST(Solids, AreTouchedCloserThanTheyAreLeft) {
     // 0.7 mm per tick, from 10 mm away to where contact begins, and back.
     constexpr double kCreep = 0.0007;
-    const double stop = 3.0 - kRadius - kSkin;
+    const double stop = 3.0 - kWalkerRadius - kSkin;
     const RecordedRun result = run(
         walled_campus(), walk_of({spawn_at({0, 0, -stop + 0.010}), walk_to_or_proceed(0, -10, kCreep * 60),
                                   walk_to_or_proceed(0, 0, kCreep * 60)}));
@@ -67,7 +67,7 @@ TEST(Solids, AreOneContactAlongTheWholeWall) {
     for (const Recorder::TickState& state : result.recorder.states()) {
         const Vector3d foot = state.avatar.position;
         if (state.tick > enter.tick && state.tick < exit.tick && foot.x() < 5.0) {
-            ASSERT_NEAR(foot.z(), -(3.0 - kRadius - kSkin), 1.1e-3) << "tick " << state.tick;
+            ASSERT_NEAR(foot.z(), -(3.0 - kWalkerRadius - kSkin), 1.1e-3) << "tick " << state.tick;
         }
     }
 }

@@ -15,7 +15,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using Lines = std::vector<std::string>;
 
-const ObjectTraits kTrigger{Detection::trigger, "", true, ""};
+const ObjectTraits kSwitched{Detection::trigger, "", true, ""};
 const ObjectTraits kLookedAt{Detection::ray, "", true, ""};
 
 std::string cause_of(const Event& event) {
@@ -57,7 +57,7 @@ TEST(Disable, EndsEveryContactAtOnceAndLogsTheCause) {
 
 TEST(Disable, ExitsATriggerAroundTheAvatar) {
     scene::Campus campus = level_campus();
-    add_box(campus, "zone", {-1, 0, -1}, {1, 2, 1}, kTrigger);
+    add_box(campus, "zone", {-1, 0, -1}, {1, 2, 1}, kSwitched);
     const RecordedRun result = run(campus, walk_of({spawn_at({0, 0, 0}), wait_for(0.1), disable("zone"),
                                                     wait_for(0.1), enable("zone"), wait_for(0.1)}));
     EXPECT_EQ(result.recorder.event_lines(),
@@ -97,7 +97,7 @@ TEST(Disable, MakesTheAvatarFallIfItStandsOnTheObject) {
 
 TEST(Disable, LogsNothingForDisabledObjects) {
     scene::Campus campus = level_campus();
-    add_box(campus, "zone", {-1, 0, -1}, {1, 2, 1}, kTrigger);
+    add_box(campus, "zone", {-1, 0, -1}, {1, 2, 1}, kSwitched);
     const RecordedRun result =
         run(campus,
             walk_of({spawn_at({5, 0, 0}), enable("zone"), disable("zone"), disable("z*"), wait_for(0.1)}));
@@ -146,7 +146,7 @@ TEST(WaitUntil, EndsInTheTickOfTheEvent) {
 
 TEST(WaitUntil, SeesEventsOfAnEnableStepBeforeIt) {
     scene::Campus campus = level_campus();
-    add_box(campus, "zone", {-1, 0, -1}, {1, 2, 1}, kTrigger);
+    add_box(campus, "zone", {-1, 0, -1}, {1, 2, 1}, kSwitched);
     const RecordedRun result = run(campus, walk_of({spawn_at({0, 0, 0}), disable("zone"), wait_for(0.5),
                                                     enable("zone"), wait_until("trigger.enter zone", 2.0)}));
     EXPECT_TRUE(result.summary.passed);
@@ -155,7 +155,7 @@ TEST(WaitUntil, SeesEventsOfAnEnableStepBeforeIt) {
 
 TEST(WaitUntil, IgnoresEarlierEvents) {
     scene::Campus campus = level_campus();
-    add_box(campus, "zone", {-1, 0, -1}, {1, 2, 1}, kTrigger);
+    add_box(campus, "zone", {-1, 0, -1}, {1, 2, 1}, kSwitched);
     WaitUntilStep wait = wait_until("trigger.enter zone", 2.0);
     wait.mark = {"a.walk.yaml", 6, 3};
     const RecordedRun result =
