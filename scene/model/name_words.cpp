@@ -63,16 +63,43 @@ constexpr std::array kStairsSuffixes = {"treppe", "treppen", "stufen"};
 constexpr std::array kStairsCharacters = {"楼梯", "階段", "계단"};
 
 constexpr std::array kSurroundings = {
-    "tree",      "trees", "hedge",  "hedges",  "bush",     "bushes",   "plant",   "plants",   "vegetation",
-    "grass",     "lawn",  "forest", "path",    "paths",    "road",     "roads",   "street",   "streets",
-    "kerb",      "curb",  "way",    "track",   "sidewalk", "pavement", "footway", "terrain",  "ground",
-    "landscape", "hill",  "floor",  "ceiling", "wall",     "walls",    "fence",   "fences",   "railing",
-    "water",     "lake",  "river",  "pond",    "sea",      "sky",      "skybox",  "platform", "stage",
-    "stairs",    "steps", "ramp",   "lamp",    "lamps",    "light",    "lights",  "fountain", "bench",
-    "benches",   "car",   "cars",   "truck",   "bus",      "column",   "columns", "pillar",   "pole",
-    "baum",      "bäume", "hecke",  "weg",     "straße",   "strasse",  "gelände", "boden",    "wiese",
-    "mauer",     "zaun",  "arbre",  "route",   "chemin",   "mur",      "sol",     "arbol",    "árbol",
-    "calle",     "suelo", "muro",   "door",    "doors",    "window",   "windows", "furniture"};
+    "tree",       "trees",  "hedge",   "hedges",   "bush",      "bushes",  "plant",    "plants",   "grass",
+    "lawn",       "forest", "path",    "paths",    "road",      "roads",   "street",   "streets",  "kerb",
+    "curb",       "way",    "track",   "sidewalk", "pavement",  "footway", "terrain",  "ground",   "hill",
+    "fence",      "fences", "railing", "railings", "landscape", "water",   "lake",     "river",    "pond",
+    "sea",        "sky",    "skybox",  "platform", "stage",     "stairs",  "steps",    "ramp",     "lamp",
+    "lamps",      "light",  "lights",  "fountain", "bench",     "benches", "car",      "cars",     "truck",
+    "trucks",     "bus",    "van",     "bike",     "bikes",     "bicycle", "bicycles", "vehicle",  "vehicles",
+    "vegetation", "pole",   "flag",    "flags",    "flagpole",  "banner",  "marking",  "markings", "decal",
+    "decals",     "sign",   "signs",   "chair",    "chairs",    "table",   "tables",   "desk",     "desks",
+    "furniture",  "bed",    "sofa",    "shelf",    "shelves",   "cabinet", "parking",  "baum",     "bäume",
+    "hecke",      "weg",    "straße",  "strasse",  "gelände",   "wiese",   "zaun",     "laterne",  "bank",
+    "auto",       "arbre",  "route",   "chemin",   "clôture",   "arbol",   "árbol",    "calle",    "valla",
+    "дерево",     "дорога", "забор",   "земля"};
+constexpr std::array kSurroundingsCharacters = {"树", "樹", "道路", "地面", "草地", "나무", "도로", "지면"};
+
+constexpr std::array kBuildings = {
+    "building", "buildings", "house",    "houses",   "hall",    "library",   "school", "faculty", "institute",
+    "lab",      "labs",      "gym",      "theatre",  "theater", "museum",    "church", "chapel",  "tower",
+    "pavilion", "centre",    "center",   "station",  "hotel",   "dormitory", "garage", "office",  "offices",
+    "cafe",     "canteen",   "shop",     "hospital", "haus",    "gebäude",   "halle",  "turm",    "mensa",
+    "bâtiment", "maison",    "edificio", "casa",     "здание",  "дом"};
+constexpr std::array kBuildingsSuffixes = {"house", "haus", "gebäude", "gebaeude", "halle", "bibliothek"};
+
+constexpr std::array kBuildingParts = {
+    "wall",    "walls",    "floor",   "floors", "ceiling", "ceilings", "roof",    "roofs",   "column",
+    "columns", "pillar",   "pillars", "window", "windows", "door",     "doors",   "room",    "rooms",
+    "storey",  "story",    "level",   "facade", "façade",  "balcony",  "beam",    "beams",   "slab",
+    "slabs",   "glass",    "frame",   "frames", "stair",   "corridor", "lobby",   "shaft",   "lift",
+    "wand",    "wände",    "mauer",   "boden",  "decke",   "dach",     "fenster", "raum",    "zimmer",
+    "etage",   "geschoss", "mur",     "murs",   "sol",     "plafond",  "toit",    "fenêtre", "salle",
+    "muro",    "muros",    "suelo",   "techo",  "ventana", "стена",    "крыша",   "окно",    "комната"};
+
+constexpr std::array kDefaultNames = {
+    "cube",  "box",      "cylinder",  "plane",    "sphere",      "mesh",    "object", "obj",
+    "group", "node",     "component", "polygon",  "polysurface", "surface", "solid",  "shape",
+    "line",  "extrude",  "empty",     "collider", "geometry",    "poly",    "model",  "scene",
+    "root",  "instance", "element",   "body",     "part",        "entity",  "default"};
 
 bool is_hexadecimal(char c) {
     return is_digit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
@@ -142,7 +169,24 @@ bool is_stairs_name(std::string_view name) {
 
 bool is_surroundings_name(std::string_view name) {
     const std::vector<std::string> words = words_of(name);
-    return std::ranges::any_of(words, [](const std::string& w) { return is_one_of(w, kSurroundings); });
+    const bool building = std::ranges::any_of(words, [](const std::string& w) {
+        return is_one_of(w, kBuildings) || ends_with_one_of(w, kBuildingsSuffixes);
+    });
+    const bool surroundings =
+        std::ranges::any_of(words, [](const std::string& w) { return is_one_of(w, kSurroundings); });
+    return !building && (surroundings || has_one_of(name, kSurroundingsCharacters));
+}
+
+bool is_building_part_name(std::string_view name) {
+    const std::vector<std::string> words = words_of(name);
+    return is_door_name(name) ||
+           std::ranges::any_of(words, [](const std::string& w) { return is_one_of(w, kBuildingParts); });
+}
+
+bool is_default_name(std::string_view name) {
+    const std::vector<std::string> words = words_of(name);
+    return std::ranges::all_of(
+        words, [](const std::string& w) { return w.size() == 1 || is_one_of(w, kDefaultNames); });
 }
 
 bool is_identifier(std::string_view name) {

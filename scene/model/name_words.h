@@ -19,8 +19,15 @@ bool is_door_name(std::string_view name);
 /// Whether it means stairs, in the same languages.
 bool is_stairs_name(std::string_view name);
 
-/// Whether it means something other than a building: plants, paths, terrain, water, walls, furniture.
+/// Whether it means something other than a building: plants, paths, terrain, water, fences, vehicles, flags,
+/// markings, furniture. False if it also means a building: `Lake House`, `bus station`.
 bool is_surroundings_name(std::string_view name);
+
+/// Whether it means a part of a building: walls, floors, storeys, rooms, roofs, windows, doors, columns.
+bool is_building_part_name(std::string_view name);
+
+/// Whether it says only how something was modelled: `Cube.012`, `Mesh_4`, `Group 7`.
+bool is_default_name(std::string_view name);
 
 /// Whether it is an identifier instead of a name: a GUID, a long hexadecimal number, IFC's 22 characters of
 /// base64, or digits only.

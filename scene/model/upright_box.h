@@ -13,6 +13,8 @@ struct UprightBox {
     Eigen::Vector3d along = Eigen::Vector3d::UnitX();  ///< unit, horizontal
     Eigen::Vector3d across() const { return {-along.z(), 0.0, along.x()}; }  ///< +Z if along is +X
 
+    double footprint() const { return size.x() * size.z(); }  ///< m²
+
     /// The distance of an inner point to the nearest face; negative outside.
     double depth_of(const Eigen::Vector3d& point) const;
 };

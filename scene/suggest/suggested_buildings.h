@@ -9,17 +9,19 @@
 
 namespace campuswalk::scene {
 
-/// A named node that is probably a building.
+/// What is probably a building, named as a person would.
 struct SuggestedBuilding {
-    std::string id;    ///< kebab-case, unique; `building-1`, … if the name is an identifier
-    std::string node;  ///< its name, which is unique
-    std::string glob;  ///< matches this node only
-    UprightBox box;    ///< world
+    std::string id;     ///< kebab-case, unique; `building-1`, … if nothing names it
+    std::string title;  ///< what names it in the model; `Building 1`, … if nothing does
+    /// Match its nodes and no others; empty if they can't be told by their names.
+    std::vector<std::string> globs;
+    bool is_one_node = true;  ///< with its subtree
+    UprightBox box;           ///< world
 };
 
-/// The topmost nodes with a unique name that have the height of a storey, the width of a room, and walls, are
-/// not most of the model, and are not named as surroundings (is_surroundings_name). The forty with the
-/// largest footprint, in the order of the file.
+/// The buildings of find_buildings in the order of the file: all whose names say something, and of the others
+/// the forty with the largest footprint. A name is the node's own, that of a group which holds all of the
+/// building and no other, or the beginning that its nodes' names share; that of the file if there is but one.
 std::vector<SuggestedBuilding> suggest_buildings(const Model& model, const ModelReport& report);
 
 }  // namespace campuswalk::scene

@@ -36,8 +36,8 @@ THIRD_PARTY = [
 ]
 
 
-# In ufaz/ it is the lift's shaft, which looks like a building.
-WITH_BUILDINGS = ("testarea.obj", "outdoor_campus.obj", "ufaz-floor.obj", "ufaz.obj")
+# Stairs, hills, a cave, and a hall without a roof that may as well be a fence.
+WITHOUT_BUILDINGS = ("nist_stairs_120", "undulating", "dungeon", "sports.obj")
 
 
 def box(x0, y0, z0, x1, y1, z1):
@@ -102,16 +102,20 @@ class Suggest(ProgramCase):
         self.assertRegex(out, "(?m)^1 closed door .*\n0 warnings ")
         campus = self.read("new.campus.yaml").decode()
         self.assertIn('{file: "hut.obj", scale: 0.01}', campus)
-        self.assertIn('{id: world, nodes: "*", except: ["Tür"], shape: mesh, mode: solid}', campus)
+        self.assertIn('{id: "hut", building: "hut", except: "Tür", each: true, shape: mesh, mode: solid', campus)
         # In through the door and out again; a solid door blocks the avatar.
         self.write("door.walk.yaml", "campus: new.campus.yaml\navatar: adult\nsteps:\n  - spawn: {at: [0, 0, -1]}\n"
                    "  - walk_to: [0, 0, -6]\n  - walk_to: [0, 0, -1]\n")
         self.passes("run", "door.walk.yaml")
-        self.write("new.campus.yaml", campus.replace(', except: ["Tür"]', ""))
+        self.write("new.campus.yaml", campus.replace(', except: "Tür"', ""))
         stuck = self.run_program("run", "door.walk.yaml")
         self.assertEqual(stuck.code, 1, stuck.out)
-        # The door's node is named, though all nodes are one object.
-        self.assertIn('why="world (Tür) stands in the way at 0.00, ', stuck.out)
+        self.assertIn('why="hut/tür (Tür) stands in the way at 0.00, ', stuck.out)
+        # So does the suggested walk tell that somebody closed the door.
+        self.assertIn('sequence: ["trigger.enter hut/inside"]', self.read("new.walk.yaml").decode())
+        closed = self.run_program("run", "new.walk.yaml")
+        self.assertEqual(closed.code, 1, closed.out)
+        self.assertIn("hut/tür", closed.out)
 
     def test_nothing_is_overwritten_without_a_flag(self):
         for taken in ("new.campus.yaml", "new.walk.yaml"):
@@ -147,12 +151,12 @@ class Suggest(ProgramCase):
         self.assertRegex(campus, r"start: \{at: \[-?[0-9.]+, 0\.000, ")
         self.assertIn("avatar.arrive", log)
 
-    def test_identifiers_become_numbered_names(self):
+    def test_an_only_building_without_a_name_is_called_like_its_file(self):
         guid = "b31bcc29d-00ba-11e6-b420-2bdcc4ab5d7f"
         self.write("hut.obj", HUT.replace("Hut_1", guid))
         campus, log = self.suggest("hut.obj")
-        self.assertIn('{id: "building-1", nodes: "%s", title: "Building 1"}' % guid, campus)
-        self.assertRegex(log, r"popup\.open +building-1")
+        self.assertIn('{id: "hut", nodes: "%s", title: "hut"}' % guid, campus)
+        self.assertRegex(log, r"popup\.open +hut")
 
     def test_the_visitor_starts_outside_and_faces_the_building(self):
         campus, log = self.suggest("hut.obj")
@@ -163,6 +167,21 @@ class Suggest(ProgramCase):
         to_hut = (0 - x, -6 - z)
         cosine = (ahead[0] * to_hut[0] + ahead[1] * to_hut[1]) / math.hypot(*to_hut)
         self.assertGreater(cosine, 0.0)  # doesn't turn its back to it
+
+    def test_each_building_of_the_demo_campus_is_found(self):
+        campus, _ = self.suggest(os.path.join(ROOT, "campus_assets", "demo", "buildings.glb"))
+        titles = re.findall(r'(?m)^  - \{id: .*title: "(.*)"\}$', campus)
+        self.assertEqual(titles, ["gatehouse", "library", "theatre", "cafeteria", "admin", "science", "gallery",
+                                  "clock_tower", "dorm", "sports_hall", "greenhouse", "observatory", "pavilion"])
+        for name in ("furniture", "vegetation"):
+            self.assertNotIn("buildings:", self.suggest(
+                os.path.join(ROOT, "campus_assets", "demo", name + ".glb"), "--overwrite")[0])
+
+    def test_the_walk_enters_the_school_that_init_writes(self):
+        self.passes("init", "school")
+        campus, log = self.suggest(os.path.join("school", "school.obj"))
+        self.assertIn('{id: "library", nodes: ["library_walls", "library_desk"], title: "library"}', campus)
+        self.assertRegex(log, r"trigger\.enter +library/inside")
 
     def test_suggestions_for_the_demo_campus_walk(self):
         for name in ("ground", "buildings", "furniture", "vegetation"):
@@ -179,7 +198,7 @@ class Suggest(ProgramCase):
                 campus, log = self.suggest(model, "--overwrite")
                 self.assertIn("avatar.arrive", log)
                 self.assertNotIn("avatar.depenetrated", log)
-                has_buildings = any(name in model for name in WITH_BUILDINGS)
+                has_buildings = not any(name in model for name in WITHOUT_BUILDINGS)
                 self.assertEqual("buildings:" in campus, has_buildings)
 
 

@@ -54,7 +54,8 @@ TEST_F(MoverBody, AJumpIsAParabolaAtAnyRate) {
         for (int i = 1; i <= ticks; ++i) {
             tick({1.0, 0, 0}, rate);
             const double t = i / rate;
-            ASSERT_NEAR(state_.foot.y() - start.foot.y(), 4.0 * t - 0.5 * kStandardGravity * t * t, 1e-9) << rate;
+            ASSERT_NEAR(state_.foot.y() - start.foot.y(), 4.0 * t - 0.5 * kStandardGravity * t * t, 1e-9)
+                << rate;
             ASSERT_NEAR(state_.foot.x(), t, 1e-9);
             ASSERT_FALSE(state_.grounded);
         }

@@ -44,49 +44,57 @@ std::vector<int> warned_lines(const Walk& walk) {
 }
 
 TEST(CheckGoTo, SaysWhyNotMeasured) {
-    const auto found = check_go_to(fenced_yard(), walk_of({spawn_at({0, 0, 0}), go_to_at_line(7, 0, -8, 0.45)}), nullptr);
+    const auto found =
+        check_go_to(fenced_yard(), walk_of({spawn_at({0, 0, 0}), go_to_at_line(7, 0, -8, 0.45)}), nullptr);
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].mark, (scene::SourceMark{"a.walk.yaml", 7, 12}));
     EXPECT_THAT(found[0].message, HasSubstr("goal-7 can't be reached: riser of 0.45 m at stage"));
 }
 
 TEST(CheckGoTo, GoesOnFromTheLastPlaceOnTheGround) {
-    EXPECT_THAT(warned_lines(walk_of({spawn_at({0, 0, 0}), go_to_at_line(1, 0, -8, 0.45), go_to_at_line(2, 3, 3),
-                                      go_to_at_line(3, 0, 9), go_to_at_line(4, -3, 3)})),
-                ElementsAre(1, 3));
+    EXPECT_THAT(
+        warned_lines(walk_of({spawn_at({0, 0, 0}), go_to_at_line(1, 0, -8, 0.45), go_to_at_line(2, 3, 3),
+                              go_to_at_line(3, 0, 9), go_to_at_line(4, -3, 3)})),
+        ElementsAre(1, 3));
 }
 
 TEST(CheckGoTo, IsAskedFromWhereTheAvatarIsThen) {
-    EXPECT_THAT(warned_lines(walk_of({spawn_at({0, 0, 0}), teleport_to({0, 0.45, -8}), go_to_at_line(1, 2, -8, 0.45),
-                                      walk_to(2, 0), go_to_at_line(2, 0, -8, 0.45)})),
+    EXPECT_THAT(
+        warned_lines(walk_of({spawn_at({0, 0, 0}), teleport_to({0, 0.45, -8}), go_to_at_line(1, 2, -8, 0.45),
+                              walk_to(2, 0), go_to_at_line(2, 0, -8, 0.45)})),
+        ElementsAre(2));
+    EXPECT_THAT(warned_lines(walk_of({spawn_at({0, 0, 9}), go_to_at_line(1, 0, 8), go_to_at_line(2, 0, 0)})),
                 ElementsAre(2));
-    EXPECT_THAT(warned_lines(walk_of({spawn_at({0, 0, 9}), go_to_at_line(1, 0, 8), go_to_at_line(2, 0, 0)})), ElementsAre(2));
-    EXPECT_THAT(warned_lines(walk_of({spawn_at({0, 0, -4.5}), jump_up(4.0, 2.0), go_to_at_line(1, 0, -8, 0.45)})),
-                IsEmpty())
+    EXPECT_THAT(
+        warned_lines(walk_of({spawn_at({0, 0, -4.5}), jump_up(4.0, 2.0), go_to_at_line(1, 0, -8, 0.45)})),
+        IsEmpty())
         << "it jumped onto the stage";
 }
 
 TEST(CheckGoTo, HeedsWhatIsSwitchedByThen) {
-    EXPECT_THAT(warned_lines(walk_of(
-                    {spawn_at({0, 0, 9}), disable("gate"), go_to_at_line(1, 0, 0), enable("gate"), go_to_at_line(2, 0, 9)})),
+    EXPECT_THAT(warned_lines(walk_of({spawn_at({0, 0, 9}), disable("gate"), go_to_at_line(1, 0, 0),
+                                      enable("gate"), go_to_at_line(2, 0, 9)})),
                 ElementsAre(2));
 }
 
 TEST(CheckGoTo, WarnsOncePerStepOfARepeat) {
-    EXPECT_THAT(warned_lines(walk_of(
-                    {spawn_at({0, 0, 0}), go_to_at_line(1, 0, 9), go_to_at_line(2, 3, 3), go_to_at_line(1, 0, 9), go_to_at_line(2, 3, 3)})),
+    EXPECT_THAT(warned_lines(walk_of({spawn_at({0, 0, 0}), go_to_at_line(1, 0, 9), go_to_at_line(2, 3, 3),
+                                      go_to_at_line(1, 0, 9), go_to_at_line(2, 3, 3)})),
                 ElementsAre(1));
 }
 
 TEST(CheckGoTo, DoesNotGuessAfterAStepThatEndsTheWalk) {
-    EXPECT_THAT(warned_lines(walk_of({spawn_at({0, 0, 0}), walk_to(0, -8), go_to_at_line(1, 0, 9)})), IsEmpty());
+    EXPECT_THAT(warned_lines(walk_of({spawn_at({0, 0, 0}), walk_to(0, -8), go_to_at_line(1, 0, 9)})),
+                IsEmpty());
     WalkToStep may_fail = walk_to(0, -8);
     may_fail.if_blocked = IfBlocked::proceed;
-    EXPECT_THAT(warned_lines(walk_of({spawn_at({0, 0, 0}), may_fail, go_to_at_line(1, 0, 9)})), ElementsAre(1));
+    EXPECT_THAT(warned_lines(walk_of({spawn_at({0, 0, 0}), may_fail, go_to_at_line(1, 0, 9)})),
+                ElementsAre(1));
 }
 
 TEST(CheckGoTo, IgnoresExpectationsAndWhatMustFail) {
-    Walk walk = walk_of({spawn_at({0, 0, 0}), ExpectStep{{}, {expect_never("walk.start")}}, go_to_at_line(1, 0, 9)});
+    Walk walk =
+        walk_of({spawn_at({0, 0, 0}), ExpectStep{{}, {expect_never("walk.start")}}, go_to_at_line(1, 0, 9)});
     walk.expectations = {expect_never("walk.start")};
     EXPECT_THAT(warned_lines(walk), ElementsAre(1)) << "after an expectation that fails";
     walk.status.kind = WalkStatus::Kind::xfail;
@@ -102,7 +110,8 @@ TEST(CheckGoTo, IgnoresExpectationsAndWhatMustFail) {
 
 TEST(CheckGoTo, PlaysNothingAfterTheLastOne) {
     // Standing still for a hundred million ticks would take a minute.
-    EXPECT_THAT(warned_lines(walk_of({spawn_at({0, 0, 0}), go_to_at_line(1, 3, 3), wait_for(1e6)})), IsEmpty());
+    EXPECT_THAT(warned_lines(walk_of({spawn_at({0, 0, 0}), go_to_at_line(1, 3, 3), wait_for(1e6)})),
+                IsEmpty());
     EXPECT_THAT(warned_lines(walk_of({spawn_at({0, 0, 0}), wait_for(1e6)})), IsEmpty());
 }
 

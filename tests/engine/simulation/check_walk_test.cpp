@@ -53,6 +53,16 @@ TEST(CheckWalk, AcceptsAPlaceThatIsFreeUpToHalfAMetreAbove) {
     EXPECT_EQ(diagnostics(walk_of({spawn_at({-5, -0.15, 0})})).size(), 1U);
 }
 
+TEST(CheckWalk, WarnsOfASpawnInTheAir) {
+    EXPECT_EQ(diagnostics(walk_of({spawn_at({0, 2.4, 0})})), Diagnostics());
+    EXPECT_THAT(diagnostics(walk_of({marked(spawn_at({-5, 30.4, 0}, 0.0, "roof"), 12)})),
+                ElementsAre(says("a.walk.yaml:12:5: warning spawn-in-air", {"roof", "30.00 m above table"})));
+    EXPECT_THAT(diagnostics(walk_of({spawn_at({5000, 0, 0})})),
+                ElementsAre(says(": warning spawn-in-air", {"over nothing"})));
+    // Its edge is enough to stand on.
+    EXPECT_EQ(diagnostics(walk_of({spawn_at({-6.2, 0.4, 0})})), Diagnostics());
+}
+
 TEST(CheckWalk, RejectsASpawnInAWall) {
     EXPECT_THAT(diagnostics(walk_of({marked(spawn_at({5, 0.25, 0.5}, 0.0, "main-gate"), 12)})),
                 ElementsAre(says("a.walk.yaml:12:5: error spawn-blocked",
@@ -71,7 +81,8 @@ TEST(CheckWalk, AcceptsATeleportThatCanBePushedOutOfAWall) {
 }
 
 TEST(CheckWalk, UsesTheWalksOwnAvatar) {
-    Walk low = walk_of({spawn_at({5, -1.1, 0})});
+    // Below the floor, into which an adult's head reaches.
+    Walk low = walk_of({spawn_at({0, 0, 0}), marked(teleport_to({5, -1.1, 0}), 14)});
     EXPECT_EQ(diagnostics(low).size(), 1U);
     low.avatar.height = 1.0;
     low.avatar.radius = 0.1;

@@ -49,9 +49,27 @@ TEST(NameWords, RecognizesIdentifiers) {
 TEST(NameWords, RecognizesSurroundings) {
     EXPECT_TRUE(is_surroundings_name("hedge_04"));
     EXPECT_TRUE(is_surroundings_name("StreetLamp"));
-    EXPECT_TRUE(is_surroundings_name("wall_0"));
-    EXPECT_FALSE(is_surroundings_name("Wallace_Hall"));
+    EXPECT_TRUE(is_surroundings_name("樟树_3"));
+    EXPECT_FALSE(is_surroundings_name("wall_0"));
+    EXPECT_FALSE(is_surroundings_name("Lake House"));
+    EXPECT_FALSE(is_surroundings_name("bus station"));
     EXPECT_FALSE(is_surroundings_name("greenhouse"));
+}
+
+TEST(NameWords, RecognizesPartsOfBuildings) {
+    EXPECT_TRUE(is_building_part_name("Library_wall_2"));
+    EXPECT_TRUE(is_building_part_name("Haustür"));
+    EXPECT_TRUE(is_building_part_name("room 17"));
+    EXPECT_FALSE(is_building_part_name("Wallace_Hall"));
+    EXPECT_FALSE(is_building_part_name("Library"));
+}
+
+TEST(NameWords, RecognizesNamesThatSayNothing) {
+    for (const char* name : {"Cube", "Cube.012", "Mesh_4", "Group 7", "polySurface12", "3", ""}) {
+        EXPECT_TRUE(is_default_name(name)) << name;
+    }
+    EXPECT_FALSE(is_default_name("Library"));
+    EXPECT_FALSE(is_default_name("Library mesh"));
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ TEST(SuggestedBuildings, HaveTheSizeOfHouses) {
     const auto buildings = suggest(model);
     ASSERT_EQ(buildings.size(), 2U);
     EXPECT_EQ(buildings[0].id, "main-library");
-    EXPECT_EQ(buildings[0].node, "Main Library");
+    EXPECT_EQ(buildings[0].title, "Main Library");
     EXPECT_TRUE(buildings[0].box.center.isApprox(Vector3d(10, 4.5, 6)));
     EXPECT_TRUE(buildings[0].box.size.isApprox(Vector3d(20, 9, 12)));
     EXPECT_EQ(buildings[1].id, "kiosk");
@@ -83,12 +83,16 @@ TEST(SuggestedBuildings, AreNotNamedAsSurroundings) {
     EXPECT_EQ(ids_of(model), Ids{"treehouse"});
 }
 
-TEST(SuggestedBuildings, HaveUniqueNames) {
+TEST(SuggestedBuildings, AreToldByTheirBoxesWhereNamesAreShared) {
     Model model = with_lawn();
     test::add_box(model, "hall", {0, 0, 0}, {8, 4, 8});
     test::add_box(model, "hall", {20, 0, 0}, {28, 4, 8});
     test::add_box(model, "nodes[7]", {-20, 0, 0}, {-12, 4, 8});
-    EXPECT_EQ(ids_of(model), Ids{});
+    const auto buildings = suggest(model);
+    EXPECT_EQ(ids_of(model), (Ids{"hall", "hall-2", "building-1"}));
+    for (const SuggestedBuilding& building : buildings) {
+        EXPECT_TRUE(building.globs.empty()) << building.id;
+    }
 }
 
 TEST(SuggestedBuildings, AreNumberedIfTheirNamesAreIdentifiers) {
@@ -100,7 +104,8 @@ TEST(SuggestedBuildings, AreNumberedIfTheirNamesAreIdentifiers) {
     const auto buildings = suggest(model);
     ASSERT_EQ(buildings.size(), 3U);
     EXPECT_EQ(buildings[0].id, "building-1");
-    EXPECT_EQ(buildings[0].node, guid);
+    EXPECT_EQ(buildings[0].title, "Building 1");
+    EXPECT_EQ(buildings[0].globs, std::vector<std::string>{guid});
     std::vector<std::string> ids = ids_of(model);
     std::sort(ids.begin(), ids.end());
     EXPECT_EQ(std::unique(ids.begin(), ids.end()), ids.end());
@@ -120,27 +125,43 @@ TEST(SuggestedBuildings, HaveGlobsThatMatchNothingElse) {
     test::add_box(model, "Hall [A]*", {0, 0, 0}, {8, 4, 8});
     test::add_box(model, "Hall A", {20, 0, 0}, {28, 4, 8});
     for (const SuggestedBuilding& building : suggest(model)) {
-        const std::vector<std::size_t> matched = match_nodes(model, building.glob);
-        ASSERT_EQ(matched.size(), 1U) << building.glob;
-        EXPECT_EQ(model.nodes[matched[0]].name, building.node);
+        ASSERT_EQ(building.globs.size(), 1U);
+        const std::vector<std::size_t> matched = match_nodes(model, building.globs[0]);
+        ASSERT_EQ(matched.size(), 1U) << building.globs[0];
+        EXPECT_EQ(model.nodes[matched[0]].name, building.title);
     }
 }
 
-TEST(SuggestedBuildings, AreTheFortyLargestInFileOrder) {
+TEST(SuggestedBuildings, WithoutNamesAreTheFortyLargestInFileOrder) {
     Model model;
     for (int i = 0; i < 50; ++i) {
-        const double size = 3.0 + 0.1 * ((i * 7) % 50);
-        test::add_box(model, "house_" + std::to_string(i), {20.0 * i, 0, 0}, {20.0 * i + size, 4, size});
+        const double size = 4.0 + 0.1 * ((i * 7) % 50);
+        test::add_box(model, "Cube." + std::to_string(100 + i), {20.0 * i, 0, 0}, {20.0 * i + size, 4, size});
     }
+    test::add_box(model, "kiosk", {-20, 0, 0}, {-16, 3, 4});
     const auto buildings = suggest(model);
-    ASSERT_EQ(buildings.size(), 40U);
+    ASSERT_EQ(buildings.size(), 41U);
     int last = -1;
-    for (const SuggestedBuilding& building : buildings) {
-        const int number = std::stoi(building.node.substr(6));
+    for (std::size_t i = 0; i < 40; ++i) {
+        ASSERT_EQ(buildings[i].globs.size(), 1U);
+        const int number = std::stoi(buildings[i].globs[0].substr(5)) - 100;
         EXPECT_GT(number, last);
         EXPECT_GE((number * 7) % 50, 10);  // the ten smallest are left out
+        EXPECT_EQ(buildings[i].title, "Building " + std::to_string(i + 1));
         last = number;
     }
+    EXPECT_EQ(buildings[40].title, "kiosk");
+}
+
+TEST(SuggestedBuildings, AreAllThatHaveNames) {
+    Model model;
+    const auto group = static_cast<int>(test::add_group(model, "Buildings"));
+    for (int i = 0; i < 453; ++i) {
+        const double x = 20.0 * (i % 25);
+        const double z = 20.0 * (i / 25);
+        test::add_box(model, "hall " + std::to_string(i), {x, 0, z}, {x + 8, 4, z + 8}, group);
+    }
+    EXPECT_EQ(suggest(model).size(), 453U);
 }
 
 TEST(SuggestedBuildings, HaveRotatedBoxes) {

@@ -1,5 +1,6 @@
 #include "tools/campuswalk/loading/walk_loader.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "collision/world/bullet_broad_phase.h"
@@ -67,10 +68,13 @@ LoadedWalk WalkLoader::ready(config::SharedRun run) {
     loaded.routes = built.routes;
     loaded.walk = std::move(run.walk);
     loaded.walk.origin = loaded.campus->origin;
+    std::vector<scene::Diagnostic> found = engine::check_walk(*loaded.campus, loaded.walk);
+    const auto errors = std::ranges::stable_partition(
+        found, [](const scene::Diagnostic& each) { return each.severity == scene::Severity::warning; });
+    warnings.insert(warnings.end(), found.begin(), errors.begin());
     warn_(warnings);
-    if (std::vector<scene::Diagnostic> errors = engine::check_walk(*loaded.campus, loaded.walk);
-        !errors.empty()) {
-        throw scene::InputError(std::move(errors));
+    if (!errors.empty()) {
+        throw scene::InputError(std::vector<scene::Diagnostic>(errors.begin(), errors.end()));
     }
     return loaded;
 }

@@ -1,11 +1,9 @@
 #include "tools/campuswalk/suggest/campus_text.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "engine/events/decimals.h"
-#include "scene/model/name_words.h"
 #include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/base/text.h"
 
@@ -30,26 +28,79 @@ std::string box_yaml(const scene::UprightBox& box) {
            (box.along.z() == 0.0 ? "" : ", yaw_deg: " + fixed(yaw_deg, 2));
 }
 
-std::string except_yaml(const std::vector<scene::NodeGlob>& doors) {
-    std::vector<std::string> patterns;
-    for (const scene::NodeGlob& door : doors) {
-        patterns.push_back(quoted(door.pattern));
+/// One glob, or a list of them in lines that can be read.
+std::string globs_yaml(const std::vector<std::string>& globs) {
+    constexpr std::size_t kLineLength = 90;
+    if (globs.size() == 1) {
+        return quoted(globs[0]);
     }
-    return patterns.empty() ? "" : ", except: [" + joined(patterns, ", ") + "]";
+    std::string list = "[";
+    std::size_t line = 0;
+    for (std::size_t i = 0; i < globs.size(); ++i) {
+        const std::string glob = quoted(globs[i]) + (i + 1 < globs.size() ? "," : "]");
+        const bool wraps = line > 0 && line + glob.size() > kLineLength;
+        list += i == 0 ? "" : wraps ? "\n       " : " ";
+        list += glob;
+        line = (wraps ? 0 : line) + glob.size() + 1;
+    }
+    return list;
 }
 
-/// The node's name; Building 3 for `building-3` if the name is an identifier that nobody can read.
-std::string title_of(const scene::SuggestedBuilding& building) {
-    if (!scene::is_identifier(building.node)) {
-        return building.node;
+std::vector<std::string> patterns_of(const std::vector<scene::NodeGlob>& doors) {
+    std::vector<std::string> patterns;
+    for (const scene::NodeGlob& door : doors) {
+        patterns.push_back(door.pattern);
     }
-    std::string title = building.id;
-    std::ranges::replace(title, '-', ' ');
-    title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
-    return title;
+    return patterns;
+}
+
+std::string except_yaml(const std::vector<std::string>& globs) {
+    return globs.empty() ? "" : ", except: " + globs_yaml(globs);
+}
+
+/// What stops the visitor: each building and each other part by itself, so that the log names it.
+std::string solids_yaml(const SuggestedCampus& campus) {
+    const std::vector<std::string> doors = patterns_of(campus.doors);
+    std::string text;
+    std::vector<std::string> told = doors;
+    for (std::size_t b = 0; b < campus.buildings.size(); ++b) {
+        const scene::SuggestedBuilding& building = campus.buildings[b];
+        if (!building.globs.empty()) {
+            text += "  - {id: " + quoted(building.id) + ", building: " + quoted(building.id) +
+                    except_yaml(campus.doors_of[b]) + (building.is_one_node ? "" : ", each: true") +
+                    ", shape: mesh, mode: solid, popup: false}\n";
+            told.insert(told.end(), building.globs.begin(), building.globs.end());
+        }
+    }
+    if (!campus.solids.globs.empty()) {
+        text += "  - {id: part, nodes: " +
+                (campus.solids.are_the_rest ? quoted("*") + except_yaml(told)
+                                            : globs_yaml(campus.solids.globs) + except_yaml(doors)) +
+                ", each: true, shape: mesh, mode: solid}\n";
+        told.insert(told.end(), campus.solids.globs.begin(), campus.solids.globs.end());
+    }
+    if (!campus.solids.is_all) {
+        text += "  - {id: world, nodes: \"*\"" + except_yaml(told) + ", shape: mesh, mode: solid}\n";
+    }
+    return text;
 }
 
 }  // namespace
+
+std::optional<scene::UprightBox> trigger_inside(const scene::SuggestedBuilding& building) {
+    constexpr double kWall = 0.6;  // metres on either side
+    constexpr double kRoom = 1.0;  // metres
+    scene::UprightBox box = building.box;
+    box.size -= Eigen::Vector3d(2.0 * kWall, 0.0, 2.0 * kWall);
+    return std::min(box.size.x(), box.size.z()) >= kRoom ? std::optional(box) : std::nullopt;
+}
+
+collision::Aabb box_about(const scene::UprightBox& box) {
+    const Eigen::Vector3d half =
+        (0.5 * box.size.x() * box.along.cwiseAbs() + 0.5 * box.size.z() * box.across().cwiseAbs()) +
+        Eigen::Vector3d(0.0, 0.5 * box.size.y() + kWaist, 0.0);
+    return {box.center - half, box.center + half};
+}
 
 scene::UprightBox trigger_about(const scene::SuggestedBuilding& building) {
     scene::UprightBox box = building.box;
@@ -68,12 +119,13 @@ std::string campus_yaml(const SuggestedCampus& campus) {
     text += campus.origin.isZero(0.0) ? "" : "origin: {at: " + list_of(campus.origin) + "}\n";
     text += campus.buildings.empty() ? "" : "buildings:\n";
     for (const scene::SuggestedBuilding& building : campus.buildings) {
-        text += "  - {id: " + quoted(building.id) + ", nodes: " + quoted(building.glob) +
-                ", title: " + quoted(title_of(building)) + "}\n";
+        text += "  - {id: " + quoted(building.id) +
+                (building.globs.empty() ? "" : ", nodes: " + globs_yaml(building.globs)) +
+                ", title: " + quoted(building.title) + "}\n";
     }
     text += campus.doors.empty() ? "colliders:\n"
                                  : "colliders:\n  # Closed doors are left out: nobody could pass them.\n";
-    text += "  - {id: world, nodes: \"*\"" + except_yaml(campus.doors) + ", shape: mesh, mode: solid}\n";
+    text += solids_yaml(campus);
     if (campus.ground) {
         const scene::UprightBox box{campus.ground->center(), campus.ground->max - campus.ground->min,
                                     Eigen::Vector3d::UnitX()};
@@ -82,9 +134,17 @@ std::string campus_yaml(const SuggestedCampus& campus) {
             "  - {id: ground, " +
             box_yaml(box) + ", mode: solid}\n";
     }
-    for (const scene::SuggestedBuilding& building : campus.buildings) {
-        text += "  - {id: " + quoted(building.id + "/around") + ", building: " + quoted(building.id) + ", " +
-                box_yaml(trigger_about(building)) + ", mode: trigger}\n";
+    for (std::size_t b = 0; b < campus.buildings.size(); ++b) {
+        const scene::SuggestedBuilding& building = campus.buildings[b];
+        const auto add_trigger = [&](const char* name, const scene::UprightBox& box, const char* more) {
+            text += "  - {id: " + quoted(building.id + name) + ", building: " + quoted(building.id) + ", " +
+                    box_yaml(box) + ", mode: trigger" + more + "}\n";
+        };
+        add_trigger("/around", trigger_about(building), "");
+        const std::optional<scene::UprightBox> inside = trigger_inside(building);
+        if (inside && campus.can_be_entered[b]) {
+            add_trigger("/inside", *inside, ", popup: false");
+        }
     }
     return text + "spawns:\n  start: {at: " + list_of(campus.spawn) +
            ", yaw_deg: " + fixed(campus.yaw_deg, 1) + "}\n";
@@ -95,9 +155,8 @@ std::string walk_yaml(const SuggestedCampus& campus, const std::string& campus_f
     std::string expect = "  - never: \"avatar.fell *\"\n";
     for (std::size_t v = 0; v < visits; ++v) {
         steps += "  - go_to: " + list_of(campus.visits[v].to) + "\n";
-        if (!campus.visits[v].building.empty()) {
-            expect +=
-                "  - sequence: [" + quoted("trigger.enter " + campus.visits[v].building + "/around") + "]\n";
+        if (!campus.visits[v].trigger.empty()) {
+            expect += "  - sequence: [" + quoted("trigger.enter " + campus.visits[v].trigger) + "]\n";
         }
     }
     return "# Beside " + campus_file + ", by `campuswalk info --suggest`.\ncampus: " + quoted(campus_file) +

@@ -6,14 +6,16 @@
 
 #include <Eigen/Core>
 
+#include "collision/geometry/shapes.h"
 #include "scene/campus/campus_description.h"
+#include "scene/suggest/solid_parts.h"
 #include "scene/suggest/suggested_buildings.h"
 
 namespace campuswalk::tools {
 
-/// A way from the end of the previous visit into a building's trigger.
+/// A way from the end of the previous visit into a trigger of a building.
 struct SuggestedVisit {
-    std::string building;  ///< its id; empty: the way leads to no building
+    std::string trigger;  ///< its id; empty: the way leads to no building
     Eigen::Vector3d to = Eigen::Vector3d::Zero();
 };
 
@@ -23,8 +25,11 @@ struct SuggestedCampus {
     std::string model;  ///< path relative to the campus file
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();
     std::vector<scene::SuggestedBuilding> buildings;
-    std::vector<scene::NodeGlob> doors;   ///< closed ones, which must not be solid
-    std::optional<scene::Bounds> ground;  ///< a box to stand on if the model has no ground
+    std::vector<bool> can_be_entered;                ///< by building
+    std::vector<std::vector<std::string>> doors_of;  ///< by building: globs of its closed doors
+    scene::SolidParts solids;                        ///< besides the buildings
+    std::vector<scene::NodeGlob> doors;              ///< closed ones, which must not be solid
+    std::optional<scene::Bounds> ground;             ///< a box to stand on if the model has no ground
     Eigen::Vector3d spawn = Eigen::Vector3d::Zero();
     double yaw_deg = 0.0;
     std::vector<SuggestedVisit> visits;
@@ -32,6 +37,14 @@ struct SuggestedCampus {
 
 /// The box around a building in which its pop-up opens.
 scene::UprightBox trigger_about(const scene::SuggestedBuilding& building);
+
+/// The box inside a building that one is in after passing its door; none in a house that is too small.
+std::optional<scene::UprightBox> trigger_inside(const scene::SuggestedBuilding& building);
+
+inline constexpr double kWaist = 0.9;  ///< metres above the feet
+
+/// About an upright box, and as far below it as feet are below a waist.
+collision::Aabb box_about(const scene::UprightBox& box);
 
 std::string campus_yaml(const SuggestedCampus& campus);
 /// A walk that makes the first `visits` visits; `campus_file` is the name of the campus file.

@@ -12,15 +12,6 @@ namespace {
 
 constexpr std::size_t kMaxVisits = 3;
 constexpr double kInside = 0.5;  // metres: the breadth of a shoulder, and where in its cell it is
-constexpr double kWaist = 0.9;   // metres above the feet
-
-/// Around the box, as its feet may be.
-collision::Aabb around(const scene::UprightBox& box) {
-    const Vector3d half =
-        (0.5 * box.size.x() * box.along.cwiseAbs() + 0.5 * box.size.z() * box.across().cwiseAbs()) +
-        Vector3d(0.0, 0.5 * box.size.y() + kWaist, 0.0);
-    return {box.center - half, box.center + half};
-}
 
 /// The reached node nearest to `from` whose foot point satisfies `is_target`.
 template <typename Predicate>
@@ -43,32 +34,49 @@ std::optional<WalkNodeId> nearest_node(const WalkSpace& reached, const collision
 
 std::vector<SuggestedVisit> plan_visits(const WalkSpace& reached, engine::Strider& strider,
                                         const Vector3d& spawn,
-                                        std::vector<scene::SuggestedBuilding> buildings) {
+                                        const std::vector<scene::SuggestedBuilding>& buildings,
+                                        const std::vector<std::optional<WalkNodeId>>& interiors) {
     std::vector<SuggestedVisit> visits;
+    std::vector<bool> visited(buildings.size(), false);
     Vector3d here = spawn;
-    const auto visit = [&](const std::string& building, const WalkNodeId& node) {
+    const auto visit = [&](const std::string& trigger, const WalkNodeId& node) {
         here = reached.state_at(node, strider).foot;
-        visits.push_back({building, here});
+        visits.push_back({trigger, here});
     };
-    while (visits.size() < kMaxVisits) {
+    const auto beside = [&](std::size_t b) {
+        const scene::UprightBox box = trigger_about(buildings[b]);
+        if (box.depth_of(spawn + kWaist * Vector3d::UnitY()) >= 0.0) {
+            return std::optional<WalkNodeId>();
+        }
+        return nearest_node(reached, box_about(box), here, [&](const Vector3d& foot) {
+            return box.depth_of(foot + kWaist * Vector3d::UnitY()) >= kInside;
+        });
+    };
+    const auto visit_nearest = [&](const auto& place_at, const char* trigger) {
         std::optional<WalkNodeId> nearest;
         std::size_t chosen = 0;
         const auto distance = [&](const WalkNodeId& node) { return (reached.position(node) - here).norm(); };
         for (std::size_t b = 0; b < buildings.size(); ++b) {
-            const scene::UprightBox box = trigger_about(buildings[b]);
-            const auto node = nearest_node(reached, around(box), here, [&](const Vector3d& foot) {
-                return box.depth_of(foot + kWaist * Vector3d::UnitY()) >= kInside;
-            });
+            const std::optional<WalkNodeId> node = visited[b] ? std::nullopt : place_at(b);
             if (node && (!nearest || distance(*node) < distance(*nearest))) {
                 nearest = node;
                 chosen = b;
             }
         }
-        if (!nearest) {
-            break;
+        if (nearest) {
+            visited[chosen] = true;
+            visit(buildings[chosen].id + trigger, *nearest);
         }
-        visit(buildings[chosen].id, *nearest);
-        buildings.erase(buildings.begin() + static_cast<std::ptrdiff_t>(chosen));
+        return nearest.has_value();
+    };
+    // To be where one starts says nothing about a door.
+    const auto inside = [&](std::size_t b) {
+        const std::optional<scene::UprightBox> box = trigger_inside(buildings[b]);
+        const bool starts_there = box && box->depth_of(spawn + kWaist * Vector3d::UnitY()) >= 0.0;
+        return starts_there ? std::nullopt : interiors[b];
+    };
+    while (visits.size() < kMaxVisits &&
+           (visit_nearest(inside, "/inside") || visit_nearest(beside, "/around"))) {
     }
     if (visits.empty()) {
         constexpr double kStroll = 5.0;  // metres

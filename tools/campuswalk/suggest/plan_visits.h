@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "engine/walkspace/walk_space.h"
@@ -9,9 +10,11 @@
 namespace campuswalk::tools {
 
 /// Plans visits from the spawn to the nearest building that is reached and from each to the next, three at
-/// most; if there is none, a walk of a few metres.
+/// most, first of those that are entered; if there is none, a walk of a few metres. `interiors` are
+/// find_interiors of the buildings.
 std::vector<SuggestedVisit> plan_visits(const engine::WalkSpace& reached, engine::Strider& strider,
                                         const Eigen::Vector3d& spawn,
-                                        std::vector<scene::SuggestedBuilding> buildings);
+                                        const std::vector<scene::SuggestedBuilding>& buildings,
+                                        const std::vector<std::optional<engine::WalkNodeId>>& interiors);
 
 }  // namespace campuswalk::tools

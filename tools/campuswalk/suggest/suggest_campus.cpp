@@ -26,6 +26,7 @@
 #include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/loading/walk_loader.h"
 #include "tools/campuswalk/suggest/campus_text.h"
+#include "tools/campuswalk/suggest/interiors.h"
 #include "tools/campuswalk/suggest/lint_text.h"
 #include "tools/campuswalk/suggest/plan_visits.h"
 #include "tools/campuswalk/suggest/upright_model.h"
@@ -131,11 +132,32 @@ bool place_visitor(const UprightModel& model, const scene::Campus& solid, Sugges
     }
     campus.spawn = *spawn;
     engine::Strider strider(worlds[0], settings.strides, settings.solids);
-    campus.visits = plan_visits(reached, strider, campus.spawn, campus.buildings);
+    const auto interiors = find_interiors(solid, reached, campus.buildings);
+    for (std::size_t b = 0; b < interiors.size(); ++b) {
+        campus.can_be_entered[b] = interiors[b].has_value();
+    }
+    campus.visits = plan_visits(reached, strider, campus.spawn, campus.buildings, interiors);
     const auto* target = nearest_building(campus.buildings, campus.spawn);
     campus.yaw_deg = engine::degrees(
         scene::first_view(solid.world, campus.spawn, target == nullptr ? middle : target->box.center));
     return true;
+}
+
+/// Globs of the doors that are nodes of the building.
+std::vector<std::string> doors_of(const scene::Model& model, const scene::SuggestedBuilding& building,
+                                  const std::vector<std::string>& doors) {
+    std::vector<std::string> globs;
+    for (const std::string& glob : building.globs) {
+        for (const std::size_t node : scene::match_nodes(model, glob)) {
+            const std::string& name = model.nodes[node].name;
+            const std::string door = scene::glob_for(name);
+            if (std::ranges::find(doors, name) != doors.end() &&
+                std::ranges::find(globs, door) == globs.end()) {
+                globs.push_back(door);
+            }
+        }
+    }
+    return globs;
 }
 
 /// Everything but the spawn and the visits.
@@ -148,7 +170,13 @@ SuggestedCampus without_visitor(const UprightModel& model, const fs::path& campu
                        .lexically_relative(fs::absolute(campus_file).lexically_normal().parent_path())
                        .generic_string();
     campus.buildings = scene::suggest_buildings(model.models[0], model.report);
-    for (const std::string& name : closed_door_names(model.report)) {
+    campus.can_be_entered.assign(campus.buildings.size(), true);  // as far as is known
+    const std::vector<std::string> doors = closed_door_names(model.report);
+    for (const scene::SuggestedBuilding& building : campus.buildings) {
+        campus.doors_of.push_back(doors_of(model.models[0], building, doors));
+    }
+    campus.solids = scene::solid_parts(model.models[0], campus.buildings, doors);
+    for (const std::string& name : doors) {
         campus.doors.emplace_back().pattern = scene::glob_for(name);
     }
     return campus;

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "scene/lint/model_report.h"
+#include "scene/model/model.h"
+
+namespace campuswalk::scene {
+
+/// A nearly vertical triangle, seen from above.
+struct Wall {
+    Eigen::Vector2d from = Eigen::Vector2d::Zero();  ///< x, z: with `to` the two farthest points of the plan
+    Eigen::Vector2d to = Eigen::Vector2d::Zero();
+    double low = 0.0;  ///< its height above the world's origin, metres
+    double high = 0.0;
+    double area = 0.0;  ///< m²
+};
+
+/// A node with triangles that may belong to a building: neither it nor a group that it is in is named as
+/// surroundings (is_surroundings_name).
+struct Structure {
+    std::size_t node = 0;  ///< index into Model::nodes
+    std::vector<Wall> walls;
+};
+
+/// In the order of the nodes. Those without walls, such as roofs and floors, have none.
+std::vector<Structure> find_structures(const Model& model, const ModelReport& report);
+
+/// The pairs of structures whose walls come closer than about a metre on the plan, as indices, the smaller
+/// first; ascending, unique. Where more than eight share a square metre, only enough to connect them all.
+std::vector<std::pair<std::size_t, std::size_t>> touching(const std::vector<Structure>& structures);
+
+}  // namespace campuswalk::scene

@@ -1,0 +1,105 @@
+#include "tools/campuswalk/suggest/interiors.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "collision/world/cast.h"
+#include "tools/campuswalk/suggest/campus_text.h"
+
+namespace campuswalk::tools {
+
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr double kBreast = 1.2;  // metres above the feet: over parapets and furniture
+
+/// Whether there is something solid of a building between two points; any building if it is none of the
+/// campus'.
+bool sees_building(const scene::Campus& campus, std::optional<std::size_t> building, const Vector3d& from,
+                   const Vector3d& to) {
+    const auto hit = collision::cast(campus.world, {}, {from, to}, collision::Detection::solid);
+    return hit && (!building || campus.objects[index_of(hit->object)].building == building);
+}
+
+/// Where a level ray from inside the box leaves it.
+Vector3d end_in(const scene::UprightBox& box, const Vector3d& eye, const Vector3d& ahead) {
+    constexpr double kMargin = 0.2;  // metres
+    double length = 1e300;
+    for (const auto& [axis, size] :
+         {std::pair(box.along, box.size.x()), std::pair(box.across(), box.size.z())}) {
+        const double speed = ahead.dot(axis);
+        const double at = (eye - box.center).dot(axis);
+        if (speed != 0.0) {
+            length = std::min(length, (0.5 * size + kMargin - (speed > 0.0 ? at : -at)) / std::abs(speed));
+        }
+    }
+    return eye + std::max(0.0, length) * ahead;
+}
+
+bool is_enclosed(const scene::Campus& campus, std::optional<std::size_t> building, const Vector3d& foot,
+                 const scene::UprightBox& box) {
+    const Vector3d eye = foot + kBreast * Vector3d::UnitY();
+    const double top = box.center.y() + 0.5 * box.size.y() + 1.0;
+    const bool has_roof = eye.y() < top && sees_building(campus, building, eye, {eye.x(), top, eye.z()});
+    int walls = 0;
+    for (int i = -1; i <= 1; ++i) {
+        for (int j = -1; j <= 1; ++j) {
+            const Vector3d ahead = i * box.along + j * box.across();
+            const bool is_level = i != 0 || j != 0;
+            walls += is_level && sees_building(campus, {}, eye, end_in(box, eye, ahead)) ? 1 : 0;
+        }
+    }
+    return walls >= (has_roof ? 5 : 7);
+}
+
+/// The building's own index, if any of the campus' objects is of it.
+std::optional<std::size_t> building_with_solids(const scene::Campus& campus, std::size_t building) {
+    const bool has_solids = std::ranges::any_of(campus.objects, [&](const scene::CampusObject& object) {
+        return object.building == building && !object.nodes.roots.empty();
+    });
+    return has_solids ? std::optional(building) : std::nullopt;
+}
+
+std::optional<engine::WalkNodeId> interior_of(const scene::Campus& campus, const engine::WalkSpace& reached,
+                                              const scene::SuggestedBuilding& building, std::size_t index) {
+    constexpr std::size_t kTried = 2000;
+    constexpr double kStoreyWeight = 4.0;  // metres to the side that a metre up counts as much as
+    const std::optional<scene::UprightBox> box = trigger_inside(building);
+    if (!box) {
+        return std::nullopt;
+    }
+    const std::optional<std::size_t> of_building = building_with_solids(campus, index);
+    std::vector<std::pair<double, engine::WalkNodeId>> places;
+    for (const engine::WalkNodeId& node : reached.nodes_in(box_about(*box))) {
+        const Vector3d foot = reached.position(node);
+        const Vector3d off = foot - box->center;
+        if (reached.node(node).hangs == 0 && box->depth_of(foot + kWaist * Vector3d::UnitY()) >= 0.0) {
+            places.emplace_back(
+                std::hypot(off.x(), off.z()) + kStoreyWeight * (off.y() + 0.5 * box->size.y()), node);
+        }
+    }
+    std::ranges::stable_sort(places, {}, [](const auto& place) { return place.first; });
+    places.resize(std::min(places.size(), kTried));
+    const auto inside = std::ranges::find_if(places, [&](const auto& place) {
+        return is_enclosed(campus, of_building, reached.position(place.second), building.box);
+    });
+    return inside == places.end() ? std::nullopt : std::optional(inside->second);
+}
+
+}  // namespace
+
+std::vector<std::optional<engine::WalkNodeId>> find_interiors(
+    const scene::Campus& campus, const engine::WalkSpace& reached,
+    const std::vector<scene::SuggestedBuilding>& buildings) {
+    std::vector<std::optional<engine::WalkNodeId>> interiors;
+    interiors.reserve(buildings.size());
+    for (std::size_t b = 0; b < buildings.size(); ++b) {
+        interiors.push_back(interior_of(campus, reached, buildings[b], b));
+    }
+    return interiors;
+}
+
+}  // namespace campuswalk::tools
