@@ -113,7 +113,11 @@ RouteFacts facts_of(const Route& route, const collision::World& world, const col
             first = false;
         }
     }
-    return survey.facts();
+    RouteFacts facts = survey.facts();
+    if (facts.steepest.value == 0.0) {
+        facts.steepest.at = route.path.front();  // all of it is level
+    }
+    return facts;
 }
 
 }  // namespace campuswalk::engine

@@ -39,7 +39,9 @@ TEST(RouteFacts, NamesTheDoorThatIsNarrowest) {
 }
 
 TEST(RouteFacts, OpenGroundHasNoNarrowestSpot) {
-    EXPECT_FALSE(facts_between(level_campus(10.0), {0, 0, 6}, {0, 0, -6}).narrowest);
+    const RouteFacts facts = facts_between(level_campus(10.0), {0, 0, 6}, {0, 0, -6});
+    EXPECT_FALSE(facts.narrowest);
+    EXPECT_NEAR(facts.steepest.at.z(), 6.0, 0.1) << "as level as everywhere else";
 }
 
 TEST(RouteFacts, NamesTheSteepestRamp) {
