@@ -2,35 +2,14 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <string_view>
 
+#include "scene/base/unicode_words.h"
 #include "scene/campus/object_names.h"
 #include "scene/suggest/building_names.h"
 #include "scene/suggest/find_buildings.h"
 
 namespace campuswalk::scene {
 namespace {
-
-/// Drops the accents of Latin letters and all other non-ASCII characters.
-std::string to_ascii(const std::string& name) {
-    constexpr std::string_view kPlain =
-        "AAAAAAACEEEEIIIIDNOOOOO OUUUUYTsaaaaaaaceeeeiiiidnooooo ouuuuyty";  // U+00C0 to U+00FF
-    std::string ascii;
-    for (std::size_t i = 0; i < name.size(); ++i) {
-        const auto byte = static_cast<unsigned char>(name[i]);
-        if (byte < 0x80U) {
-            ascii += name[i];
-        } else if (byte == 0xC3U && i + 1 < name.size()) {
-            ascii += kPlain[static_cast<unsigned char>(name[++i]) & 0x3FU];
-        }
-    }
-    return ascii;
-}
-
-bool has_letter(const std::string& ascii) {
-    return std::ranges::any_of(ascii,
-                               [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); });
-}
 
 /// Leaves out all but the largest of those without a name.
 void keep_largest_unnamed(std::vector<FoundBuilding>& buildings, std::vector<std::string>& names) {
@@ -64,11 +43,10 @@ std::vector<SuggestedBuilding> suggest_buildings(const Model& model, const Model
     std::vector<std::string> words;
     std::size_t numbered = 0;
     for (std::string& name : names) {
-        const bool named = !name.empty();
-        const std::string ascii = to_ascii(name);
-        const std::string number = std::to_string(has_letter(ascii) ? numbered : ++numbered);
-        words.push_back(has_letter(ascii) ? ascii : "building-" + number);
-        name = named ? name : "Building " + number;
+        const std::string word = to_id_word(name);
+        const std::string number = std::to_string(word.empty() ? ++numbered : numbered);
+        words.push_back(word.empty() ? "building-" + number : word);
+        name = name.empty() ? "Building " + number : name;
     }
     const std::vector<std::string> ids = distinct_words(words);
     const std::vector<std::vector<std::string>> globs = globs_of(model, found);

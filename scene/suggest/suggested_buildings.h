@@ -11,7 +11,7 @@ namespace campuswalk::scene {
 
 /// What is probably a building, named as a person would.
 struct SuggestedBuilding {
-    std::string id;     ///< kebab-case, unique; `building-1`, … if nothing names it
+    std::string id;     ///< as to_id_word, unique; `building-1`, … if nothing names it
     std::string title;  ///< what names it in the model; `Building 1`, … if nothing does
     /// Match its nodes and no others; empty if they can't be told by their names.
     std::vector<std::string> globs;

@@ -56,7 +56,7 @@ TEST_F(LoadRun, ReportsAllMistakesInAllFilesAtOnceInOrder) {
     folder_.write("a.campus.yaml",
                   "scenes: [{file: a.obj, unit: inch}]\n"
                   "colliders:\n"
-                  "  - {id: Ground, nodes: floor, shape: mesh, mode: solid, layer: grond}\n"
+                  "  - {id: Groun., nodes: floor, shape: mesh, mode: solid, layer: grond}\n"
                   "spawns: {gate: {at: [0, 0, 0], yaw: 90}}\n"
                   "places: {square: [0, 0]}\n"
                   "layers: [ground]\n"
@@ -76,13 +76,37 @@ TEST_F(LoadRun, ReportsAllMistakesInAllFilesAtOnceInOrder) {
                     says("a.walk.yaml:5:18: error unknown-name", {"'popup.opne'", "'popup.open'"}),
                     says("a.walk.yaml:8:1: error unknown-key", {"'simulation'"}),
                     says("a.campus.yaml:1:30: error bad-value", {"'unit'", "'inch'"}),
-                    says("a.campus.yaml:3:10: error bad-value", {"'id'", "'/'", "'Ground'"}),
+                    says("a.campus.yaml:3:10: error bad-value", {"'id'", "'/'", "'Groun.'"}),
                     says("a.campus.yaml:3:65: error unknown-name", {"'grond'", "'layers'", "'ground'"}),
                     says("a.campus.yaml:4:32: error unknown-key", {"'yaw'"}),
                     says("a.campus.yaml:5:18: error wrong-type", {"'square'"}),
                     says("a.campus.yaml:7:1: error unknown-key", {"'colour'"}),
                     says("avatars/adult.avatar.yaml:1:1: error unknown-key", {"'hight'", "'height'"}),
                     says("avatars/adult.avatar.yaml:2:8: error wrong-type", {"'speed'", "'fast'"})));
+}
+
+TEST_F(LoadRun, FindsNamesOfAnyScriptHoweverTheyAreSpelled) {
+    folder_.write(
+        "a.campus.yaml",
+        "scenes: [{file: a.obj}]\n"
+        "buildings: [{id: 图文信息中心, title: Library}, {id: building_A, title: A}]\n"
+        "colliders:\n"
+        "  - {id: 图文信息中心/门, building: 图文信息中心, nodes: floor, shape: mesh, mode: trigger}\n"
+        "spawns: {Bu\u0308ro: {at: [0, 0, 0]}}\n"
+        "places: {p_1: [0, 0, 1]}\n");
+    EXPECT_THAT(folder_.about_walk("steps:\n"
+                                   "  - spawn: B\u00fcro\n"
+                                   "  - walk_to: p_1\n"
+                                   "expect: [{sequence: [trigger.enter 图文信息中心/门]}]\n"
+                                   "avatar: adult\n"
+                                   "campus: a.campus.yaml\n"),
+                ElementsAre());
+    folder_.write("a.campus.yaml",
+                  "scenes: [{file: a.obj}]\n"
+                  "colliders: [{id: a, nodes: floor, shape: mesh, mode: solid}]\n"
+                  "spawns: {Bu\u0308ro: {at: [0, 0, 0]}, B\u00fcro: {at: [0, 0, 1]}}\n");
+    EXPECT_THAT(folder_.about_walk("steps: [{spawn: B\u00fcro}]\navatar: adult\ncampus: a.campus.yaml\n"),
+                ElementsAre(says("a.campus.yaml:3:40: error duplicate-name", {"spawn"})));
 }
 
 TEST_F(LoadRun, DoesNotCheckNamesWhenTheCampusCannotBeRead) {
@@ -123,11 +147,11 @@ TEST_F(LoadRun, DiagnosesTheAvatarItNames) {
         about("{profil: adult}"),
         ElementsAre(says("a.walk.yaml:2:9: error missing-key", {"'avatar'", "'profile'"}),
                     says("a.walk.yaml:2:10: error unknown-key", {"'profil'", "'avatar'", "'profile'"})));
-    EXPECT_THAT(about("{profile: adult, speed: 0, radius: 1, ignore_layers: [tres, Foo]}"),
+    EXPECT_THAT(about("{profile: adult, speed: 0, radius: 1, ignore_layers: [tres, Fo.]}"),
                 ElementsAre(says("a.walk.yaml:2:33: error bad-value", {"'speed'", "'0'"}),
                             says("a.walk.yaml:2:44: error bad-value"),
                             says("a.walk.yaml:2:63: error unknown-name", {"'tres'", "'trees'"}),
-                            says("a.walk.yaml:2:69: error bad-value", {"'Foo'"})));
+                            says("a.walk.yaml:2:69: error bad-value", {"'Fo.'"})));
 }
 
 TEST_F(LoadRun, DiagnosesTheWalkFileItself) {

@@ -74,8 +74,8 @@ TEST_F(ReadAvatar, DiagnosesKeysAndNumbers) {
                             says("an.avatar.yaml:7:13: error bad-value", {"'eye_height'", "'0'"}),
                             says("an.avatar.yaml:8:14: error bad-value", {"'step_height'", "'-1'"}),
                             says("an.avatar.yaml:9:9: error bad-value", {"'radius'", "'1e-9'"})));
-    EXPECT_THAT(folder_.about_avatar("ignore_layers: [Foo, {}]\n"),
-                ElementsAre(says("an.avatar.yaml:1:17: error bad-value", {"'Foo'"}),
+    EXPECT_THAT(folder_.about_avatar("ignore_layers: [Fo., {}]\n"),
+                ElementsAre(says("an.avatar.yaml:1:17: error bad-value", {"'Fo.'"}),
                             says("an.avatar.yaml:1:22: error wrong-type")));
 }
 

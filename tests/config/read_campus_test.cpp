@@ -181,8 +181,8 @@ TEST_F(ReadCampus, DiagnosesNumbers) {
 }
 
 TEST_F(ReadCampus, DiagnosesLayers) {
-    EXPECT_THAT(about("layers: [Ground, a b, trees, trees, '', [x]]\n"),
-                ElementsAre(says("a.campus.yaml:3:10: error bad-value", {"'Ground'"}),
+    EXPECT_THAT(about("layers: [Groun., a b, trees, trees, '', [x]]\n"),
+                ElementsAre(says("a.campus.yaml:3:10: error bad-value", {"'Groun.'"}),
                             says("a.campus.yaml:3:18: error bad-value"),
                             says("a.campus.yaml:3:30: error duplicate-name", {"'trees'"}),
                             says("a.campus.yaml:3:37: error bad-value"),
@@ -199,7 +199,7 @@ TEST_F(ReadCampus, DiagnosesBuildings) {
               "  - {title: b, floors: many}\n"
               "  - hut\n"
               "  -\n"
-              "  - {id: A, title: [x], floors: -1, hours: [8], text: {a: b}, kind: ~}\n"
+              "  - {id: _, title: [x], floors: -1, hours: [8], text: {a: b}, kind: ~}\n"
               "  - {id: c, title: \"two\\nlines\", text: \"a\\u0007b\", nodes: 3}\n"),
         ElementsAre(says("a.campus.yaml:4:5: error missing-key", {"'title'"}),
                     says("a.campus.yaml:5:10: error duplicate-name", {"'hut'"}),
@@ -207,7 +207,7 @@ TEST_F(ReadCampus, DiagnosesBuildings) {
                     says("a.campus.yaml:6:5: error missing-key", {"'id'"}),
                     says("a.campus.yaml:6:24: error wrong-type", {"'floors'", "'many'"}),
                     says("a.campus.yaml:7:5: error wrong-type"), says("a.campus.yaml:8:3: error wrong-type"),
-                    says("a.campus.yaml:9:10: error bad-value", {"'id'", "'A'"}),
+                    says("a.campus.yaml:9:10: error bad-value", {"'id'", "'_'"}),
                     says("a.campus.yaml:9:20: error wrong-type", {"'title'"}),
                     says("a.campus.yaml:9:33: error bad-value", {"'floors'", "'-1'"}),
                     says("a.campus.yaml:9:44: error wrong-type", {"'hours'"}),
@@ -221,11 +221,11 @@ TEST_F(ReadCampus, DiagnosesSpawnsAndPlaces) {
     EXPECT_THAT(about("spawns: [a]\nplaces: a\n"),
                 ElementsAre(says("a.campus.yaml:3:9: error wrong-type", {"'spawns'"}),
                             says("a.campus.yaml:4:9: error wrong-type", {"'places'"})));
-    EXPECT_THAT(about("spawns: {a: [1, 2, 3], b: {at: [1, 2], yaw: 3}, C: {yaw_deg: 99999}}\n"),
+    EXPECT_THAT(about("spawns: {a: [1, 2, 3], b: {at: [1, 2], yaw: 3}, _: {yaw_deg: 99999}}\n"),
                 ElementsAre(says("a.campus.yaml:3:13: error wrong-type"),
                             says("a.campus.yaml:3:32: error wrong-type", {"'at'"}),
                             says("a.campus.yaml:3:40: error unknown-key", {"'yaw'"}),
-                            says("a.campus.yaml:3:49: error bad-value", {"'C'"}),
+                            says("a.campus.yaml:3:49: error bad-value", {"'_'"}),
                             says("a.campus.yaml:3:52: error missing-key", {"'at'"}),
                             says("a.campus.yaml:3:62: error bad-value", {"'yaw_deg'", "'99999'"})));
     EXPECT_THAT(about("places:\n  a:\n  b: {}\n  c: [1, 2]\n  a: [1, 2, 3]\n"),

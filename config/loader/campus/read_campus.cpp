@@ -105,7 +105,7 @@ Building read_building(const CheckedNode& node, UniqueNames& ids) {
     building.mark = node.mark();
     CheckedMap map(node, "a building");
     if (const auto id = map.require("id")) {
-        building.id = kebab_name(*id).value_or("");
+        building.id = id_word(*id).value_or("");
         ids.add(building.id, *id);
     }
     if (const auto nodes = map.find("nodes")) {
@@ -137,7 +137,7 @@ Building read_building(const CheckedNode& node, UniqueNames& ids) {
 }
 
 Spawn read_spawn(const CheckedNode::Entry& entry) {
-    Spawn spawn{entry.key_mark, entry.key};
+    Spawn spawn{entry.key_mark, id_key(entry)};
     CheckedMap map(entry.value, "a spawn");
     map.require("at");
     map.vector("at", kCoordinate, spawn.position);
@@ -162,7 +162,7 @@ std::vector<std::string> read_layers(const CheckedNode& section) {
     std::vector<std::string> layers;
     UniqueNames names("layer");
     for (const CheckedNode& node : section.items("a layer")) {
-        layers.push_back(kebab_name(node).value_or(""));
+        layers.push_back(id_word(node).value_or(""));
         names.add(layers.back(), node);
     }
     return layers;
@@ -186,23 +186,26 @@ std::vector<ColliderDescription> read_colliders(const CheckedNode& section, cons
     return colliders;
 }
 
-// Spawns and places are keyed by name, so the YAML map itself rules out duplicates.
+// Spawns and places are keyed by name: the YAML map rules out duplicates, but not one name in two spellings.
 
 std::vector<Spawn> read_spawns(const CheckedNode& section) {
     std::vector<Spawn> spawns;
+    UniqueNames names("spawn");
     for (const CheckedNode::Entry& entry : section.entries()) {
-        check_kebab_key(entry);
         spawns.push_back(read_spawn(entry));
+        names.add(spawns.back().name, entry.value);
     }
     return spawns;
 }
 
 std::vector<Place> read_places(const CheckedNode& section) {
     std::vector<Place> places;
+    UniqueNames names("place");
     for (const CheckedNode::Entry& entry : section.entries()) {
-        check_kebab_key(entry);
+        std::string name = id_key(entry);
+        names.add(name, entry.value);
         const auto position = entry.value.vector(kCoordinate);
-        places.push_back({entry.key_mark, entry.key, position.value_or(Eigen::Vector3d::Zero())});
+        places.push_back({entry.key_mark, std::move(name), position.value_or(Eigen::Vector3d::Zero())});
     }
     return places;
 }

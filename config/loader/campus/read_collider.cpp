@@ -113,7 +113,7 @@ DetectionModes read_modes(const CheckedNode& node) {
 
 /// A name that must be one of `known`, which the campus declares in `section`; empty if it isn't.
 std::string known_name(const CheckedNode& node, const std::vector<std::string>& known, const char* section) {
-    const std::optional<std::string> name = node.line();
+    const std::optional<std::string> name = name_in(node);
     if (name && std::ranges::find(known, *name) == known.end()) {
         node.diagnose("unknown-name",
                       in_quotes(*name) + " is not in '" + section + "'" + suggestion_or_list(*name, known));
@@ -159,7 +159,7 @@ ColliderDescription read_collider(const CheckedNode& node, const CampusDescripti
     collider.mark = node.mark();
     CheckedMap map(node, "a collider");
     if (const auto id = map.require("id")) {
-        collider.id = kebab_path(*id).value_or("");
+        collider.id = id_path(*id).value_or("");
         ids.add(collider.id, *id);
     }
     if (const auto building = map.find("building")) {

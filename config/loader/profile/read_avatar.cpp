@@ -55,7 +55,7 @@ std::vector<CheckedNode> read_avatar_fields(CheckedMap& map, AvatarProfile& prof
     if (const auto section = map.find("ignore_layers")) {
         profile.ignore_layers.clear();
         for (const CheckedNode& node : section->items_or_one("a layer")) {
-            if (auto name = kebab_name(node)) {
+            if (auto name = id_word(node)) {
                 profile.ignore_layers.push_back(*std::move(name));
                 layers.push_back(node);
             }

@@ -4,6 +4,7 @@
 
 #include "config/loader/yaml/diagnostics.h"
 #include "config/loader/yaml/wording.h"
+#include "scene/base/unicode_words.h"
 
 namespace campuswalk::config {
 
@@ -15,20 +16,22 @@ bool is_kebab(std::string_view word) {
            word.find("--") == std::string_view::npos && std::ranges::all_of(word, allowed);
 }
 
-bool is_kebab_path(std::string_view path) {
+bool is_id_path(std::string_view path) {
     const std::size_t slash = path.find('/');
-    return is_kebab(path.substr(0, slash)) &&
-           (slash == std::string_view::npos || is_kebab_path(path.substr(slash + 1)));
+    return scene::is_id_word(path.substr(0, slash)) &&
+           (slash == std::string_view::npos || is_id_path(path.substr(slash + 1)));
 }
 
 constexpr std::size_t kMaxNameBytes = 200;
 constexpr const char* kKebabForm = "lower-case letters, digits and single hyphens, such as main-gate";
+constexpr const char* kIdForm = "letters and digits of any script, with '-', '_' or '.' between them";
 constexpr const char* kPathForm =
-    "lower-case letters, digits and single hyphens, with '/' between words, such as library/door";
+    "letters and digits of any script, with '-', '_' or '.' between them and '/' between words, such as "
+    "library/door";
 
 std::optional<std::string> checked(const CheckedNode& node, bool (*is_valid)(std::string_view),
                                    const char* form) {
-    std::optional<std::string> name = node.line();
+    std::optional<std::string> name = name_in(node);
     if (name && (name->size() > kMaxNameBytes || !is_valid(*name))) {
         node.diagnose("bad-value", node.what() + " must be " + form + ", not " + in_quotes(*name));
         return std::nullopt;
@@ -42,8 +45,26 @@ std::optional<std::string> kebab_name(const CheckedNode& node) {
     return checked(node, is_kebab, kKebabForm);
 }
 
-std::optional<std::string> kebab_path(const CheckedNode& node) {
-    return checked(node, is_kebab_path, kPathForm);
+std::optional<std::string> id_word(const CheckedNode& node) {
+    return checked(node, scene::is_id_word, kIdForm);
+}
+
+std::optional<std::string> id_path(const CheckedNode& node) {
+    return checked(node, is_id_path, kPathForm);
+}
+
+std::optional<std::string> name_in(const CheckedNode& node) {
+    const std::optional<std::string> name = node.line();
+    return name ? std::optional(scene::normalized(*name)) : std::nullopt;
+}
+
+std::string id_key(const CheckedNode::Entry& entry) {
+    std::string key = scene::normalized(entry.key);
+    if (key.size() > kMaxNameBytes || !scene::is_id_word(key)) {
+        add_diagnostic(entry.value.diagnostics(), entry.key_mark, "bad-value",
+                       "the name must be " + std::string(kIdForm) + ", not " + in_quotes(entry.key));
+    }
+    return key;
 }
 
 void check_kebab_key(const CheckedNode::Entry& entry) {

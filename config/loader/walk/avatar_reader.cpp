@@ -38,7 +38,7 @@ AvatarProfile AvatarReader::read(const CheckedNode& node) const {
     const auto name = map.require("profile");
     AvatarProfile profile = name ? named(*name) : AvatarProfile{};
     for (const CheckedNode& layer : read_avatar_fields(map, profile)) {
-        names_.check_layer(layer, layer.text().value_or(""));
+        names_.check_layer(layer, name_in(layer).value_or(""));
     }
     map.refuse_other_keys();
     return profile;

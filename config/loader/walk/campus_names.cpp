@@ -5,6 +5,7 @@
 #include <span>
 
 #include "config/loader/values/checked_map.h"
+#include "config/loader/values/names.h"
 #include "config/loader/values/ranges.h"
 #include "config/loader/yaml/wording.h"
 
@@ -51,12 +52,12 @@ Target CampusNames::target(const CheckedNode& node) const {
         node.diagnose("wrong-type", node.what() + " must be a place's name, [x, z] or [x, y, z]");
         return {};
     }
-    const std::optional<std::string> name = node.line();
+    const std::optional<std::string> name = name_in(node);
     return name ? target_named(node, *name) : Target{};
 }
 
 engine::CameraTarget CampusNames::camera_target(const CheckedNode& node) const {
-    const std::optional<std::string> name = node.is_scalar() ? node.line() : std::nullopt;
+    const std::optional<std::string> name = node.is_scalar() ? name_in(node) : std::nullopt;
     if (name && campus_ != nullptr) {
         const auto building = std::ranges::find(campus_->buildings, *name, &scene::Building::id);
         if (building != campus_->buildings.end()) {
@@ -142,7 +143,7 @@ Placement CampusNames::placement(const CheckedNode& node) const {
         node.diagnose("wrong-type", node.what() + " must be a spawn's name or {at: [x, y, z], yaw_deg: 0}");
         return placement;
     }
-    placement.label = node.line().value_or("");
+    placement.label = name_in(node).value_or("");
     if (placement.label.empty() || campus_ == nullptr) {
         return placement;
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "config/loader/values/names.h"
 #include "config/loader/yaml/wording.h"
 #include "engine/events/event.h"
 #include "scene/base/glob.h"
@@ -12,7 +13,7 @@ namespace campuswalk::config {
 engine::EventPattern read_pattern(const CheckedNode& node) {
     engine::EventPattern pattern;
     pattern.mark = node.mark();
-    std::istringstream words(node.line().value_or(""));
+    std::istringstream words(name_in(node).value_or(""));
     words >> pattern.kind;
     if (pattern.kind.empty()) {
         return pattern;  // line() has reported it

@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "config/loader/values/checked_map.h"
+#include "config/loader/values/names.h"
 #include "config/loader/values/ranges.h"
 #include "config/loader/walk/read_pattern.h"
 
@@ -17,7 +18,7 @@ constexpr Range kRatio{0.0, 1.0, false, ""};
 constexpr Range kRouteWidth{0.0, 3.0, true, "m"};
 
 NamePattern read_name(const CheckedNode& node) {
-    return {node.mark(), node.line().value_or("*")};
+    return {node.mark(), name_in(node).value_or("*")};
 }
 
 void read_event(CheckedMap& map, std::string_view key, EventPattern& event) {
@@ -28,7 +29,7 @@ void read_event(CheckedMap& map, std::string_view key, EventPattern& event) {
 
 void read_glob(CheckedMap& map, std::string_view key, std::string& glob) {
     if (const auto node = map.find(key)) {
-        glob = node->line().value_or("*");
+        glob = name_in(*node).value_or("*");
     }
 }
 

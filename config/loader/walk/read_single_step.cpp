@@ -55,7 +55,7 @@ Step read_switched(const CheckedNode& node, bool enabled) {
     step.mark = node.mark();
     step.enabled = enabled;
     for (const CheckedNode& item : node.items_or_one("an object")) {
-        if (std::optional<std::string> glob = item.line()) {
+        if (std::optional<std::string> glob = name_in(item)) {
             step.objects.push_back({item.mark(), std::move(*glob)});
         }
     }
@@ -99,7 +99,7 @@ Step read_walk_to(const CheckedNode& node, StepContext& context) {
 std::optional<Avoided> read_avoided(const CheckedNode& node, const StepContext& context) {
     Avoided avoided;
     if (!node.is_map()) {
-        std::optional<std::string> glob = node.line();
+        std::optional<std::string> glob = name_in(node);
         avoided.objects = NamePattern{node.mark(), glob.value_or("")};
         return glob ? std::optional(avoided) : std::nullopt;
     }
