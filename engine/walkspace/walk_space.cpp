@@ -82,9 +82,9 @@ std::vector<WalkNodeId> WalkSpace::nodes_in(const collision::Aabb& box) const {
 
 std::vector<WalkNodeId> WalkSpace::nodes_touching(const collision::Aabb& box,
                                                   const collision::MoverSettings& body) const {
-    constexpr double kOffCenter = 0.71;  // a body is at most so many cells from its cell's middle
+    constexpr double kOffMiddle = 0.71;  // a body is at most so many cells from its cell's middle
     constexpr double kAtBox = 0.05;      // metres
-    collision::Aabb feet = box.grown(body.radius + kOffCenter * grid.cell);
+    collision::Aabb feet = box.grown(body.radius + kOffMiddle * grid.cell);
     feet.min.y() = box.min.y() - body.height - kAtBox;
     feet.max.y() = box.max.y() + kAtBox;
     return nodes_in(feet);
