@@ -1,0 +1,138 @@
+#include "scene/osm/doors.h"
+
+#include <cmath>
+#include <set>
+#include <unordered_map>
+
+#include "scene/osm/tag_values.h"
+
+namespace campuswalk::scene::osm {
+namespace {
+
+constexpr Look kLeaf = {{92, 66, 48}, 160, 255};
+constexpr Look kMainLeaf = {{70, 84, 96}, 90, 255};
+
+/// A node of a building's outline.
+struct Door {
+    std::int64_t node = 0;
+    Point at = Point::Zero();
+    std::size_t area = 0;
+    const Tags* tags = nullptr;  ///< null: found where a path ends
+};
+
+bool is_entrance(const Tags& tags) {
+    return affirmed(tags, "entrance") || affirmed(tags, "door") || tags.is("building", "entrance") ||
+           tags.is("railway", "subway_entrance");
+}
+
+class Doors {
+public:
+    Doors(Composition& composition, const FreeGround& free) : composition_(composition), free_(free) {
+        for (const Volume& volume : composition.volumes) {
+            walled_.insert(volume.building);
+        }
+        for (std::size_t i = 0; i < composition.areas.size(); ++i) {
+            for (const MapWay* way : composition.areas[i].outlines) {
+                for (std::size_t k = 0; walled_.contains(i) && k < way->nodes.size(); ++k) {
+                    on_wall_.try_emplace(way->nodes[k], i);
+                }
+            }
+        }
+    }
+
+    void add_tagged() {
+        for (const MapNode& node : composition_.map.nodes) {
+            if (const auto wall = on_wall_.find(node.id); wall != on_wall_.end() && is_entrance(node.tags)) {
+                add({node.id, node.at, wall->second, &node.tags});
+            }
+        }
+    }
+
+    void add_untagged() {
+        for (const Path& path : composition_.paths) {
+            if (!path.for_walkers || path.underground || path.highway == "service" || path.width > 4.5) {
+                continue;
+            }
+            for (const std::size_t i : {std::size_t{0}, path.way->nodes.size() - 1}) {
+                if (const auto wall = on_wall_.find(path.way->nodes[i]); wall != on_wall_.end()) {
+                    add({path.way->nodes[i], path.way->points[i], wall->second, nullptr});
+                }
+            }
+        }
+    }
+
+private:
+    void add(const Door& door) {
+        if (!composition_.map.box.contains(door.at) || !done_.insert(door.node).second) {
+            return;
+        }
+        Nearest wall;
+        const Polygons& outline = composition_.areas[door.area].polygons;
+        for (const Polygon& polygon : outline) {
+            const Nearest other = nearest_on(polygon.outer, true, door.at);
+            wall = other.distance < wall.distance ? other : wall;
+            for (const Ring& hole : polygon.holes) {
+                const Nearest inner = nearest_on(hole, true, door.at);
+                wall = inner.distance < wall.distance ? inner : wall;
+            }
+        }
+        constexpr double kOnWall = 0.05;
+        if (wall.distance > kOnWall) {
+            return;
+        }
+        Point out(wall.along.y(), -wall.along.x());  // rings run counter-clockwise, holes clockwise
+        const MapArea& area = composition_.areas[door.area];
+        const std::string building = draft_id("building", area.id);
+        const std::string number = std::to_string(door.node);
+        const std::string name = "entrance-" + (number.front() == '-' ? "new" + number.substr(1) : number);
+        const bool main = door.tags != nullptr && door.tags->is("entrance", "main");
+        const bool in_passage = is_open_at(door.at);
+        if (!in_passage) {
+            composition_.model.object("door/" + ElementId{ElementKind::node, door.node}.text())
+                .box(main ? kMainLeaf : kLeaf, door.at, wall.along, Point(main ? 0.9 : 0.55, 0.05),
+                     composition_.terrain.height(door.at) - 0.05, composition_.terrain.height(door.at) + 2.15);
+        }
+        DraftTrigger trigger;
+        trigger.id = building + "/" + name;
+        trigger.building = area.tags.has("name") ? building : "";
+        trigger.size = {main ? 2.4 : 1.6, 2.4, 2.4};
+        trigger.center = composition_.world(door.at, 1.2);
+        trigger.yaw_deg = yaw_along(wall.along);
+        trigger.layer = "doors";
+        composition_.draft.triggers.push_back(trigger);
+        for (const double distance : {1.0, 0.75}) {
+            const Point front = door.at + distance * out;
+            if (free_.at(front)) {
+                composition_.draft.places.push_back(
+                    {name, composition_.world(front), trigger.id,
+                     (area.tags.has("name") ? 4 : 0) + (main ? 2 : 0) + (door.tags != nullptr ? 1 : 0)});
+                break;
+            }
+        }
+    }
+
+    bool is_open_at(const Point& at) const {
+        for (const Polygons& opening : composition_.openings) {
+            if (contains(opening, at)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    Composition& composition_;
+    const FreeGround& free_;
+    std::set<std::size_t> walled_;
+    std::unordered_map<std::int64_t, std::size_t> on_wall_;  ///< areas by node
+    std::set<std::int64_t> done_;
+};
+
+}  // namespace
+
+void add_doors(Composition& composition, const FreeGround& free) {
+    Doors doors(composition, free);
+    doors.add_tagged();
+    doors.add_untagged();
+}
+
+}  // namespace campuswalk::scene::osm

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/osm/model_builder.h"
+#include "scene/osm/plan_geometry.h"
+#include "scene/osm/terrain.h"
+
+namespace campuswalk::scene::osm {
+
+/// What covers the ground in an area.
+struct Surface {
+    std::string name;  ///< of the node
+    Polygons area;
+    Look look;
+    int priority = 0;    ///< the higher covers the lower; of equals, the first
+    double level = 0.0;  ///< metres above the ground: 0, or below it, such as a carriageway between kerbs
+};
+
+/// Divides a box of the ground among surfaces, each point to one: there are neither gaps nor overlaps. What
+/// no surface covers is the node `ground`. Where levels differ there are upright faces, the node `kerbs`.
+void add_ground(const std::vector<Surface>& surfaces, const Box& box, const PlanGeometry& geometry,
+                const Terrain& terrain, ModelBuilder& model);
+
+}  // namespace campuswalk::scene::osm

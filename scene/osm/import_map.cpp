@@ -1,0 +1,124 @@
+#include "scene/osm/import_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "scene/osm/areas.h"
+#include "scene/osm/box_index.h"
+#include "scene/osm/compose.h"
+#include "scene/osm/ground.h"
+#include "scene/osm/meaning.h"
+
+namespace campuswalk::scene::osm {
+namespace {
+
+/// How much of a path's centre line is inside polygons, metres; sampled.
+double length_inside(const std::vector<Point>& line, const Polygons& polygons) {
+    constexpr double kSample = 0.25;
+    const Box box = box_of(polygons);
+    double inside = 0.0;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const Point d = line[i] - line[i - 1];
+        if (!box_of({line[i - 1], line[i]}).overlaps(box)) {
+            continue;
+        }
+        const double length = std::sqrt(d.x() * d.x() + d.y() * d.y());
+        const int samples = std::min(4'000, static_cast<int>(length / kSample) + 1);
+        for (int k = 0; k < samples; ++k) {
+            const Point p = line[i - 1] + d * ((k + 0.5) / samples);
+            inside += contains(polygons, p) ? length / samples : 0.0;
+        }
+    }
+    return inside;
+}
+
+/// Adds the buildings, open where paths lead through them.
+void add_buildings(Composition& composition) {
+    constexpr double kLeastInside = 1.5;  // metres; less is a door
+    const std::vector<Passage> passages = passages_of(composition.paths, composition.geometry);
+    BoxIndex index;
+    for (std::size_t i = 0; i < passages.size(); ++i) {
+        if (!passages[i].area.empty()) {
+            index.add(i, box_of(passages[i].area));
+        }
+    }
+    for (const Volume& volume : composition.volumes) {
+        std::vector<const Passage*> through;
+        if (!volume.open && volume.bottom < 2.0) {
+            for (const std::size_t i : index.near(box_of(volume.footprint))) {
+                if (length_inside(passages[i].way->points, volume.footprint) > kLeastInside) {
+                    through.push_back(&passages[i]);
+                    composition.openings.push_back(passages[i].area);
+                    if (!passages[i].tagged && passages[i].for_walkers) {
+                        composition.warn("untagged-passage",
+                                         "way " + std::to_string(passages[i].way->id) + " runs through " +
+                                             volume.node + " without tunnel=building_passage; it is open");
+                    }
+                }
+            }
+        }
+        add_volume(volume, through, composition.geometry, composition.terrain, composition.model);
+    }
+}
+
+Box on_grid(const Box& box) {
+    return {{std::floor(box.min.x()), std::floor(box.min.y())},
+            {std::ceil(box.max.x()), std::ceil(box.max.y())}};
+}
+
+/// The map's box, and as much around it as buildings that begin in it need.
+Box ground_box(const Composition& composition) {
+    constexpr double kMargin = 5.0;
+    constexpr double kFarthest = 250.0;
+    const Box farthest = composition.map.box.grown(kFarthest);
+    Box box = composition.map.box;
+    for (const Volume& volume : composition.volumes) {
+        const Box around = box_of(volume.footprint).grown(kMargin);
+        for (const Point& p : {around.min, around.max}) {
+            box.extend(p.cwiseMax(farthest.min).cwiseMin(farthest.max));
+        }
+    }
+    return on_grid(box);
+}
+
+/// One object, as a visitor is always on one of its nodes.
+std::vector<std::string> ground_globs(const std::vector<Surface>& surfaces) {
+    std::set<std::string> kinds;
+    for (const Surface& surface : surfaces) {
+        kinds.insert(surface.name.substr(0, surface.name.find('/')));
+    }
+    std::vector<std::string> globs = {"ground", "kerbs"};
+    for (const std::string& kind : kinds) {
+        globs.push_back(kind + "/*");
+    }
+    return globs;
+}
+
+}  // namespace
+
+ImportedMap import_map(const MapRequest& request) {
+    DiagnosticList warnings;
+    const Map map = read_map(request.file, request.mark, request.section, warnings);
+    const PlanGeometry geometry;
+    const Terrain terrain;
+    Composition composition{map, request.mark, geometry, terrain, warnings};
+    composition.draft.latitude_deg = 0.5 * (map.geographic.south + map.geographic.north);
+    composition.draft.longitude_deg = 0.5 * (map.geographic.west + map.geographic.east);
+    composition.areas = areas_of(map, geometry, request.mark, warnings);
+    composition.paths = paths_of(map, geometry);
+    composition.volumes = volumes_of(composition.areas, geometry, terrain, request.mark, warnings);
+    const std::vector<Surface> surfaces = surfaces_of(composition.paths, composition.areas);
+    add_ground(surfaces, ground_box(composition), geometry, terrain, composition.model);
+    composition.draft.solids.push_back({"ground", ground_globs(surfaces), "", "", false});
+    add_buildings(composition);
+    add_meaning(composition);
+    ImportedMap imported{composition.model.finish(), std::move(composition.draft), warnings.all()};
+    imported.model.file = request.mark.file;
+    imported.model.geographic =
+        GeographicPlace{imported.draft.latitude_deg, imported.draft.longitude_deg, 0.0};
+    return imported;
+}
+
+}  // namespace campuswalk::scene::osm

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "scene/osm/areas.h"
+#include "scene/osm/buildings.h"
+#include "scene/osm/ground.h"
+#include "scene/osm/map.h"
+#include "scene/osm/plan_geometry.h"
+
+namespace campuswalk::scene::osm {
+
+/// A way that people use, with its width.
+struct Path {
+    const MapWay* way = nullptr;
+    std::string_view highway;
+    double width = 2.0;
+    bool for_walkers = true;     ///< its tags let walkers in
+    bool underground = false;    ///< in a tunnel or indoors below the ground: not built
+    bool steps = false;
+    Polygons area;               ///< the ground that it covers; empty underground
+};
+
+/// The highways of a map in its box, in order.
+std::vector<Path> paths_of(const Map& map, const PlanGeometry& geometry);
+
+/// Whether the tags of a highway let people walk there (wiki.openstreetmap.org/wiki/Key:access).
+bool open_to_walkers(const Tags& tags);
+
+/// How paths, squares, lawns and so on cover the ground.
+std::vector<Surface> surfaces_of(const std::vector<Path>& paths, const std::vector<MapArea>& areas);
+
+/// What is open to walkers through buildings: tagged passages, and all paths that run into one.
+std::vector<Passage> passages_of(const std::vector<Path>& paths, const PlanGeometry& geometry);
+
+}  // namespace campuswalk::scene::osm

@@ -1,0 +1,190 @@
+"""How much of a map's paths the adult walks in a campus made from it. An oracle of its own: it reads the map, projects
+and clips it without the program's code, and has the program walk along every way that is open to walkers.
+
+Usage: walked_ways.py PROGRAM MAP.osm CAMPUS_FOLDER [--list]
+"""
+
+import collections
+import json
+import math
+import os
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree
+
+WALKABLE = {"footway", "path", "pedestrian", "steps", "living_street", "residential", "service", "unclassified", "tertiary",
+            "secondary", "primary", "track", "cycleway", "road", "corridor", "tertiary_link", "secondary_link",
+            "primary_link", "platform"}
+PIECE = 5.0  # metres: what a walk fails to get along counts as blocked as a whole
+
+Piece = collections.namedtuple("Piece", "way start end length")
+
+
+def geocentric(latitude, longitude):
+    """Earth-centred coordinates of a point on the WGS 84 ellipsoid, in metres."""
+    a, f = 6378137.0, 1 / 298.257223563
+    e2 = f * (2 - f)
+    sin, cos = math.sin(math.radians(latitude)), math.cos(math.radians(latitude))
+    n = a / math.sqrt(1 - e2 * sin * sin)
+    return (n * cos * math.cos(math.radians(longitude)), n * cos * math.sin(math.radians(longitude)), n * (1 - e2) * sin)
+
+
+class Map:
+    """The ways of an OpenStreetMap file, in metres east and north of the middle of its bounds."""
+
+    def __init__(self, file):
+        root = xml.etree.ElementTree.parse(file).getroot()
+        bounds = root.find("bounds")
+        self.south, self.west, self.north, self.east = (float(bounds.get(k)) for k in ("minlat", "minlon", "maxlat", "maxlon"))
+        self.middle = ((self.south + self.north) / 2, (self.west + self.east) / 2)
+        self.origin = geocentric(*self.middle)
+        self.nodes = {n.get("id"): self.project(float(n.get("lat")), float(n.get("lon"))) for n in root.iter("node")
+                      if n.get("lat")}
+        self.ways = [(int(w.get("id")), {t.get("k"): t.get("v") for t in w.findall("tag")},
+                      [self.nodes[n.get("ref")] for n in w.findall("nd") if n.get("ref") in self.nodes])
+                     for w in root.iter("way")]
+        low, high = self.project(self.south, self.west), self.project(self.north, self.east)
+        other = self.project(self.south, self.east), self.project(self.north, self.west)
+        margin = 0.5  # the avatar's own breadth, and some
+        self.box = (max(low[0], other[1][0]) + margin, max(low[1], other[0][1]) + margin,
+                    min(high[0], other[0][0]) - margin, min(high[1], other[1][1]) - margin)
+
+    def project(self, latitude, longitude):
+        """East and north of the middle, in the plane that touches the Earth there."""
+        d = [p - o for p, o in zip(geocentric(latitude, longitude), self.origin)]
+        lat, lon = (math.radians(v) for v in self.middle)
+        return (-math.sin(lon) * d[0] + math.cos(lon) * d[1],
+                -math.sin(lat) * math.cos(lon) * d[0] - math.sin(lat) * math.sin(lon) * d[1] + math.cos(lat) * d[2])
+
+
+def is_open(tags):
+    """Whether the tags let people walk along a way."""
+    if tags.get("highway") not in WALKABLE or tags.get("area") == "yes":
+        return False
+    if "foot" in tags:
+        return tags["foot"] not in ("no", "private", "use_sidepath")
+    return tags.get("access") not in ("no", "private")
+
+
+def clipped(a, b, box):
+    """The part of a segment inside a box (Liang and Barsky), or None."""
+    t0, t1 = 0.0, 1.0
+    for axis in (0, 1):
+        d = b[axis] - a[axis]
+        for low, sign in ((box[axis], 1), (box[axis + 2], -1)):
+            p, q = sign * d, sign * (a[axis] - low)
+            if p == 0:
+                if q < 0:
+                    return None
+            elif p > 0:
+                t0 = max(t0, -q / p)
+            else:
+                t1 = min(t1, -q / p)
+    if t0 >= t1:
+        return None
+    at = lambda t: (a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]))
+    return at(t0), at(t1)
+
+
+def pieces_of(the_map):
+    """The open ways inside the box, cut into pieces."""
+    for way, tags, points in the_map.ways:
+        if not is_open(tags):
+            continue
+        for a, b in zip(points, points[1:]):
+            inside = clipped(a, b, the_map.box)
+            length = math.dist(*inside) if inside else 0.0
+            count = math.ceil(length / PIECE)
+            for i in range(count):
+                at = lambda t: tuple(inside[0][k] + t * (inside[1][k] - inside[0][k]) for k in (0, 1))
+                yield Piece(way, at(i / count), at((i + 1) / count), length / count)
+
+
+def walk_of(pieces, campus, height):
+    """A walk along them, which starts anew wherever they aren't connected."""
+    steps, here = [], None
+    for piece in pieces:
+        if here != piece.start:
+            x, y = piece.start
+            at = "[%.4f, %.4f, %.4f]" % (x, height(piece.start), -y)
+            steps.append("  - %s: {at: %s}" % ("teleport" if steps else "spawn", at))
+        steps.append("  - walk_to: {to: [%.4f, %.4f], if_blocked: continue}" % (piece.end[0], -piece.end[1]))
+        here = piece.end
+    return "campus: %s\navatar: adult\nsteps:\n%s\nexpect:\n  - not: {reaches: {place: [0, 9999, 0]}}\n" % (
+        json.dumps(campus), "\n".join(steps))
+
+
+def play(program, pieces, folder, height):
+    """How each piece ended: the events avatar.arrive and avatar.blocked."""
+    campus = next(f for f in sorted(os.listdir(folder)) if f.endswith(".campus.yaml"))
+    walk = os.path.join(folder, "walked-ways.walk.yaml")
+    with tempfile.TemporaryDirectory() as scratch:
+        log = os.path.join(scratch, "log.jsonl")
+        try:
+            with open(walk, "w", encoding="utf-8") as file:
+                file.write(walk_of(pieces, campus, height))
+            done = subprocess.run([program, "run", walk, "--jsonl", log, "--log", os.devnull, "--root", folder, "-j1",
+                                   "--output", scratch], capture_output=True, text=True, check=False)
+        finally:
+            os.remove(walk)
+        if not os.path.exists(log):
+            raise RuntimeError(done.stdout + done.stderr)
+        with open(log, encoding="utf-8") as file:
+            ends = [event for event in map(json.loads, file)
+                    if event.get("event") in ("avatar.arrive", "avatar.blocked")]
+    if len(ends) != len(pieces):
+        raise RuntimeError("%d pieces, but %d ends: %s" % (len(pieces), len(ends), done.stdout[-800:] + done.stderr[-800:]))
+    return ends
+
+
+def walk_all(program, the_map, folder, height=lambda p: 0.0):
+    """All pieces, each with the length that was blocked, and why. Who was blocked on one starts anew on the next."""
+    walked = {}
+    left = list(pieces_of(the_map))
+    order = {piece: i for i, piece in enumerate(left)}
+    while left:
+        again, stuck_before = [], None
+        for piece, end in zip(left, play(program, left, folder, height)):
+            if stuck_before is not None and stuck_before == piece.start:
+                again.append(piece)  # didn't start where it should
+                stuck_before = piece.end
+                continue
+            stuck_before = None
+            if end["event"] == "avatar.arrive":
+                walked[piece] = (0.0, None)
+            else:
+                rest = math.dist((end["pos"][0], -end["pos"][2]), piece.end)
+                walked[piece] = (min(piece.length, rest), end.get("why") or end.get("by") or "timeout")
+                stuck_before = piece.end
+        left = again
+    return [(piece, *walked[piece]) for piece in sorted(walked, key=order.get)]
+
+
+def share_of(walked):
+    """Walked length and all length, metres."""
+    total = sum(piece.length for piece, _, _ in walked)
+    return total - sum(blocked for _, blocked, _ in walked), total
+
+
+def main():
+    """Prints the share, and with --list what is blocked, by way."""
+    program, file, folder = sys.argv[1:4]
+    the_map = Map(file)
+    walked = walk_all(program, the_map, folder)
+    good, total = share_of(walked)
+    print("%s: %.0f of %.0f m walked, %.2f %%" % (os.path.basename(file), good, total, 100 * good / total))
+    if "--list" in sys.argv:
+        tags = {way: tags for way, tags, _ in the_map.ways}
+        blocked = collections.defaultdict(list)
+        for piece, length, why in walked:
+            if why:
+                blocked[piece.way].append((length, why))
+        for way, parts in sorted(blocked.items(), key=lambda item: -sum(length for length, _ in item[1])):
+            shown = {k: v for k, v in tags[way].items() if k in ("highway", "layer", "tunnel", "indoor", "level", "covered",
+                                                                 "foot", "access", "bridge", "footway")}
+            print("  %6.1f m way %d %s: %s" % (sum(length for length, _ in parts), way, shown, parts[0][1][:110]))
+
+
+if __name__ == "__main__":
+    main()
