@@ -1,5 +1,6 @@
 #include "scene/osm/campus_draft.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -70,7 +71,9 @@ std::string building_yaml(const DraftBuilding& building) {
     text += "    info:\n";
     for (const auto& [name, value] : building.info) {
         text += "      " + name + ": " + yaml_string(value) + "\n";
-        body += (body.empty() ? "{" : "\\n{") + name + "}";
+        std::string label = name == "address" || name.starts_with("name-") ? "" : name + ": ";
+        std::ranges::replace(label, '-', ' ');
+        body += (body.empty() ? "" : "\\n") + label + "{" + name + "}";
     }
     return text + "    text: \"" + body + "\"\n";
 }

@@ -41,6 +41,9 @@ public:
                 continue;
             }
             rest = geometry_.difference(rest, inside);
+            if (surface.hollow) {
+                continue;
+            }
             emit(piece, surface.look, surface.level, model_.object(surface.name));
             if (surface.level < 0.0) {
                 sunk[surface.level].push_back(piece);

@@ -6,10 +6,15 @@
 #include <utility>
 
 #include "scene/osm/areas.h"
+#include "scene/osm/barriers.h"
 #include "scene/osm/box_index.h"
 #include "scene/osm/compose.h"
+#include "scene/osm/furniture.h"
 #include "scene/osm/ground.h"
+#include "scene/osm/heights.h"
 #include "scene/osm/meaning.h"
+#include "scene/osm/relief.h"
+#include "scene/osm/steps.h"
 
 namespace campuswalk::scene::osm {
 namespace {
@@ -69,18 +74,30 @@ Box on_grid(const Box& box) {
 }
 
 /// The map's box, and as much around it as buildings that begin in it need.
-Box ground_box(const Composition& composition) {
+Box ground_box(const Map& map, const std::vector<MapArea>& areas) {
     constexpr double kMargin = 5.0;
     constexpr double kFarthest = 250.0;
-    const Box farthest = composition.map.box.grown(kFarthest);
-    Box box = composition.map.box;
-    for (const Volume& volume : composition.volumes) {
-        const Box around = box_of(volume.footprint).grown(kMargin);
-        for (const Point& p : {around.min, around.max}) {
-            box.extend(p.cwiseMax(farthest.min).cwiseMin(farthest.max));
+    const Box farthest = map.box.grown(kFarthest);
+    Box box = map.box;
+    for (const MapArea& area : areas) {
+        if (is_building(area.tags)) {
+            const Box around = box_of(area.polygons).grown(kMargin);
+            for (const Point& p : {around.min, around.max}) {
+                box.extend(p.cwiseMax(farthest.min).cwiseMin(farthest.max));
+            }
         }
     }
     return on_grid(box);
+}
+
+/// From a grid of heights, or as steps make it.
+Terrain terrain_of(const MapRequest& request, const Map& map, const std::vector<Path>& paths, const Box& box) {
+    if (request.heights.empty()) {
+        return relief_of_steps(paths, box);
+    }
+    SourceMark mark;
+    mark.file = request.heights.string();
+    return read_heights(request.heights, mark, map, box);
 }
 
 /// One object, as a visitor is always on one of its nodes.
@@ -102,17 +119,23 @@ ImportedMap import_map(const MapRequest& request) {
     DiagnosticList warnings;
     const Map map = read_map(request.file, request.mark, request.section, warnings);
     const PlanGeometry geometry;
-    const Terrain terrain;
+    std::vector<MapArea> areas = areas_of(map, geometry, request.mark, warnings);
+    std::vector<Path> paths = paths_of(map, geometry);
+    const Box box = ground_box(map, areas);
+    const Terrain terrain = terrain_of(request, map, paths, box);
     Composition composition{map, request.mark, geometry, terrain, warnings};
     composition.draft.latitude_deg = 0.5 * (map.geographic.south + map.geographic.north);
     composition.draft.longitude_deg = 0.5 * (map.geographic.west + map.geographic.east);
-    composition.areas = areas_of(map, geometry, request.mark, warnings);
-    composition.paths = paths_of(map, geometry);
+    composition.areas = std::move(areas);
+    composition.paths = std::move(paths);
     composition.volumes = volumes_of(composition.areas, geometry, terrain, request.mark, warnings);
-    const std::vector<Surface> surfaces = surfaces_of(composition.paths, composition.areas);
-    add_ground(surfaces, ground_box(composition), geometry, terrain, composition.model);
+    const std::vector<Surface> surfaces = surfaces_of(composition.paths, composition.areas, geometry, terrain);
+    add_ground(surfaces, box, geometry, terrain, composition.model);
     composition.draft.solids.push_back({"ground", ground_globs(surfaces), "", "", false});
+    add_steps(composition);
     add_buildings(composition);
+    add_barriers(composition);
+    add_furniture(composition);
     add_meaning(composition);
     ImportedMap imported{composition.model.finish(), std::move(composition.draft), warnings.all()};
     imported.model.file = request.mark.file;

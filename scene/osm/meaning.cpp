@@ -7,7 +7,9 @@
 #include <set>
 #include <string_view>
 
+#include "scene/osm/barriers.h"
 #include "scene/osm/doors.h"
+#include "scene/osm/path_nodes.h"
 #include "scene/osm/tag_values.h"
 #include "scene/osm/triggers.h"
 
@@ -195,14 +197,6 @@ void add_titled_nodes(Composition& composition) {
     }
 }
 
-/// Unit direction of a path at one of its points.
-Point direction_at(const MapWay& way, std::size_t i) {
-    const Point d = i + 1 < way.points.size() ? Point(way.points[i + 1] - way.points[i])
-                                              : Point(way.points[i] - way.points[i - 1]);
-    const double length = std::sqrt(d.x() * d.x() + d.y() * d.y());
-    return length > 0.0 ? Point(d / length) : Point(0, 1);
-}
-
 void add_spawn(Composition& composition, const std::string& name, const Point& at, const Point& towards) {
     composition.draft.spawns.push_back({name, composition.world(at), yaw_towards(towards)});
 }
@@ -224,17 +218,11 @@ void add_start(Composition& composition, const FreeGround& free) {
             if (distance < nearest && composition.map.box.grown(-2.0).contains(p) && free.at(p)) {
                 nearest = distance;
                 at = p;
-                towards = direction_at(*path.way, i);
+                towards = direction_at(path.way->points, i);
             }
         }
     }
     add_spawn(composition, "start", at, towards);
-}
-
-bool is_gate(const Tags& tags) {
-    constexpr std::array<std::string_view, 5> kGates = {"gate", "lift_gate", "swing_gate", "entrance",
-                                                        "toll_booth"};
-    return std::ranges::find(kGates, tags.get("barrier")) != kGates.end();
 }
 
 /// At gates a step away along the path, at stops beside them.
@@ -253,7 +241,7 @@ void add_spawns(Composition& composition, const FreeGround& free) {
         }
         Point towards(0, 1);
         if (const auto found = on_path.find(node.id); found != on_path.end()) {
-            towards = direction_at(*found->second.first, found->second.second);
+            towards = direction_at(found->second.first->points, found->second.second);
         }
         for (const Point& at : {Point(node.at - kStep * towards), Point(node.at + kStep * towards)}) {
             if (free.at(at) && composition.map.box.contains(at)) {
@@ -268,7 +256,7 @@ void add_spawns(Composition& composition, const FreeGround& free) {
 }  // namespace
 
 void add_meaning(Composition& composition) {
-    composition.draft.layers = {"buildings", "doors"};
+    composition.draft.layers = {"barriers", "buildings", "doors", "furniture"};
     add_titled_buildings(composition);
     add_titled_areas(composition);
     add_titled_nodes(composition);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "scene/osm/steps.h"
 #include "scene/osm/tag_values.h"
 
 namespace campuswalk::scene::osm {
@@ -171,7 +172,7 @@ std::optional<Surface> surface_of(const MapArea& area) {
             return std::nullopt;
         }
         return Surface{word_of(highway->value) + "/" + area.id.text(), area.polygons, look_of(tags, *highway),
-                       62, 0.0};
+                       62, 0.0, false};
     }
     if (affirmed(tags, "building") || affirmed(tags, "building:part") || is_underground(tags) ||
         number_of(tags, "layer").value_or(0.0) != 0.0 || tags.is("parking", "underground") ||
@@ -190,7 +191,7 @@ std::optional<Surface> surface_of(const MapArea& area) {
         apply_surface(tags, look);
     }
     return Surface{word_of(cover->value) + "/" + area.id.text(), area.polygons, look, cover->priority,
-                   water ? -kWaterDepth : 0.0};
+                   water ? -kWaterDepth : 0.0, false};
 }
 
 }  // namespace
@@ -226,14 +227,16 @@ std::vector<Path> paths_of(const Map& map, const PlanGeometry& geometry) {
         path.underground = is_underground(way.tags);
         path.steps = highway->value == "steps";
         if (!path.underground) {
-            path.area = geometry.buffer(way.points, 0.5 * path.width, path.steps ? Caps::flat : Caps::round);
+            path.area = path.steps ? geometry.polygon(outline_of_steps(path))
+                                   : geometry.buffer(way.points, 0.5 * path.width, Caps::round);
         }
         paths.push_back(std::move(path));
     }
     return paths;
 }
 
-std::vector<Surface> surfaces_of(const std::vector<Path>& paths, const std::vector<MapArea>& areas) {
+std::vector<Surface> surfaces_of(const std::vector<Path>& paths, const std::vector<MapArea>& areas,
+                                 const PlanGeometry& geometry, const Terrain& terrain) {
     constexpr double kKerb = 0.12;  // metres
     std::vector<Surface> surfaces;
     for (const Path& path : paths) {
@@ -242,10 +245,12 @@ std::vector<Surface> surfaces_of(const std::vector<Path>& paths, const std::vect
         }
         const Highway& highway = *highway_of(path.way->tags);
         const bool crossing = is_crossing(path.way->tags);
+        const bool treads = has_treads(path, terrain);
         surfaces.push_back({word_of(crossing ? "crossing" : highway.value) + "/way-" +
                                 ElementId{ElementKind::way, path.way->id}.text().substr(4),
-                            path.area, look_of(path.way->tags, highway), crossing ? 70 : highway.priority,
-                            highway.carriageway ? -kKerb : 0.0});
+                            treads ? geometry.polygon(outline_of_treads(path, terrain)) : path.area,
+                            look_of(path.way->tags, highway), crossing ? 70 : highway.priority,
+                            highway.carriageway ? -kKerb : 0.0, treads});
     }
     for (const MapArea& area : areas) {
         if (auto surface = surface_of(area)) {

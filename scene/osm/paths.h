@@ -29,7 +29,8 @@ std::vector<Path> paths_of(const Map& map, const PlanGeometry& geometry);
 bool open_to_walkers(const Tags& tags);
 
 /// How paths, squares, lawns and so on cover the ground.
-std::vector<Surface> surfaces_of(const std::vector<Path>& paths, const std::vector<MapArea>& areas);
+std::vector<Surface> surfaces_of(const std::vector<Path>& paths, const std::vector<MapArea>& areas,
+                                 const PlanGeometry& geometry, const Terrain& terrain);
 
 /// What is open to walkers through buildings: tagged passages, and all paths that run into one.
 std::vector<Passage> passages_of(const std::vector<Path>& paths, const PlanGeometry& geometry);

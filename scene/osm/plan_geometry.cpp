@@ -8,6 +8,11 @@
 
 namespace campuswalk::scene::osm {
 
+Point unit(const Point& direction) {
+    const double length = std::sqrt(direction.x() * direction.x() + direction.y() * direction.y());
+    return length > 0.0 ? Point(direction / length) : Point(1, 0);
+}
+
 double signed_area(const Ring& ring) {
     double twice = 0.0;
     for (std::size_t i = 0; i < ring.size(); ++i) {

@@ -18,6 +18,13 @@ struct Polygon {
 };
 using Polygons = std::vector<Polygon>;
 
+/// A quarter turn to the left.
+inline Point left_of(const Point& direction) {
+    return {-direction.y(), direction.x()};
+}
+/// The same direction with length 1; east for no direction.
+Point unit(const Point& direction);
+
 double signed_area(const Ring& ring);
 double area_of(const Polygons& polygons);
 /// Of the outer rings; not for none.

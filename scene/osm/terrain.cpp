@@ -19,7 +19,37 @@ Terrain::Terrain(const Point& south_west, double cell, std::size_t columns, std:
       cell_(cell),
       columns_(columns),
       rows_(heights.size() / columns),
-      heights_(std::move(heights)) {}
+      heights_(std::move(heights)),
+      raised_((columns_ + 1) * (rows_ + 1), 0) {
+    const std::size_t stride = columns_ + 1;
+    for (std::size_t row = 0; row < rows_; ++row) {
+        for (std::size_t column = 0; column < columns_; ++column) {
+            raised_[(row + 1) * stride + column + 1] =
+                (at(column, row) != 0.0 ? 1U : 0U) + raised_[row * stride + column + 1] +
+                raised_[(row + 1) * stride + column] - raised_[row * stride + column];
+        }
+    }
+}
+
+bool Terrain::is_level_at(const Point* points, std::size_t count) const {
+    Point low = (points[0] - south_west_) / cell_;
+    Point high = low;
+    for (std::size_t i = 1; i < count; ++i) {
+        const Point q = (points[i] - south_west_) / cell_;
+        low = low.cwiseMin(q);
+        high = high.cwiseMax(q);
+    }
+    const auto limited = [](double value, std::size_t end) {
+        return static_cast<std::size_t>(std::clamp(value, 0.0, static_cast<double>(end)));
+    };
+    const std::size_t left = limited(std::floor(low.x()) - 1.0, columns_ - 1);
+    const std::size_t right = limited(std::ceil(high.x()) + 2.0, columns_);
+    const std::size_t bottom = limited(std::floor(low.y()) - 1.0, rows_ - 1);
+    const std::size_t top = limited(std::ceil(high.y()) + 2.0, rows_);
+    const std::size_t stride = columns_ + 1;
+    return raised_[top * stride + right] + raised_[bottom * stride + left] ==
+           raised_[bottom * stride + right] + raised_[top * stride + left];
+}
 
 double Terrain::height(const Point& p) const {
     if (is_level()) {
@@ -43,7 +73,7 @@ double Terrain::height(const Point& p) const {
 }
 
 void Terrain::split(const std::array<Point, 3>& triangle, std::vector<std::array<Point, 3>>& parts) const {
-    if (is_level()) {
+    if (is_level() || is_level_at(triangle.data(), triangle.size())) {
         parts.push_back(triangle);
         return;
     }
@@ -81,7 +111,8 @@ void Terrain::split(const std::array<Point, 3>& triangle, std::vector<std::array
 }
 
 std::vector<Point> Terrain::split(const Point& a, const Point& b) const {
-    if (is_level()) {
+    const std::array<Point, 2> ends = {a, b};
+    if (is_level() || is_level_at(ends.data(), ends.size())) {
         return {a, b};
     }
     std::vector<double> cuts = {0.0, 1.0};

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "scene/osm/plan_geometry.h"
@@ -28,6 +29,8 @@ public:
     double highest(const Polygons& polygons) const;
 
 private:
+    /// Whether the ground is level at 0 around all of these points.
+    bool is_level_at(const Point* points, std::size_t count) const;
     double at(std::size_t column, std::size_t row) const { return heights_[row * columns_ + column]; }
 
     Point south_west_ = Point::Zero();
@@ -35,6 +38,8 @@ private:
     std::size_t columns_ = 0;
     std::size_t rows_ = 0;
     std::vector<double> heights_;
+    /// How many of the grid's points in the rectangle from the south-west aren't at 0; one row and column more.
+    std::vector<std::uint32_t> raised_;
 };
 
 }  // namespace campuswalk::scene::osm

@@ -8,6 +8,7 @@ import collections
 import json
 import math
 import os
+import struct
 import subprocess
 import sys
 import tempfile
@@ -101,16 +102,98 @@ def pieces_of(the_map):
                 yield Piece(way, at(i / count), at((i + 1) / count), length / count)
 
 
+class Ground:
+    """The heights of a campus' ground: of the triangles of a GLB that face up and belong to no building or thing."""
+
+    CELL = 8.0
+    OTHERS = ("building", "door", "tree", "shrub", "bench", "lamp", "wall", "fence", "hedge", "gate", "bollard")
+
+    def __init__(self, glb):
+        with open(glb, "rb") as file:
+            data = file.read()
+        length = struct.unpack_from("<I", data, 12)[0]
+        document, self.bin = json.loads(data[20:20 + length]), data[28 + length:]
+        self.cells = collections.defaultdict(list)
+        for node in document["nodes"]:
+            if node["name"].split("/")[0] in self.OTHERS:
+                continue
+            for primitive in document["meshes"][node["mesh"]]["primitives"]:
+                points = self.read(document, primitive["attributes"]["POSITION"])
+                indices = self.read(document, primitive["indices"])
+                for i in range(0, len(indices), 3):
+                    self.add([points[k] for k in indices[i:i + 3]])
+
+    def read(self, document, number):
+        """The values of an accessor."""
+        accessor = document["accessors"][number]
+        offset = document["bufferViews"][accessor["bufferView"]]["byteOffset"] + accessor["byteOffset"]
+        if accessor["type"] == "VEC3":
+            values = struct.unpack_from("<%df" % (3 * accessor["count"]), self.bin, offset)
+            return list(zip(values[0::3], values[1::3], values[2::3]))
+        return struct.unpack_from("<%d%s" % (accessor["count"], {5123: "H", 5125: "I"}[accessor["componentType"]]), self.bin,
+                                  offset)
+
+    def add(self, corners):
+        """Keeps a triangle, in the plan counter-clockwise, under every cell that it touches."""
+        (ax, ay, az), (bx, by, bz), (cx, cy, cz) = ((x, -z, y) for x, y, z in corners)
+        area = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay)
+        if area <= 1e-9:
+            return
+        triangle = (ax, ay, az, bx, by, bz, cx, cy, cz, area)
+        for i in range(math.floor(min(ax, bx, cx) / self.CELL), math.floor(max(ax, bx, cx) / self.CELL) + 1):
+            for j in range(math.floor(min(ay, by, cy) / self.CELL), math.floor(max(ay, by, cy) / self.CELL) + 1):
+                self.cells[i, j].append(triangle)
+
+    def height(self, p):
+        """Of the highest triangle there, or a little beside: positions are rounded to 32 bits. 0 for none."""
+        beside = 0.02
+        near = ((0, 0), (beside, 0), (-beside, 0), (0, beside), (0, -beside))
+        return max((h for dx, dy in near for h in self.heights((p[0] + dx, p[1] + dy))), default=0.0)
+
+    def heights(self, p):
+        """Of all triangles there."""
+        heights = []
+        for ax, ay, az, bx, by, bz, cx, cy, cz, area in self.cells.get((math.floor(p[0] / self.CELL),
+                                                                       math.floor(p[1] / self.CELL)), ()):
+            u = ((bx - p[0]) * (cy - p[1]) - (cx - p[0]) * (by - p[1])) / area
+            v = ((cx - p[0]) * (ay - p[1]) - (ax - p[0]) * (cy - p[1])) / area
+            if u >= -1e-6 and v >= -1e-6 and u + v <= 1 + 1e-6:
+                heights.append(u * az + v * bz + (1 - u - v) * cz)
+        return heights
+
+
+def backwards(piece):
+    """The same from its end."""
+    return Piece(piece.way, piece.end, piece.start, piece.length)
+
+
+def box_of(points):
+    """South-west and north-east."""
+    return (min(p[0] for p in points), min(p[1] for p in points), max(p[0] for p in points), max(p[1] for p in points))
+
+
+def is_inside(p, outlines):
+    """Whether a point is more than a hand's breadth inside of a ring."""
+    for ring, box in outlines:
+        if not (box[0] <= p[0] <= box[2] and box[1] <= p[1] <= box[3]):
+            continue
+        inside = False
+        for (ax, ay), (bx, by) in zip(ring, ring[1:] + ring[:1]):
+            if (ay > p[1]) != (by > p[1]) and p[0] < (bx - ax) * (p[1] - ay) / (by - ay) + ax:
+                inside = not inside
+        if inside:
+            return True
+    return False
+
+
 def walk_of(pieces, campus, height):
-    """A walk along them, which starts anew wherever they aren't connected."""
-    steps, here = [], None
+    """A walk along each of them, from its start."""
+    steps = []
     for piece in pieces:
-        if here != piece.start:
-            x, y = piece.start
-            at = "[%.4f, %.4f, %.4f]" % (x, height(piece.start), -y)
-            steps.append("  - %s: {at: %s}" % ("teleport" if steps else "spawn", at))
+        x, y = piece.start
+        at = "[%.4f, %.4f, %.4f]" % (x, height(piece.start), -y)
+        steps.append("  - %s: {at: %s}" % ("teleport" if steps else "spawn", at))
         steps.append("  - walk_to: {to: [%.4f, %.4f], if_blocked: continue}" % (piece.end[0], -piece.end[1]))
-        here = piece.end
     return "campus: %s\navatar: adult\nsteps:\n%s\nexpect:\n  - not: {reaches: {place: [0, 9999, 0]}}\n" % (
         json.dumps(campus), "\n".join(steps))
 
@@ -134,30 +217,38 @@ def play(program, pieces, folder, height):
             ends = [event for event in map(json.loads, file)
                     if event.get("event") in ("avatar.arrive", "avatar.blocked")]
     if len(ends) != len(pieces):
-        raise RuntimeError("%d pieces, but %d ends: %s" % (len(pieces), len(ends), done.stdout[-800:] + done.stderr[-800:]))
+        raise RuntimeError("%d pieces, but %d ends: %s" % (len(pieces), len(ends), done.stdout[-1500:] + done.stderr[-800:]))
     return ends
 
 
-def walk_all(program, the_map, folder, height=lambda p: 0.0):
-    """All pieces, each with the length that was blocked, and why. Who was blocked on one starts anew on the next."""
+def walk_all(program, the_map, folder):
+    """All pieces, each with the length that was blocked, and why.
+
+    Every walk starts outside of buildings, or where another arrived: who is put into a closed building walks there,
+    too. After a piece that is blocked a walk starts anew; a piece that begins inside is walked backwards if need be.
+    """
+    height = Ground(os.path.join(folder, "campus.glb")).height
+    outlines = [(points, box_of(points)) for way, tags, points in the_map.ways
+                if tags.get("building", "no") not in ("no", "roof") and len(points) > 3]
     walked = {}
-    left = list(pieces_of(the_map))
+    left = list(dict.fromkeys(pieces_of(the_map)))
+    arrived = {p for piece in left for p in (piece.start, piece.end) if not is_inside(p, outlines)}
     order = {piece: i for i, piece in enumerate(left)}
-    while left:
-        again, stuck_before = [], None
-        for piece, end in zip(left, play(program, left, folder, height)):
-            if stuck_before is not None and stuck_before == piece.start:
-                again.append(piece)  # didn't start where it should
-                stuck_before = piece.end
-                continue
-            stuck_before = None
+    while True:
+        now = [piece if piece.start in arrived else backwards(piece) for piece in left
+               if piece.start in arrived or piece.end in arrived]
+        if not now:
+            break
+        for piece, end in zip(now, play(program, now, folder, height)):
+            original = piece if piece in order else backwards(piece)
             if end["event"] == "avatar.arrive":
-                walked[piece] = (0.0, None)
+                walked[original] = (0.0, None)
+                arrived.add(piece.end)
             else:
                 rest = math.dist((end["pos"][0], -end["pos"][2]), piece.end)
-                walked[piece] = (min(piece.length, rest), end.get("why") or end.get("by") or "timeout")
-                stuck_before = piece.end
-        left = again
+                walked[original] = (min(piece.length, rest), end.get("why") or end.get("by") or "timeout")
+        left = [piece for piece in left if piece not in walked]
+    walked.update({piece: (piece.length, "it is inside of a building where no walk arrives") for piece in left})
     return [(piece, *walked[piece]) for piece in sorted(walked, key=order.get)]
 
 
