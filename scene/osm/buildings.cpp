@@ -33,9 +33,10 @@ constexpr std::array<Kind, 31> kKinds = {{
     {"university", 4},
 }};
 
-double usual_levels(std::string_view kind) {
+double usual_levels(std::string_view kind, double area) {
+    constexpr double kLarge = 500.0;  // m²: no house
     const auto* found = std::ranges::find(kKinds, kind, &Kind::value);
-    return found == kKinds.end() ? 2.0 : found->levels;
+    return found != kKinds.end() ? found->levels : area > kLarge ? 3.0 : 2.0;
 }
 
 std::string_view kind_of(const Tags& tags) {
@@ -54,7 +55,7 @@ void set_heights(const PlanGeometry& geometry, Volume& volume) {
     const auto height = length_of(tags, "height");
     const auto levels = number_of(tags, "building:levels");
     const double min_levels = number_of(tags, "building:min_level").value_or(0.0);
-    const double storeys = levels && *levels > 0.0 ? *levels : usual_levels(kind_of(tags)) + min_levels;
+    const double storeys = levels && *levels > 0.0 ? *levels : usual_levels(kind_of(tags), area_of(volume.footprint)) + min_levels;
     volume.bottom = limited(length_of(tags, "min_height").value_or(min_levels * kStorey));
     double roof_height = 0.0;
     if (volume.roof.shape != RoofShape::flat) {

@@ -17,7 +17,8 @@ struct Door {
     std::int64_t node = 0;
     Point at = Point::Zero();
     std::size_t area = 0;
-    const Tags* tags = nullptr;  ///< null: found where a path ends
+    const Tags* tags = nullptr;  ///< null: not tagged
+    bool assumed = false;        ///< no node: `node` is the building's number
 };
 
 bool is_entrance(const Tags& tags) {
@@ -43,7 +44,7 @@ public:
     void add_tagged() {
         for (const MapNode& node : composition_.map.nodes) {
             if (const auto wall = on_wall_.find(node.id); wall != on_wall_.end() && is_entrance(node.tags)) {
-                add({node.id, node.at, wall->second, &node.tags});
+                add({node.id, node.at, wall->second, &node.tags, false});
             }
         }
     }
@@ -55,17 +56,61 @@ public:
             }
             for (const std::size_t i : {std::size_t{0}, path.way->nodes.size() - 1}) {
                 if (const auto wall = on_wall_.find(path.way->nodes[i]); wall != on_wall_.end()) {
-                    add({path.way->nodes[i], path.way->points[i], wall->second, nullptr});
+                    add({path.way->nodes[i], path.way->points[i], wall->second, nullptr, false});
                 }
+            }
+        }
+    }
+
+    /// Every building with a name can be entered: where no door is known, at its wall nearest to a path.
+    void add_assumed() {
+        constexpr double kNearest = 40.0;
+        BoxIndex paths;
+        for (std::size_t i = 0; i < composition_.paths.size(); ++i) {
+            const Path& path = composition_.paths[i];
+            if (path.for_walkers && !path.underground && !path.steps) {
+                paths.add(i, box_of(path.way->points));
+            }
+        }
+        for (const std::size_t area : walled_) {
+            const MapArea& building = composition_.areas[area];
+            if (!building.tags.has("name") || with_door_.contains(area) ||
+                building.polygons.front().outer.size() < 3) {
+                continue;
+            }
+            const Ring& ring = building.polygons.front().outer;
+            double nearest = kNearest;
+            Point at = Point::Zero();
+            const std::vector<std::size_t> near = paths.near(box_of(ring).grown(kNearest));
+            for (std::size_t i = 0; i < ring.size(); ++i) {
+                const Point& a = ring[i];
+                const Point& b = ring[(i + 1) % ring.size()];
+                constexpr double kLeastWall = 2.0;
+                const Point middle = 0.5 * (a + b);
+                if ((b - a).norm() < kLeastWall || !free_.at(middle + 1.0 * -left_of(unit(b - a)))) {
+                    continue;
+                }
+                for (const std::size_t number : near) {
+                    const double distance =
+                        nearest_on(composition_.paths[number].way->points, false, middle).distance;
+                    if (distance < nearest) {
+                        nearest = distance;
+                        at = middle;
+                    }
+                }
+            }
+            if (nearest < kNearest) {
+                add({building.id.number, at, area, nullptr, true});
             }
         }
     }
 
 private:
     void add(const Door& door) {
-        if (!composition_.map.box.contains(door.at) || !done_.insert(door.node).second) {
+        if (!composition_.map.box.contains(door.at) || (!door.assumed && !done_.insert(door.node).second)) {
             return;
         }
+        with_door_.insert(door.area);
         Nearest wall;
         const Polygons& outline = composition_.areas[door.area].polygons;
         for (const Polygon& polygon : outline) {
@@ -84,11 +129,12 @@ private:
         const MapArea& area = composition_.areas[door.area];
         const std::string building = draft_id("building", area.id);
         const std::string number = std::to_string(door.node);
-        const std::string name = "entrance-" + (number.front() == '-' ? "new" + number.substr(1) : number);
+        const std::string name = (door.assumed ? "assumed-entrance-" : "entrance-") + (number.front() == '-' ? "new" + number.substr(1) : number);
         const bool main = door.tags != nullptr && door.tags->is("entrance", "main");
         const bool in_passage = is_open_at(door.at);
         if (!in_passage) {
-            composition_.model.object("door/" + ElementId{ElementKind::node, door.node}.text())
+            const ElementId id = door.assumed ? area.id : ElementId{ElementKind::node, door.node};
+            composition_.model.object("door/" + id.text())
                 .box(main ? kMainLeaf : kLeaf, door.at, wall.along, Point(main ? 0.9 : 0.55, 0.05),
                      composition_.terrain.height(door.at) - 0.05, composition_.terrain.height(door.at) + 2.15);
         }
@@ -125,6 +171,7 @@ private:
     std::set<std::size_t> walled_;
     std::unordered_map<std::int64_t, std::size_t> on_wall_;  ///< areas by node
     std::set<std::int64_t> done_;
+    std::set<std::size_t> with_door_;
 };
 
 }  // namespace
@@ -133,6 +180,8 @@ void add_doors(Composition& composition, const FreeGround& free) {
     Doors doors(composition, free);
     doors.add_tagged();
     doors.add_untagged();
+    doors.add_assumed();
+    composition.draft.solids.push_back({"door", {"door/*"}, "", "doors", true});  // left out if there is none
 }
 
 }  // namespace campuswalk::scene::osm

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kTile = 64.0;  // metres; the cost of an overlay grows faster than its area
 constexpr Look kEarth = {{132, 148, 104}, 245, 255};
+constexpr Look kBed = {{112, 112, 96}, 240, 255};
 constexpr Look kKerbstone = {{168, 166, 160}, 230, 255};
 
 class Tiler {
@@ -44,7 +45,11 @@ public:
             if (surface.hollow) {
                 continue;
             }
-            emit(piece, surface.look, surface.level, model_.object(surface.name));
+            emit(piece, surface.water ? kBed : surface.look, surface.level, model_.object(surface.name));
+            if (surface.water) {
+                constexpr double kSurface = -0.2;
+                emit(piece, surface.look, kSurface, model_.object("water-surface/" + surface.name));
+            }
             if (surface.level < 0.0) {
                 sunk[surface.level].push_back(piece);
             }

@@ -113,6 +113,26 @@ std::vector<std::string> ground_globs(const std::vector<Surface>& surfaces) {
     return globs;
 }
 
+/// Leaves out what has no triangles after all: globs that match nothing are errors.
+void keep_existing(const Model& model, std::vector<DraftSolid>& solids) {
+    std::set<std::string> names;
+    for (const Node& node : model.nodes) {
+        names.insert(node.name);
+    }
+    const auto matches_none = [&](const std::string& glob) {
+        if (!glob.ends_with("/*")) {
+            return !names.contains(glob);
+        }
+        const std::string prefix = glob.substr(0, glob.size() - 1);
+        const auto next = names.lower_bound(prefix);
+        return next == names.end() || !next->starts_with(prefix);
+    };
+    for (DraftSolid& solid : solids) {
+        std::erase_if(solid.globs, matches_none);
+    }
+    std::erase_if(solids, [](const DraftSolid& solid) { return solid.globs.empty(); });
+}
+
 }  // namespace
 
 ImportedMap import_map(const MapRequest& request) {
@@ -137,7 +157,9 @@ ImportedMap import_map(const MapRequest& request) {
     add_barriers(composition);
     add_furniture(composition);
     add_meaning(composition);
-    ImportedMap imported{composition.model.finish(), std::move(composition.draft), warnings.all()};
+    Model model = composition.model.finish();
+    ImportedMap imported{std::move(model), std::move(composition.draft), warnings.all()};
+    keep_existing(imported.model, imported.draft.solids);
     imported.model.file = request.mark.file;
     imported.model.geographic =
         GeographicPlace{imported.draft.latitude_deg, imported.draft.longitude_deg, 0.0};

@@ -214,7 +214,8 @@ void add_start(Composition& composition, const FreeGround& free) {
         for (std::size_t i = 0; i < path.way->points.size(); ++i) {
             const Point& p = path.way->points[i];
             const Point off = p - middle;
-            const double distance = off.x() * off.x() + off.y() * off.y();
+            constexpr double kRoad = 50.0;  // metres of detour to stand beside the traffic
+            const double distance = std::sqrt(off.x() * off.x() + off.y() * off.y()) + (path.width > 4.5 ? kRoad : 0.0);
             if (distance < nearest && composition.map.box.grown(-2.0).contains(p) && free.at(p)) {
                 nearest = distance;
                 at = p;

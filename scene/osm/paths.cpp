@@ -172,7 +172,7 @@ std::optional<Surface> surface_of(const MapArea& area) {
             return std::nullopt;
         }
         return Surface{word_of(highway->value) + "/" + area.id.text(), area.polygons, look_of(tags, *highway),
-                       62, 0.0, false};
+                       62, 0.0, false, false};
     }
     if (affirmed(tags, "building") || affirmed(tags, "building:part") || is_underground(tags) ||
         number_of(tags, "layer").value_or(0.0) != 0.0 || tags.is("parking", "underground") ||
@@ -186,12 +186,13 @@ std::optional<Surface> surface_of(const MapArea& area) {
     }
     constexpr double kWaterDepth = 1.2;
     const bool water = cover->priority == 66;
-    Look look{cover->color, static_cast<std::uint8_t>(water ? 40 : 245), 255};
+    Look look{cover->color, static_cast<std::uint8_t>(water ? 40 : 245),
+              static_cast<std::uint8_t>(water ? 190 : 255)};
     if (!water) {
         apply_surface(tags, look);
     }
     return Surface{word_of(cover->value) + "/" + area.id.text(), area.polygons, look, cover->priority,
-                   water ? -kWaterDepth : 0.0, false};
+                   water ? -kWaterDepth : 0.0, false, water};
 }
 
 }  // namespace
@@ -250,7 +251,7 @@ std::vector<Surface> surfaces_of(const std::vector<Path>& paths, const std::vect
                                 ElementId{ElementKind::way, path.way->id}.text().substr(4),
                             treads ? geometry.polygon(outline_of_treads(path, terrain)) : path.area,
                             look_of(path.way->tags, highway), crossing ? 70 : highway.priority,
-                            highway.carriageway ? -kKerb : 0.0, treads});
+                            highway.carriageway ? -kKerb : 0.0, treads, false});
     }
     for (const MapArea& area : areas) {
         if (auto surface = surface_of(area)) {

@@ -93,22 +93,23 @@ struct NamedColor {
     Color color;
 };
 
-// CSS Color Module Level 4, section 6.1, those that buildings have.
+// The names of CSS that buildings have. Who maps a red roof means a red of roofs: the pure colours are those of paint.
+// Hexadecimal colours are taken as they are.
 constexpr std::array<NamedColor, 40> kColors = {{
-    {"aqua", {0, 255, 255}},       {"azure", {240, 255, 255}},    {"beige", {245, 245, 220}},
-    {"black", {0, 0, 0}},          {"blue", {0, 0, 255}},         {"brown", {165, 42, 42}},
+    {"aqua", {130, 200, 204}},       {"azure", {240, 255, 255}},    {"beige", {245, 245, 220}},
+    {"black", {40, 40, 42}},          {"blue", {70, 100, 160}},         {"brown", {165, 42, 42}},
     {"burlywood", {222, 184, 135}}, {"chocolate", {210, 105, 30}}, {"cornsilk", {255, 248, 220}},
     {"cream", {255, 253, 208}},    {"darkgray", {169, 169, 169}}, {"darkgreen", {0, 100, 0}},
     {"darkgrey", {169, 169, 169}}, {"darkred", {139, 0, 0}},      {"dimgray", {105, 105, 105}},
-    {"firebrick", {178, 34, 34}},  {"fuchsia", {255, 0, 255}},    {"gold", {255, 215, 0}},
-    {"gray", {128, 128, 128}},     {"green", {0, 128, 0}},        {"grey", {128, 128, 128}},
+    {"firebrick", {178, 34, 34}},  {"fuchsia", {190, 90, 160}},    {"gold", {255, 215, 0}},
+    {"gray", {128, 128, 128}},     {"green", {84, 128, 84}},        {"grey", {128, 128, 128}},
     {"indianred", {205, 92, 92}},  {"ivory", {255, 255, 240}},    {"khaki", {240, 230, 140}},
-    {"lightgray", {211, 211, 211}}, {"lightgrey", {211, 211, 211}}, {"lime", {0, 255, 0}},
-    {"maroon", {128, 0, 0}},       {"navy", {0, 0, 128}},         {"olive", {128, 128, 0}},
-    {"orange", {255, 165, 0}},     {"pink", {255, 192, 203}},     {"purple", {128, 0, 128}},
-    {"red", {255, 0, 0}},          {"salmon", {250, 128, 114}},   {"silver", {192, 192, 192}},
-    {"tan", {210, 180, 140}},      {"teal", {0, 128, 128}},       {"white", {255, 255, 255}},
-    {"yellow", {255, 255, 0}},
+    {"lightgray", {211, 211, 211}}, {"lightgrey", {211, 211, 211}}, {"lime", {150, 196, 90}},
+    {"maroon", {118, 48, 44}},       {"navy", {0, 0, 128}},         {"olive", {128, 128, 0}},
+    {"orange", {216, 150, 84}},     {"pink", {255, 192, 203}},     {"purple", {116, 80, 124}},
+    {"red", {178, 64, 52}},          {"salmon", {250, 128, 114}},   {"silver", {192, 192, 192}},
+    {"tan", {210, 180, 140}},      {"teal", {0, 128, 128}},       {"white", {240, 238, 232}},
+    {"yellow", {232, 208, 120}},
 }};
 
 constexpr std::array<NamedColor, 22> kMaterials = {{

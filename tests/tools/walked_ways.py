@@ -200,6 +200,7 @@ def walk_of(pieces, campus, height):
 
 def play(program, pieces, folder, height):
     """How each piece ended: the events avatar.arrive and avatar.blocked."""
+    folder = os.path.abspath(folder)
     campus = next(f for f in sorted(os.listdir(folder)) if f.endswith(".campus.yaml"))
     walk = os.path.join(folder, "walked-ways.walk.yaml")
     with tempfile.TemporaryDirectory() as scratch:
@@ -208,7 +209,7 @@ def play(program, pieces, folder, height):
             with open(walk, "w", encoding="utf-8") as file:
                 file.write(walk_of(pieces, campus, height))
             done = subprocess.run([program, "run", walk, "--jsonl", log, "--log", os.devnull, "--root", folder, "-j1",
-                                   "--output", scratch], capture_output=True, text=True, check=False)
+                                   "--output", scratch], capture_output=True, text=True, check=False, cwd=folder)
         finally:
             os.remove(walk)
         if not os.path.exists(log):
