@@ -45,6 +45,12 @@ class Map:
         self.ways = [(int(w.get("id")), {t.get("k"): t.get("v") for t in w.findall("tag")},
                       [self.nodes[n.get("ref")] for n in w.findall("nd") if n.get("ref") in self.nodes])
                      for w in root.iter("way")]
+        points = {way: points for way, _, points in self.ways}
+        self.buildings = [points for _, tags, points in self.ways if is_building(tags)]
+        for relation in root.iter("relation"):
+            if is_building({t.get("k"): t.get("v") for t in relation.findall("tag")}):
+                self.buildings += [points[int(m.get("ref"))] for m in relation.findall("member")
+                                   if m.get("type") == "way" and int(m.get("ref")) in points and m.get("role") != "inner"]
         low, high = self.project(self.south, self.west), self.project(self.north, self.east)
         other = self.project(self.south, self.east), self.project(self.north, self.west)
         margin = 0.5  # the avatar's own breadth, and some
@@ -57,6 +63,11 @@ class Map:
         lat, lon = (math.radians(v) for v in self.middle)
         return (-math.sin(lon) * d[0] + math.cos(lon) * d[1],
                 -math.sin(lat) * math.cos(lon) * d[0] - math.sin(lat) * math.sin(lon) * d[1] + math.cos(lat) * d[2])
+
+
+def is_building(tags):
+    """Whether tags are those of a building with walls."""
+    return tags.get("building", "no") not in ("no", "roof")
 
 
 def is_open(tags):
@@ -172,16 +183,25 @@ def box_of(points):
     return (min(p[0] for p in points), min(p[1] for p in points), max(p[0] for p in points), max(p[1] for p in points))
 
 
+def distance_to(p, a, b):
+    """From a point to a segment."""
+    d = (b[0] - a[0], b[1] - a[1])
+    length2 = d[0] * d[0] + d[1] * d[1]
+    t = max(0.0, min(1.0, ((p[0] - a[0]) * d[0] + (p[1] - a[1]) * d[1]) / length2)) if length2 else 0.0
+    return math.dist(p, (a[0] + t * d[0], a[1] + t * d[1]))
+
+
 def is_inside(p, outlines):
-    """Whether a point is more than a hand's breadth inside of a ring."""
+    """Whether somebody at a point is inside of a ring or touches it."""
+    touch = 0.35
     for ring, box in outlines:
-        if not (box[0] <= p[0] <= box[2] and box[1] <= p[1] <= box[3]):
+        if not (box[0] - touch <= p[0] <= box[2] + touch and box[1] - touch <= p[1] <= box[3] + touch):
             continue
         inside = False
-        for (ax, ay), (bx, by) in zip(ring, ring[1:] + ring[:1]):
-            if (ay > p[1]) != (by > p[1]) and p[0] < (bx - ax) * (p[1] - ay) / (by - ay) + ax:
+        for a, b in zip(ring, ring[1:] + ring[:1]):
+            if (a[1] > p[1]) != (b[1] > p[1]) and p[0] < (b[0] - a[0]) * (p[1] - a[1]) / (b[1] - a[1]) + a[0]:
                 inside = not inside
-        if inside:
+        if inside or any(distance_to(p, a, b) < touch for a, b in zip(ring, ring[1:])):
             return True
     return False
 
@@ -208,7 +228,7 @@ def play(program, pieces, folder, height):
         try:
             with open(walk, "w", encoding="utf-8") as file:
                 file.write(walk_of(pieces, campus, height))
-            done = subprocess.run([program, "run", walk, "--jsonl", log, "--log", os.devnull, "--root", folder, "-j1",
+            done = subprocess.run([program, "run", walk, "--jsonl", log, "--log", os.devnull, "--root", os.path.dirname(folder), "-j1",
                                    "--output", scratch], capture_output=True, text=True, check=False, cwd=folder)
         finally:
             os.remove(walk)
@@ -229,8 +249,7 @@ def walk_all(program, the_map, folder):
     too. After a piece that is blocked a walk starts anew; a piece that begins inside is walked backwards if need be.
     """
     height = Ground(os.path.join(folder, "campus.glb")).height
-    outlines = [(points, box_of(points)) for way, tags, points in the_map.ways
-                if tags.get("building", "no") not in ("no", "roof") and len(points) > 3]
+    outlines = [(points, box_of(points)) for points in the_map.buildings if len(points) > 1]
     walked = {}
     left = list(dict.fromkeys(pieces_of(the_map)))
     arrived = {p for piece in left for p in (piece.start, piece.end) if not is_inside(p, outlines)}
