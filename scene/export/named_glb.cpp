@@ -91,9 +91,11 @@ private:
         Json position = accessor(positions, buffers_.positions.size(), mesh.positions.size(), kFloat, "VEC3");
         position["min"] = numbers(low);
         position["max"] = numbers(high);
-        buffers_.positions += bytes_of(std::span<const Eigen::Vector3f>(mesh.positions.data(), mesh.positions.size()));
+        buffers_.positions +=
+            bytes_of(std::span<const Eigen::Vector3f>(mesh.positions.data(), mesh.positions.size()));
         const Json normal = accessor(normals, buffers_.normals.size(), mesh.normals.size(), kFloat, "VEC3");
-        buffers_.normals += bytes_of(std::span<const Eigen::Vector3f>(mesh.normals.data(), mesh.normals.size()));
+        buffers_.normals +=
+            bytes_of(std::span<const Eigen::Vector3f>(mesh.normals.data(), mesh.normals.size()));
         const std::size_t position_at = keep(position);
         const std::size_t normal_at = keep(normal);
         return {{"attributes", {{"POSITION", position_at}, {"NORMAL", normal_at}}},

@@ -13,7 +13,7 @@ namespace {
 
 /// Keys that make an area of a closed way, whatever their value.
 constexpr std::array<std::string_view, 15> kAreaKeys = {
-    "building", "building:part", "landuse", "leisure", "amenity", "area:highway", "water",  "tourism",
+    "building", "building:part", "landuse", "leisure", "amenity", "area:highway", "water",     "tourism",
     "historic", "shop",          "office",  "place",   "power",   "aeroway",      "healthcare"};
 
 bool stands_for_area(const Tags& tags) {
@@ -82,13 +82,13 @@ void note_outer_ways(const Map& map, const MapRelation& relation, const Tags& ta
         const MapWay* way = member.role == "outer" && member.element.kind == ElementKind::way
                                 ? map.way(member.element.number)
                                 : nullptr;
-        const bool same = way != nullptr &&
-                          std::ranges::any_of(std::array<std::string_view, 5>{"building", "landuse", "leisure",
-                                                                             "natural", "amenity"},
-                                              [&](std::string_view key) {
-                                                  return affirmed(way->tags, key) &&
-                                                         way->tags.get(key) == tags.get(key);
-                                              });
+        const bool same =
+            way != nullptr &&
+            std::ranges::any_of(
+                std::array<std::string_view, 5>{"building", "landuse", "leisure", "natural", "amenity"},
+                [&](std::string_view key) {
+                    return affirmed(way->tags, key) && way->tags.get(key) == tags.get(key);
+                });
         if (same) {
             replaced.insert(way->id);
         }
@@ -141,7 +141,8 @@ std::vector<MapArea> areas_of(const Map& map, const PlanGeometry& geometry, cons
         }
         MapArea area{{ElementKind::way, way.id}, way.tags, geometry.polygon(ring_of(way)), {&way}};
         if (area.polygons.empty()) {
-            warnings.warning(mark, "empty-ring", "way " + std::to_string(way.id) + " encloses no area; left out");
+            warnings.warning(mark, "empty-ring",
+                             "way " + std::to_string(way.id) + " encloses no area; left out");
         } else if (touches(area.polygons, map.box)) {
             areas.push_back(std::move(area));
         }

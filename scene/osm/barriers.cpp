@@ -17,7 +17,7 @@ namespace {
 /// A kind of line that one can't pass.
 struct LineKind {
     std::string_view value;
-    double height;     ///< metres, where nothing is tagged
+    double height;  ///< metres, where nothing is tagged
     double thickness;
     Look look;
 };
@@ -51,7 +51,8 @@ bool is_closed(const Tags& tags) {
 }
 
 /// Where a segment crosses a line of points, if it does.
-void add_crossings(const Point& a, const Point& b, const std::vector<Point>& line, std::vector<Point>& found) {
+void add_crossings(const Point& a, const Point& b, const std::vector<Point>& line,
+                   std::vector<Point>& found) {
     const Point d = b - a;
     for (std::size_t i = 1; i < line.size(); ++i) {
         const Point e = line[i] - line[i - 1];
@@ -126,9 +127,10 @@ private:
     void add_line(const MapWay& way, const LineKind& kind) {
         const PlanGeometry& geometry = composition_.geometry;
         const double height = std::clamp(length_of(way.tags, "height").value_or(kind.height), 0.1, 30.0);
-        const double thickness = std::clamp(length_of(way.tags, "width").value_or(kind.thickness), 0.04, 10.0);
-        Polygons area = geometry.clipped(geometry.buffer(way.points, 0.5 * thickness, Caps::flat),
-                                         composition_.map.box);
+        const double thickness =
+            std::clamp(length_of(way.tags, "width").value_or(kind.thickness), 0.04, 10.0);
+        Polygons area =
+            geometry.clipped(geometry.buffer(way.points, 0.5 * thickness, Caps::flat), composition_.map.box);
         for (const Polygons& gap : gaps_of(way, thickness)) {
             area = geometry.difference(area, gap);
         }
@@ -140,7 +142,8 @@ private:
         }
         constexpr double kBelow = 0.3;
         extrude(look, area, kBelow, height, geometry, composition_.terrain,
-                composition_.model.object(std::string(kind.value) + "/" + ElementId{ElementKind::way, way.id}.text()));
+                composition_.model.object(std::string(kind.value) + "/" +
+                                          ElementId{ElementKind::way, way.id}.text()));
         kinds_.insert(std::string(kind.value));
     }
 
@@ -183,8 +186,8 @@ private:
         const double ground = composition_.terrain.height(node.at);
         ObjectMesh& mesh = object("gate", node);
         for (const double side : {1.0, -1.0}) {
-            mesh.box(kGatePost, node.at + side * (half + kPostHalf) * across, here.along, Point(kPostHalf, kPostHalf),
-                     ground - 0.2, ground + 1.4);
+            mesh.box(kGatePost, node.at + side * (half + kPostHalf) * across, here.along,
+                     Point(kPostHalf, kPostHalf), ground - 0.2, ground + 1.4);
         }
         const std::string_view barrier = node.tags.get("barrier");
         if (barrier == "entrance") {
@@ -192,12 +195,13 @@ private:
         }
         if (barrier == "lift_gate") {  // raised, as walkers go through
             const Point foot = node.at + half * across;
-            mesh.box(kBarrierRed, foot, here.along, Point(0.04, 0.04), ground + 0.9, ground + 0.9 + 2.0 * half);
+            mesh.box(kBarrierRed, foot, here.along, Point(0.04, 0.04), ground + 0.9,
+                     ground + 0.9 + 2.0 * half);
         } else if (is_closed(node.tags)) {
             mesh.box(kGateSteel, node.at, across, Point(half, 0.03), ground + 0.05, ground + 1.35);
         } else {  // the leaf is turned aside
-            mesh.box(kGateSteel, node.at + half * across + 0.5 * half * here.along, here.along, Point(0.5 * half, 0.03),
-                     ground + 0.1, ground + 1.3);
+            mesh.box(kGateSteel, node.at + half * across + 0.5 * half * here.along, here.along,
+                     Point(0.5 * half, 0.03), ground + 0.1, ground + 1.3);
         }
     }
 
@@ -225,7 +229,8 @@ private:
         for (const double side : {1.0, -1.0}) {
             const Point at = node.at + side * std::max(0.8, 0.6 * half) * left_of(here.along);
             const double ground = composition_.terrain.height(at);
-            object("block", node).box(kLines[1].look, at, here.along, Point(0.3, 0.3), ground - 0.2, ground + 0.7);
+            object("block", node)
+                .box(kLines[1].look, at, here.along, Point(0.3, 0.3), ground - 0.2, ground + 0.7);
         }
     }
 
@@ -257,8 +262,8 @@ private:
 
 bool is_gate(const Tags& tags) {
     constexpr std::array<std::string_view, 10> kGates = {
-        "gate", "swing_gate", "lift_gate", "entrance", "kissing_gate", "turnstile", "stile", "wicket_gate",
-        "toll_booth", "sliding_gate"};
+        "gate",      "swing_gate", "lift_gate",   "entrance",   "kissing_gate",
+        "turnstile", "stile",      "wicket_gate", "toll_booth", "sliding_gate"};
     return std::ranges::find(kGates, tags.get("barrier")) != kGates.end();
 }
 

@@ -4,8 +4,8 @@
 
 namespace campuswalk::scene::osm {
 
-/// Walls, fences and hedges, open where paths and gates lead through; gates, open or closed as their tags say;
-/// bollards and the like, with room to pass.
+/// Walls, fences and hedges, open where paths and gates lead through; gates, open or closed as their tags
+/// say; bollards and the like, with room to pass.
 void add_barriers(Composition& composition);
 
 /// Whether tags are those of a gate of any kind, open or closed.

@@ -14,7 +14,7 @@
 namespace campuswalk::scene::osm {
 namespace {
 
-constexpr double kStorey = 3.0;       // metres, where nothing is tagged
+constexpr double kStorey = 3.0;         // metres, where nothing is tagged
 constexpr double kMaxHeight = 1'000.0;  // no building on Earth is as high
 
 /// What buildings of a kind usually are like.
@@ -24,12 +24,12 @@ struct Kind {
 };
 
 constexpr std::array<Kind, 31> kKinds = {{
-    {"apartments", 4},  {"bungalow", 1},  {"cabin", 1},       {"carport", 1},     {"cathedral", 5},
-    {"chapel", 2},      {"church", 4},    {"commercial", 3},  {"construction", 2}, {"detached", 2},
-    {"dormitory", 4},   {"farm", 2},      {"garage", 1},      {"garages", 1},     {"greenhouse", 1},
-    {"hospital", 4},    {"hotel", 5},     {"house", 2},       {"hut", 1},         {"industrial", 2},
-    {"kindergarten", 1}, {"kiosk", 1},    {"office", 4},      {"residential", 3}, {"retail", 2},
-    {"roof", 1},        {"school", 3},    {"service", 1},     {"shed", 1},        {"stadium", 4},
+    {"apartments", 4},   {"bungalow", 1}, {"cabin", 1},      {"carport", 1},      {"cathedral", 5},
+    {"chapel", 2},       {"church", 4},   {"commercial", 3}, {"construction", 2}, {"detached", 2},
+    {"dormitory", 4},    {"farm", 2},     {"garage", 1},     {"garages", 1},      {"greenhouse", 1},
+    {"hospital", 4},     {"hotel", 5},    {"house", 2},      {"hut", 1},          {"industrial", 2},
+    {"kindergarten", 1}, {"kiosk", 1},    {"office", 4},     {"residential", 3},  {"retail", 2},
+    {"roof", 1},         {"school", 3},   {"service", 1},    {"shed", 1},         {"stadium", 4},
     {"university", 4},
 }};
 
@@ -55,7 +55,9 @@ void set_heights(const PlanGeometry& geometry, Volume& volume) {
     const auto height = length_of(tags, "height");
     const auto levels = number_of(tags, "building:levels");
     const double min_levels = number_of(tags, "building:min_level").value_or(0.0);
-    const double storeys = levels && *levels > 0.0 ? *levels : usual_levels(kind_of(tags), area_of(volume.footprint)) + min_levels;
+    const double storeys = levels && *levels > 0.0
+                               ? *levels
+                               : usual_levels(kind_of(tags), area_of(volume.footprint)) + min_levels;
     volume.bottom = limited(length_of(tags, "min_height").value_or(min_levels * kStorey));
     double roof_height = 0.0;
     if (volume.roof.shape != RoofShape::flat) {
@@ -65,9 +67,7 @@ void set_heights(const PlanGeometry& geometry, Volume& volume) {
         const double usual = volume.roof.shape == RoofShape::dome || volume.roof.shape == RoofShape::onion
                                  ? (volume.roof.shape == RoofShape::dome ? span : 2.5 * span)
                                  : std::min(0.6 * span, 6.0);
-        roof_height = tagged        ? *tagged
-                      : roof_levels ? *roof_levels * kStorey
-                                    : usual;
+        roof_height = tagged ? *tagged : roof_levels ? *roof_levels * kStorey : usual;
         if (const auto angle = number_of(tags, "roof:angle"); !tagged && angle && *angle > 0 && *angle < 80) {
             const collision::SinCos turn = collision::sin_cos(*angle * 0.017453292519943295);
             roof_height = span * turn.sin / turn.cos;
@@ -88,7 +88,8 @@ void set_heights(const PlanGeometry& geometry, Volume& volume) {
     }
 }
 
-void set_roof(const PlanGeometry& geometry, const SourceMark& mark, Volume& volume, DiagnosticList& warnings) {
+void set_roof(const PlanGeometry& geometry, const SourceMark& mark, Volume& volume,
+              DiagnosticList& warnings) {
     const std::string_view word = volume.tags.get("roof:shape");
     if (word.empty()) {
         return;
@@ -121,12 +122,8 @@ bool is_open(const Tags& tags) {
 
 // What surfaces look like.
 
-constexpr std::array<Color, 6> kPlaster = {{{226, 216, 196},
-                                            {214, 206, 190},
-                                            {204, 190, 166},
-                                            {220, 204, 176},
-                                            {198, 196, 190},
-                                            {208, 184, 160}}};
+constexpr std::array<Color, 6> kPlaster = {
+    {{226, 216, 196}, {214, 206, 190}, {204, 190, 166}, {220, 204, 176}, {198, 196, 190}, {208, 184, 160}}};
 constexpr std::array<Color, 4> kBrick = {{{160, 92, 72}, {172, 108, 84}, {146, 84, 68}, {182, 130, 104}}};
 constexpr std::array<Color, 3> kTiles = {{{150, 80, 62}, {138, 76, 60}, {122, 74, 64}}};
 
@@ -172,8 +169,8 @@ Look roof_look(const Volume& volume) {
 
 bool has_windows(const Volume& volume) {
     const std::string_view kind = kind_of(volume.tags);
-    return kind != "garage" && kind != "garages" && kind != "shed" && kind != "service" && kind != "carport" &&
-           kind != "roof" && !affirmed(volume.tags, "bridge:support") &&
+    return kind != "garage" && kind != "garages" && kind != "shed" && kind != "service" &&
+           kind != "carport" && kind != "roof" && !affirmed(volume.tags, "bridge:support") &&
            !volume.tags.is("building:part", "steps") && !volume.tags.is("window", "no");
 }
 
@@ -181,9 +178,10 @@ constexpr Look kGlass = {{74, 92, 108}, 60, 255};
 
 /// A level's windows, from and to such a height above its floor.
 constexpr double kSill = 0.9;
-constexpr double kLintel = 0.7;      // below the next floor
-constexpr double kPier = 0.6;        // metres of wall beside windows, at a wall's ends
-constexpr double kLeastWall = 2.4;   // of a wall with windows
+constexpr double kLintel = 0.7;     // below the next floor
+constexpr double kPier = 0.6;       // metres of wall beside windows, at a wall's ends
+constexpr double kBay = 3.0;        // from window to window, about
+constexpr double kLeastWall = 2.4;  // of a wall with windows
 
 /// Upright strips of a facade.
 class Facade {
@@ -214,7 +212,6 @@ private:
             mesh_.wall(wall_, a, b, bottom, top);
             return;
         }
-        const Point pier = d * (kPier / length);
         double done = bottom;
         const double eaves = volume_.base + volume_.eaves;
         for (double floor = volume_.base + first_floor(); floor + volume_.storey <= eaves + 0.3;
@@ -225,12 +222,26 @@ private:
                 continue;
             }
             mesh_.wall(wall_, a, b, done, low);
-            mesh_.wall(wall_, a, a + pier, low, high);
-            mesh_.wall(kGlass, a + pier, b - pier, low, high);
-            mesh_.wall(wall_, b - pier, b, low, high);
+            add_windows(a, b, length, low, high);
             done = high;
         }
         mesh_.wall(wall_, a, b, done, top);
+    }
+
+    /// Windows of equal width between piers.
+    void add_windows(const Point& a, const Point& b, double length, double low, double high) const {
+        const int count = std::max(1, static_cast<int>((length - kPier) / kBay));
+        const double bay = (length - kPier) / count;
+        const Point along = (b - a) / length;
+        Point done = a;
+        for (int i = 0; i < count; ++i) {
+            const Point left = a + (kPier + i * bay) * along;
+            const Point right = a + (i + 1) * bay * along;
+            mesh_.wall(wall_, done, left, low, high);
+            mesh_.wall(kGlass, left, right, low, high);
+            done = right;
+        }
+        mesh_.wall(wall_, done, b, low, high);
     }
 
     /// Of parts above others, their own lowest level.
@@ -264,7 +275,8 @@ void add_open_roof(const Volume& volume, const PlanGeometry& geometry, const Ter
     const Polygons inner = geometry.grown(volume.footprint, -kInset);
     for (const Polygon& polygon : inner) {
         for (const Point& p : polygon.outer) {
-            mesh.box({{120, 120, 122}, 200, 255}, p, Point(1, 0), Point(kPost, kPost), terrain.height(p), under);
+            mesh.box({{120, 120, 122}, 200, 255}, p, Point(1, 0), Point(kPost, kPost), terrain.height(p),
+                     under);
         }
     }
 }

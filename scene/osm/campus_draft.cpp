@@ -37,7 +37,8 @@ std::string decimal(double value, int digits) {
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value == 0.0 ? 0.0 : value,
                                    std::chars_format::fixed, digits);
     std::string text(buffer.data(), end.ptr);
-    return text.find_first_not_of("-0.") == std::string::npos ? text.substr(text.front() == '-' ? 1 : 0) : text;
+    return text.find_first_not_of("-0.") == std::string::npos ? text.substr(text.front() == '-' ? 1 : 0)
+                                                              : text;
 }
 
 std::string list(const Eigen::Vector3d& v) {
@@ -101,8 +102,8 @@ std::string campus_yaml(const CampusDraft& draft, const std::string& map_file) {
                        "scenes:\n  - {file: campus.glb}\n"
                        "# [0, 0, 0] on the Earth; +X is east, -Z is north.\n"
                        "origin: {latitude_deg: " +
-                       decimal(draft.latitude_deg, 9) + ", longitude_deg: " + decimal(draft.longitude_deg, 9) +
-                       "}\n";
+                       decimal(draft.latitude_deg, 9) +
+                       ", longitude_deg: " + decimal(draft.longitude_deg, 9) + "}\n";
     std::string layers;
     for (const std::string& layer : draft.layers) {
         layers += (layers.empty() ? "" : ", ") + layer;

@@ -129,14 +129,16 @@ private:
         const MapArea& area = composition_.areas[door.area];
         const std::string building = draft_id("building", area.id);
         const std::string number = std::to_string(door.node);
-        const std::string name = (door.assumed ? "assumed-entrance-" : "entrance-") + (number.front() == '-' ? "new" + number.substr(1) : number);
+        const std::string name = (door.assumed ? "assumed-entrance-" : "entrance-") +
+                                 (number.front() == '-' ? "new" + number.substr(1) : number);
         const bool main = door.tags != nullptr && door.tags->is("entrance", "main");
         const bool in_passage = is_open_at(door.at);
         if (!in_passage) {
             const ElementId id = door.assumed ? area.id : ElementId{ElementKind::node, door.node};
             composition_.model.object("door/" + id.text())
                 .box(main ? kMainLeaf : kLeaf, door.at, wall.along, Point(main ? 0.9 : 0.55, 0.05),
-                     composition_.terrain.height(door.at) - 0.05, composition_.terrain.height(door.at) + 2.15);
+                     composition_.terrain.height(door.at) - 0.05,
+                     composition_.terrain.height(door.at) + 2.15);
         }
         DraftTrigger trigger;
         trigger.id = building + "/" + name;

@@ -38,7 +38,8 @@ struct Place {
 
 void add_tree(const Place& place, ObjectMesh& mesh) {
     const double height = std::clamp(length_of(place.tags, "height").value_or(7.0), 2.0, 60.0);
-    const double radius = std::clamp(length_of(place.tags, "diameter_crown").value_or(0.5 * height) * 0.5, 0.5, 15.0);
+    const double radius =
+        std::clamp(length_of(place.tags, "diameter_crown").value_or(0.5 * height) * 0.5, 0.5, 15.0);
     const double trunk = std::clamp(0.02 * height, 0.08, 0.6);
     const double crown = place.ground + std::max(2.3, 0.3 * height);  // visitors walk under it
     const double top = std::max(place.ground + height, crown + 1.0);
@@ -215,7 +216,8 @@ public:
                 constexpr double kBeside = 0.6;
                 at += (0.5 * found->second.path->width + kBeside) * Point(along.y(), -along.x());
             }
-            add(*thing, ElementId{ElementKind::node, node.id}.text(), at, node.tags, Point(-along.y(), along.x()));
+            add(*thing, ElementId{ElementKind::node, node.id}.text(), at, node.tags,
+                Point(-along.y(), along.x()));
         }
     }
 
@@ -234,8 +236,9 @@ public:
                 for (int k = 0; k < trees && number < kMost; ++k) {
                     const Point at = way.points[i - 1] + d * (static_cast<double>(k) / trees);
                     if (composition_.map.box.contains(at)) {
-                        add(kThings[0], ElementId{ElementKind::way, way.id}.text() + "/" + std::to_string(++number),
-                            at, way.tags, Point(0, 1));
+                        add(kThings[0],
+                            ElementId{ElementKind::way, way.id}.text() + "/" + std::to_string(++number), at,
+                            way.tags, Point(0, 1));
                     }
                 }
             }
@@ -249,7 +252,8 @@ public:
     }
 
 private:
-    void add(const Thing& thing, const std::string& id, const Point& at, const Tags& tags, const Point& facing) {
+    void add(const Thing& thing, const std::string& id, const Point& at, const Tags& tags,
+             const Point& facing) {
         if (volume_at(composition_, volumes_, at) != nullptr) {
             return;
         }

@@ -31,8 +31,8 @@ public:
         std::ranges::stable_sort(here, [&](std::size_t a, std::size_t b) {
             return surfaces_[a].priority > surfaces_[b].priority;
         });
-        Polygons rest = {Polygon{
-            {tile.min, {tile.max.x(), tile.min.y()}, tile.max, {tile.min.x(), tile.max.y()}}, {}}};
+        Polygons rest = {
+            Polygon{{tile.min, {tile.max.x(), tile.min.y()}, tile.max, {tile.min.x(), tile.max.y()}}, {}}};
         std::map<double, std::vector<Polygons>> sunk;
         for (const std::size_t i : here) {
             const Surface& surface = surfaces_[i];
@@ -131,9 +131,9 @@ void add_ground(const std::vector<Surface>& surfaces, const Box& box, const Plan
     const auto tile_of = [](double value) { return static_cast<int>(std::floor(value / kTile)); };
     for (int row = tile_of(box.min.y()); row * kTile < box.max.y(); ++row) {
         for (int column = tile_of(box.min.x()); column * kTile < box.max.x(); ++column) {
-            const Box tile{{std::max(column * kTile, box.min.x()), std::max(row * kTile, box.min.y())},
-                           {std::min((column + 1) * kTile, box.max.x()),
-                            std::min((row + 1) * kTile, box.max.y())}};
+            const Box tile{
+                {std::max(column * kTile, box.min.x()), std::max(row * kTile, box.min.y())},
+                {std::min((column + 1) * kTile, box.max.x()), std::min((row + 1) * kTile, box.max.y())}};
             if (tile.size().minCoeff() > 0.0) {
                 tiler.add_tile(tile);
             }

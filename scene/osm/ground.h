@@ -14,8 +14,8 @@ struct Surface {
     std::string name;  ///< of the node
     Polygons area;
     Look look;
-    int priority = 0;    ///< the higher covers the lower; of equals, the first
-    double level = 0.0;  ///< metres above the ground: 0, or below it, such as a carriageway between kerbs
+    int priority = 0;     ///< the higher covers the lower; of equals, the first
+    double level = 0.0;   ///< metres above the ground: 0, or below it, such as a carriageway between kerbs
     bool hollow = false;  ///< nothing: something else is built there
     bool water = false;   ///< the look is that of the water, into which visitors fall down to the level
 };

@@ -19,9 +19,9 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 struct Grid {
     std::size_t columns = 0;
     std::size_t rows = 0;
-    double west = 0.0;   ///< of the first column's points
-    double south = 0.0;  ///< of the last row's points
-    double step = 0.0;   ///< degrees
+    double west = 0.0;           ///< of the first column's points
+    double south = 0.0;          ///< of the last row's points
+    double step = 0.0;           ///< degrees
     std::vector<float> heights;  ///< NaN: unknown
 
     /// NaN outside, or where one of the four points around is unknown.
@@ -87,8 +87,8 @@ bool number_from(const std::string& word, double& value) {
 }
 
 Grid read_ascii_grid(std::istream& in, const SourceMark& mark) {
-    constexpr std::array<const char*, 6> kKeys = {"ncols", "nrows", "xllcorner", "yllcorner", "cellsize",
-                                                  "nodata_value"};
+    constexpr std::array<const char*, 6> kKeys = {"ncols",     "nrows",    "xllcorner",
+                                                  "yllcorner", "cellsize", "nodata_value"};
     Words words(in);
     std::array<double, 6> values = {0, 0, 0, 0, 0, -9999};
     bool centers = false;
@@ -110,7 +110,8 @@ Grid read_ascii_grid(std::istream& in, const SourceMark& mark) {
         const auto* key = std::ranges::find(kKeys, word);
         const int line = words.line();
         if (key == kKeys.end() || !words.next(word) || !number_from(word, value)) {
-            refuse(mark, line, "it is no Esri ASCII grid: ncols, nrows, xllcorner, yllcorner and cellsize come first");
+            refuse(mark, line,
+                   "it is no Esri ASCII grid: ncols, nrows, xllcorner, yllcorner and cellsize come first");
         }
         values[static_cast<std::size_t>(key - kKeys.begin())] = value;
     }
@@ -118,10 +119,12 @@ Grid read_ascii_grid(std::istream& in, const SourceMark& mark) {
     const double rows = values[1];
     if (!(columns >= 2 && rows >= 2 && columns * rows <= static_cast<double>(kMaxPoints)) ||
         columns != std::floor(columns) || rows != std::floor(rows) || !(values[4] > 0.0)) {
-        refuse(mark, words.line(), "its ncols, nrows or cellsize can't be: a grid has 2 by 2 to 100 million points");
+        refuse(mark, words.line(),
+               "its ncols, nrows or cellsize can't be: a grid has 2 by 2 to 100 million points");
     }
     if (!(values[4] < 1.0 && std::abs(values[2]) <= 360.0 && std::abs(values[3]) <= 90.0)) {
-        refuse(mark, words.line(), "its coordinates aren't degrees; convert it to WGS 84 (gdalwarp -t_srs EPSG:4326)");
+        refuse(mark, words.line(),
+               "its coordinates aren't degrees; convert it to WGS 84 (gdalwarp -t_srs EPSG:4326)");
     }
     Grid grid;
     grid.columns = static_cast<std::size_t>(columns);
@@ -138,8 +141,9 @@ Grid read_ascii_grid(std::istream& in, const SourceMark& mark) {
         heights.push_back(static_cast<float>(value));
     }
     if (heights.size() < count) {
-        refuse(mark, words.line(), "it ends after " + std::to_string(heights.size()) + " of " +
-                                       std::to_string(count) + " heights");
+        refuse(
+            mark, words.line(),
+            "it ends after " + std::to_string(heights.size()) + " of " + std::to_string(count) + " heights");
     }
     std::ranges::replace(heights, static_cast<float>(values[5]), std::numeric_limits<float>::quiet_NaN());
     grid.heights = std::move(heights);
@@ -156,11 +160,13 @@ Grid read_srtm_tile(std::istream& in, std::uintmax_t size, const std::string& na
     grid.rows = grid.columns;
     double south = 0.0;
     double west = 0.0;
-    const bool named = name.size() >= 7 && (name[0] == 'N' || name[0] == 'S') && (name[3] == 'E' || name[3] == 'W') &&
-                       number_from(name.substr(1, 2), south) && number_from(name.substr(4, 3), west);
+    const bool named = name.size() >= 7 && (name[0] == 'N' || name[0] == 'S') &&
+                       (name[3] == 'E' || name[3] == 'W') && number_from(name.substr(1, 2), south) &&
+                       number_from(name.substr(4, 3), west);
     if (grid.columns == 0 || !named) {
         refuse(mark, 0,
-               "it is no tile of SRTM: these have 1201 by 1201 or 3601 by 3601 heights and names such as N48E011.hgt");
+               "it is no tile of SRTM: these have 1201 by 1201 or 3601 by 3601 heights and names such as "
+               "N48E011.hgt");
     }
     grid.south = name[0] == 'N' ? south : -south;
     grid.west = name[3] == 'E' ? west : -west;
@@ -171,7 +177,8 @@ Grid read_srtm_tile(std::istream& in, std::uintmax_t size, const std::string& na
     for (std::size_t i = 0; i < grid.heights.size(); ++i) {
         const auto height = static_cast<std::int16_t>((bytes[2 * i] << 8U) | bytes[2 * i + 1]);
         constexpr std::int16_t kVoid = -32768;
-        grid.heights[i] = height == kVoid ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(height);
+        grid.heights[i] =
+            height == kVoid ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(height);
     }
     return grid;
 }
@@ -195,7 +202,8 @@ Grid read_grid(const std::filesystem::path& file, const SourceMark& mark) {
 
 }  // namespace
 
-Terrain read_heights(const std::filesystem::path& file, const SourceMark& mark, const Map& map, const Box& box) {
+Terrain read_heights(const std::filesystem::path& file, const SourceMark& mark, const Map& map,
+                     const Box& box) {
     const Grid grid = read_grid(file, mark);
     const double middle_latitude = 0.5 * (map.geographic.south + map.geographic.north);
     const double middle_longitude = 0.5 * (map.geographic.west + map.geographic.east);
@@ -214,12 +222,14 @@ Terrain read_heights(const std::filesystem::path& file, const SourceMark& mark, 
         for (std::size_t column = 0; column < columns; ++column) {
             const Point p = box.min + cell * Point(static_cast<double>(column), static_cast<double>(row));
             const double height =
-                grid.at(middle_latitude + p.y() * degrees_north, middle_longitude + p.x() * degrees_east) - reference;
+                grid.at(middle_latitude + p.y() * degrees_north, middle_longitude + p.x() * degrees_east) -
+                reference;
             if (!std::isfinite(height) || std::abs(height) > 10'000.0) {
-                refuse(mark, 0, "it has no heights for a part of the map, or impossible ones; it must cover " +
-                                    std::to_string(map.geographic.south) + "," + std::to_string(map.geographic.west) +
-                                    "," + std::to_string(map.geographic.north) + "," +
-                                    std::to_string(map.geographic.east) + " and 300 m around");
+                refuse(mark, 0,
+                       "it has no heights for a part of the map, or impossible ones; it must cover " +
+                           std::to_string(map.geographic.south) + "," + std::to_string(map.geographic.west) +
+                           "," + std::to_string(map.geographic.north) + "," +
+                           std::to_string(map.geographic.east) + " and 300 m around");
             }
             heights.push_back(height);
         }

@@ -91,7 +91,8 @@ Box ground_box(const Map& map, const std::vector<MapArea>& areas) {
 }
 
 /// From a grid of heights, or as steps make it.
-Terrain terrain_of(const MapRequest& request, const Map& map, const std::vector<Path>& paths, const Box& box) {
+Terrain terrain_of(const MapRequest& request, const Map& map, const std::vector<Path>& paths,
+                   const Box& box) {
     if (request.heights.empty()) {
         return relief_of_steps(paths, box);
     }
@@ -149,7 +150,8 @@ ImportedMap import_map(const MapRequest& request) {
     composition.areas = std::move(areas);
     composition.paths = std::move(paths);
     composition.volumes = volumes_of(composition.areas, geometry, terrain, request.mark, warnings);
-    const std::vector<Surface> surfaces = surfaces_of(composition.paths, composition.areas, geometry, terrain);
+    const std::vector<Surface> surfaces =
+        surfaces_of(composition.paths, composition.areas, geometry, terrain);
     add_ground(surfaces, box, geometry, terrain, composition.model);
     composition.draft.solids.push_back({"ground", ground_globs(surfaces), "", "", false});
     add_steps(composition);

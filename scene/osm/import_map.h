@@ -10,8 +10,8 @@
 namespace campuswalk::scene::osm {
 
 struct MapRequest {
-    SourceMark mark;             ///< of messages
-    std::filesystem::path file;  ///< of OpenStreetMap XML or PBF
+    SourceMark mark;                ///< of messages
+    std::filesystem::path file;     ///< of OpenStreetMap XML or PBF
     std::filesystem::path heights;  ///< a grid of heights; empty: level ground
     MapSection section;
 };

@@ -87,9 +87,7 @@ struct Box {
         return min.x() <= other.max.x() && other.min.x() <= max.x() && min.y() <= other.max.y() &&
                other.min.y() <= max.y();
     }
-    Box grown(double by) const {
-        return {min - Point(by, by), max + Point(by, by)};
-    }
+    Box grown(double by) const { return {min - Point(by, by), max + Point(by, by)}; }
     Point size() const { return max - min; }
     void extend(const Point& p) {
         min = min.cwiseMin(p);
@@ -110,11 +108,11 @@ struct GeographicBox {
 
 struct Map {
     GeographicBox geographic;
-    Box box;                      ///< the same, about its centre
-    std::vector<MapNode> nodes;   ///< those with tags, by id
-    std::vector<MapWay> ways;     ///< by id
-    std::vector<MapRelation> relations;  ///< by id
-    std::string copyright;        ///< what the file says about its authors
+    Box box;                                                  ///< the same, about its centre
+    std::vector<MapNode> nodes;                               ///< those with tags, by id
+    std::vector<MapWay> ways;                                 ///< by id
+    std::vector<MapRelation> relations;                       ///< by id
+    std::string copyright;                                    ///< what the file says about its authors
     std::unordered_map<std::int64_t, std::size_t> way_index;  ///< into `ways`, by id
 
     const MapWay* way(std::int64_t id) const {

@@ -18,8 +18,8 @@ namespace {
 
 /// Keys that say what something is, the most telling first.
 constexpr std::array<std::string_view, 14> kKindKeys = {
-    "amenity", "tourism", "shop",     "office",   "leisure",    "historic", "healthcare",
-    "craft",   "highway", "railway",  "man_made", "public_transport", "natural", "building"};
+    "amenity", "tourism", "shop",    "office",   "leisure",          "historic", "healthcare",
+    "craft",   "highway", "railway", "man_made", "public_transport", "natural",  "building"};
 
 std::string kind_of_element(const Tags& tags) {
     for (const std::string_view key : kKindKeys) {
@@ -74,16 +74,16 @@ void add_field(DraftBuilding& building, const char* name, std::string_view value
 
 /// Whether something with a name is a thing that one visits, rather than a region.
 bool is_facility(const Tags& tags) {
-    constexpr std::array<std::string_view, 8> kKeys = {"amenity", "tourism", "shop",       "office",
+    constexpr std::array<std::string_view, 8> kKeys = {"amenity", "tourism",  "shop",       "office",
                                                        "leisure", "historic", "healthcare", "craft"};
     return std::ranges::any_of(kKeys, [&](std::string_view key) { return affirmed(tags, key); }) ||
            tags.is("man_made", "tower");
 }
 
 bool is_stop(const Tags& tags) {
-    return tags.is("highway", "bus_stop") || tags.is("railway", "tram_stop") || tags.is("railway", "station") ||
-           tags.is("public_transport", "platform") || tags.is("public_transport", "station") ||
-           tags.is("amenity", "taxi");
+    return tags.is("highway", "bus_stop") || tags.is("railway", "tram_stop") ||
+           tags.is("railway", "station") || tags.is("public_transport", "platform") ||
+           tags.is("public_transport", "station") || tags.is("amenity", "taxi");
 }
 
 std::string word_for(const Tags& tags) {
@@ -100,7 +100,8 @@ DraftBuilding description_of(const std::string& id, const Tags& tags) {
     building.title = tags.get("name");
     building.kind = kind_of_element(tags);
     building.hours = tags.get("opening_hours");
-    if (const auto levels = number_of(tags, "building:levels"); levels && *levels >= 1.0 && *levels <= 1000.0) {
+    if (const auto levels = number_of(tags, "building:levels");
+        levels && *levels >= 1.0 && *levels <= 1000.0) {
         building.floors = static_cast<int>(*levels);
     }
     constexpr std::string_view kName = "name:";
@@ -166,8 +167,8 @@ void add_titled_areas(Composition& composition) {
     constexpr double kLargest = 30'000.0;  // m²: one is always inside of what is larger
     std::size_t large = 0;
     for (const MapArea& area : composition.areas) {
-        if (!area.tags.has("name") || affirmed(area.tags, "building") || affirmed(area.tags, "building:part") ||
-            !(is_facility(area.tags) || is_stop(area.tags))) {
+        if (!area.tags.has("name") || affirmed(area.tags, "building") ||
+            affirmed(area.tags, "building:part") || !(is_facility(area.tags) || is_stop(area.tags))) {
             continue;
         }
         if (area_of(area.polygons) > kLargest) {
@@ -179,8 +180,9 @@ void add_titled_areas(Composition& composition) {
         add_area_trigger(composition, id + "/around", id, area.polygons, 0.5, kTriggerHeight);
     }
     if (large > 0) {
-        composition.warn("large-area", std::to_string(large) +
-                                           " named areas of more than 3 ha, such as the whole campus, have no pop-up");
+        composition.warn("large-area",
+                         std::to_string(large) +
+                             " named areas of more than 3 ha, such as the whole campus, have no pop-up");
     }
 }
 
@@ -215,7 +217,8 @@ void add_start(Composition& composition, const FreeGround& free) {
             const Point& p = path.way->points[i];
             const Point off = p - middle;
             constexpr double kRoad = 50.0;  // metres of detour to stand beside the traffic
-            const double distance = std::sqrt(off.x() * off.x() + off.y() * off.y()) + (path.width > 4.5 ? kRoad : 0.0);
+            const double distance =
+                std::sqrt(off.x() * off.x() + off.y() * off.y()) + (path.width > 4.5 ? kRoad : 0.0);
             if (distance < nearest && composition.map.box.grown(-2.0).contains(p) && free.at(p)) {
                 nearest = distance;
                 at = p;

@@ -73,9 +73,9 @@ Mesh welded(const std::vector<std::array<Eigen::Vector3f, 3>>& triangles) {
         std::array<std::uint32_t, 3> face{};
         std::size_t at = 0;
         for (const Eigen::Vector3f& p : {a, b, c}) {
-            const VertexKey key{{p.x() + 0.0F, p.y() + 0.0F, p.z() + 0.0F, normal.x(), normal.y(), normal.z()}};
-            const auto [found, is_new] =
-                known.try_emplace(key, static_cast<std::uint32_t>(positions.size()));
+            const VertexKey key{
+                {p.x() + 0.0F, p.y() + 0.0F, p.z() + 0.0F, normal.x(), normal.y(), normal.z()}};
+            const auto [found, is_new] = known.try_emplace(key, static_cast<std::uint32_t>(positions.size()));
             if (is_new) {
                 positions.push_back(p);
                 normals.push_back(normal / std::sqrt(normal.x() * normal.x() + normal.y() * normal.y() +
@@ -196,7 +196,8 @@ std::size_t ModelBuilder::triangles() const {
 }
 
 MaterialIndex ModelBuilder::material(const Look& look, Model& model) {
-    const auto [known, is_new] = materials_.try_emplace(look, static_cast<MaterialIndex>(model.materials.size()));
+    const auto [known, is_new] =
+        materials_.try_emplace(look, static_cast<MaterialIndex>(model.materials.size()));
     if (is_new) {
         Material& material = model.materials.emplace_back();
         material.name = hex(look);

@@ -41,7 +41,8 @@ public:
     /// The walls around polygons, seen from outside.
     void walls(const Look& look, const Polygons& polygons, double bottom, double top);
     /// An upright prism with flat ends and walls.
-    void prism(const Look& look, const Polygon& polygon, const Triangulation& area, double bottom, double top);
+    void prism(const Look& look, const Polygon& polygon, const Triangulation& area, double bottom,
+               double top);
     /// An upright box: `along` is the unit direction of its length.
     void box(const Look& look, const Point& center, const Point& along, const Point& half_size, double bottom,
              double top);
@@ -64,7 +65,8 @@ public:
     /// The mesh of that name, which is added if it is new. References stay valid.
     ObjectMesh& object(const std::string& name);
     std::size_t triangles() const;
-    /// The model; meshes are in the order in which objects were added. Objects without triangles are left out.
+    /// The model; meshes are in the order in which objects were added. Objects without triangles are left
+    /// out.
     Model finish();
 
 private:

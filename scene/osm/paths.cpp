@@ -20,15 +20,15 @@ struct Highway {
 };
 
 constexpr std::array<Highway, 26> kHighways = {{
-    {"footway", 2.0, 80, false},       {"path", 1.6, 79, false},          {"steps", 2.0, 90, false},
-    {"pedestrian", 4.0, 76, false},    {"cycleway", 2.0, 78, false},      {"bridleway", 2.0, 60, false},
-    {"corridor", 2.0, 80, false},      {"living_street", 5.0, 74, false}, {"service", 3.5, 72, false},
-    {"track", 2.5, 71, false},         {"road", 5.0, 84, true},           {"residential", 6.0, 85, true},
-    {"unclassified", 6.0, 85, true},   {"tertiary", 7.0, 86, true},       {"tertiary_link", 5.0, 86, true},
-    {"secondary", 8.0, 87, true},      {"secondary_link", 5.0, 87, true}, {"primary", 9.0, 88, true},
-    {"primary_link", 5.0, 88, true},   {"trunk", 10.0, 89, true},         {"trunk_link", 5.0, 89, true},
-    {"motorway", 11.0, 89, true},      {"motorway_link", 5.0, 89, true},  {"busway", 4.0, 86, true},
-    {"platform", 2.5, 83, false},      {"bus_guideway", 3.5, 86, true},
+    {"footway", 2.0, 80, false},     {"path", 1.6, 79, false},          {"steps", 2.0, 90, false},
+    {"pedestrian", 4.0, 76, false},  {"cycleway", 2.0, 78, false},      {"bridleway", 2.0, 60, false},
+    {"corridor", 2.0, 80, false},    {"living_street", 5.0, 74, false}, {"service", 3.5, 72, false},
+    {"track", 2.5, 71, false},       {"road", 5.0, 84, true},           {"residential", 6.0, 85, true},
+    {"unclassified", 6.0, 85, true}, {"tertiary", 7.0, 86, true},       {"tertiary_link", 5.0, 86, true},
+    {"secondary", 8.0, 87, true},    {"secondary_link", 5.0, 87, true}, {"primary", 9.0, 88, true},
+    {"primary_link", 5.0, 88, true}, {"trunk", 10.0, 89, true},         {"trunk_link", 5.0, 89, true},
+    {"motorway", 11.0, 89, true},    {"motorway_link", 5.0, 89, true},  {"busway", 4.0, 86, true},
+    {"platform", 2.5, 83, false},    {"bus_guideway", 3.5, 86, true},
 }};
 
 const Highway* highway_of(const Tags& tags) {
@@ -54,8 +54,8 @@ double width_of(const Tags& tags, const Highway& highway) {
 }
 
 bool is_underground(const Tags& tags) {
-    const bool below = number_of(tags, "layer").value_or(0.0) < 0.0 || number_of(tags, "level").value_or(0.0) < 0.0 ||
-                       tags.is("location", "underground");
+    const bool below = number_of(tags, "layer").value_or(0.0) < 0.0 ||
+                       number_of(tags, "level").value_or(0.0) < 0.0 || tags.is("location", "underground");
     return below && !tags.is("tunnel", "building_passage") &&
            (affirmed(tags, "tunnel") || affirmed(tags, "indoor") || tags.is("location", "underground"));
 }
@@ -74,13 +74,16 @@ struct SurfaceColor {
 };
 
 constexpr std::array<SurfaceColor, 20> kSurfaceColors = {{
-    {"asphalt", {120, 120, 122}},      {"artificial_turf", {84, 140, 80}}, {"cobblestone", {148, 142, 134}},
-    {"compacted", {186, 172, 144}},    {"concrete", {176, 174, 168}},      {"concrete:plates", {180, 178, 172}},
-    {"decoturf", {70, 110, 130}},      {"dirt", {148, 122, 92}},           {"fine_gravel", {192, 180, 156}},
-    {"grass", {112, 150, 84}},         {"grass_paver", {134, 150, 112}},   {"gravel", {176, 168, 152}},
-    {"ground", {146, 126, 98}},        {"metal", {150, 154, 158}},         {"paved", {160, 158, 154}},
-    {"paving_stones", {184, 172, 156}}, {"sand", {214, 198, 158}},         {"sett", {150, 144, 136}},
-    {"unpaved", {172, 154, 124}},      {"wood", {158, 122, 84}},
+    {"asphalt", {120, 120, 122}},     {"artificial_turf", {84, 140, 80}},
+    {"cobblestone", {148, 142, 134}}, {"compacted", {186, 172, 144}},
+    {"concrete", {176, 174, 168}},    {"concrete:plates", {180, 178, 172}},
+    {"decoturf", {70, 110, 130}},     {"dirt", {148, 122, 92}},
+    {"fine_gravel", {192, 180, 156}}, {"grass", {112, 150, 84}},
+    {"grass_paver", {134, 150, 112}}, {"gravel", {176, 168, 152}},
+    {"ground", {146, 126, 98}},       {"metal", {150, 154, 158}},
+    {"paved", {160, 158, 154}},       {"paving_stones", {184, 172, 156}},
+    {"sand", {214, 198, 158}},        {"sett", {150, 144, 136}},
+    {"unpaved", {172, 154, 124}},     {"wood", {158, 122, 84}},
 }};
 
 void apply_surface(const Tags& tags, Look& look) {
@@ -95,7 +98,7 @@ Look look_of(const Tags& tags, const Highway& highway) {
                 : highway.value == "steps"   ? kSteps
                 : highway.value == "service" ? Look{{116, 116, 118}, 235, 255}
                 : highway.value == "pedestrian" || highway.value == "living_street" ? kPaving
-                                                                                     : kFootAsphalt;
+                                                                                    : kFootAsphalt;
     if (highway.value == "cycleway") {
         look.color = {150, 104, 96};
     }
@@ -171,16 +174,21 @@ std::optional<Surface> surface_of(const MapArea& area) {
         if (is_underground(tags)) {
             return std::nullopt;
         }
-        return Surface{word_of(highway->value) + "/" + area.id.text(), area.polygons, look_of(tags, *highway),
-                       62, 0.0, false, false};
+        return Surface{word_of(highway->value) + "/" + area.id.text(),
+                       area.polygons,
+                       look_of(tags, *highway),
+                       62,
+                       0.0,
+                       false,
+                       false};
     }
     if (affirmed(tags, "building") || affirmed(tags, "building:part") || is_underground(tags) ||
         number_of(tags, "layer").value_or(0.0) != 0.0 || tags.is("parking", "underground") ||
         tags.is("parking", "multi-storey")) {
         return std::nullopt;
     }
-    const auto* cover = std::ranges::find_if(
-        kCovers, [&](const Cover& known) { return tags.is(known.key, known.value); });
+    const auto* cover =
+        std::ranges::find_if(kCovers, [&](const Cover& known) { return tags.is(known.key, known.value); });
     if (cover == kCovers.end()) {
         return std::nullopt;
     }
@@ -191,8 +199,13 @@ std::optional<Surface> surface_of(const MapArea& area) {
     if (!water) {
         apply_surface(tags, look);
     }
-    return Surface{word_of(cover->value) + "/" + area.id.text(), area.polygons, look, cover->priority,
-                   water ? -kWaterDepth : 0.0, false, water};
+    return Surface{word_of(cover->value) + "/" + area.id.text(),
+                   area.polygons,
+                   look,
+                   cover->priority,
+                   water ? -kWaterDepth : 0.0,
+                   false,
+                   water};
 }
 
 }  // namespace
@@ -208,8 +221,8 @@ bool open_to_walkers(const Tags& tags) {
     if (tags.has("foot")) {
         return !refuses(tags.get("foot"));
     }
-    return !refuses(tags.get("access")) && !highway.starts_with("motorway") && !highway.starts_with("trunk") &&
-           highway != "busway" && highway != "bus_guideway";
+    return !refuses(tags.get("access")) && !highway.starts_with("motorway") &&
+           !highway.starts_with("trunk") && highway != "busway" && highway != "bus_guideway";
 }
 
 std::vector<Path> paths_of(const Map& map, const PlanGeometry& geometry) {
@@ -262,7 +275,7 @@ std::vector<Surface> surfaces_of(const std::vector<Path>& paths, const std::vect
 }
 
 std::vector<Passage> passages_of(const std::vector<Path>& paths, const PlanGeometry& geometry) {
-    constexpr double kRoom = 0.5;       // metres on either side
+    constexpr double kRoom = 0.5;  // metres on either side
     constexpr double kLeastWidth = 2.4;
     std::vector<Passage> passages;
     for (const Path& path : paths) {

@@ -16,10 +16,10 @@ struct Path {
     const MapWay* way = nullptr;
     std::string_view highway;
     double width = 2.0;
-    bool for_walkers = true;     ///< its tags let walkers in
-    bool underground = false;    ///< in a tunnel or indoors below the ground: not built
+    bool for_walkers = true;   ///< its tags let walkers in
+    bool underground = false;  ///< in a tunnel or indoors below the ground: not built
     bool steps = false;
-    Polygons area;               ///< the ground that it covers; empty underground
+    Polygons area;  ///< the ground that it covers; empty underground
 };
 
 /// The highways of a map in its box, in order.

@@ -116,8 +116,7 @@ struct PlanGeometry::Impl {
             GEOSCoordSeq_setXY_r(context, coordinates, i, on_grid(points[i].x()), on_grid(points[i].y()));
         }
         if (close) {
-            GEOSCoordSeq_setXY_r(context, coordinates, count, on_grid(points[0].x()),
-                                 on_grid(points[0].y()));
+            GEOSCoordSeq_setXY_r(context, coordinates, count, on_grid(points[0].x()), on_grid(points[0].y()));
         }
         return coordinates;
     }
@@ -237,9 +236,8 @@ Polygons PlanGeometry::areas_of_lines(const std::vector<std::vector<Point>>& lin
             parts.push_back(impl_->line(line).release());
         }
     }
-    const Impl::Geometry all =
-        impl_->own(GEOSGeom_createCollection_r(impl_->context, GEOS_MULTILINESTRING, parts.data(),
-                                               static_cast<unsigned>(parts.size())));
+    const Impl::Geometry all = impl_->own(GEOSGeom_createCollection_r(
+        impl_->context, GEOS_MULTILINESTRING, parts.data(), static_cast<unsigned>(parts.size())));
     if (!all) {
         return {};
     }
@@ -257,10 +255,9 @@ Polygons PlanGeometry::buffer(const std::vector<Point>& line, double radius, Cap
         return {};
     }
     const Impl::Geometry path = impl_->line(line);
-    return impl_->rounded(
-        impl_->own(GEOSBufferWithStyle_r(impl_->context, path.get(), radius, kQuarterSegments, cap,
-                                         caps == Caps::round ? GEOSBUF_JOIN_ROUND : GEOSBUF_JOIN_MITRE,
-                                         kMitreLimit)));
+    return impl_->rounded(impl_->own(
+        GEOSBufferWithStyle_r(impl_->context, path.get(), radius, kQuarterSegments, cap,
+                              caps == Caps::round ? GEOSBUF_JOIN_ROUND : GEOSBUF_JOIN_MITRE, kMitreLimit)));
 }
 
 Polygons PlanGeometry::grown(const Polygons& polygons, double by) const {
@@ -270,9 +267,9 @@ Polygons PlanGeometry::grown(const Polygons& polygons, double by) const {
         return {};
     }
     const Impl::Geometry area = impl_->geometry(polygons);
-    return impl_->rounded(impl_->own(GEOSBufferWithStyle_r(impl_->context, area.get(), by, kQuarterSegments,
-                                                           GEOSBUF_CAP_FLAT, GEOSBUF_JOIN_MITRE,
-                                                           kMitreLimit)));
+    return impl_->rounded(
+        impl_->own(GEOSBufferWithStyle_r(impl_->context, area.get(), by, kQuarterSegments, GEOSBUF_CAP_FLAT,
+                                         GEOSBUF_JOIN_MITRE, kMitreLimit)));
 }
 
 Polygons PlanGeometry::clipped(const Polygons& polygons, const Box& box) const {
@@ -283,9 +280,8 @@ Polygons PlanGeometry::clipped(const Polygons& polygons, const Box& box) const {
     if (box.contains(inside.min) && box.contains(inside.max)) {
         return polygons;
     }
-    return intersection(polygons,
-                        {Polygon{{box.min, {box.max.x(), box.min.y()}, box.max, {box.min.x(), box.max.y()}},
-                                 {}}});
+    return intersection(
+        polygons, {Polygon{{box.min, {box.max.x(), box.min.y()}, box.max, {box.min.x(), box.max.y()}}, {}}});
 }
 
 Polygons PlanGeometry::difference(const Polygons& a, const Polygons& b) const {
@@ -294,8 +290,7 @@ Polygons PlanGeometry::difference(const Polygons& a, const Polygons& b) const {
     }
     const Impl::Geometry from = impl_->geometry(a);
     const Impl::Geometry cut = impl_->geometry(b);
-    return impl_->polygons_of(
-        impl_->own(GEOSDifferencePrec_r(impl_->context, from.get(), cut.get(), kGrid)));
+    return impl_->polygons_of(impl_->own(GEOSDifferencePrec_r(impl_->context, from.get(), cut.get(), kGrid)));
 }
 
 Polygons PlanGeometry::intersection(const Polygons& a, const Polygons& b) const {
@@ -317,9 +312,8 @@ Polygons PlanGeometry::united(const std::vector<const Polygons*>& all) const {
             }
         }
     }
-    const Impl::Geometry collection =
-        impl_->own(GEOSGeom_createCollection_r(impl_->context, GEOS_MULTIPOLYGON, parts.data(),
-                                               static_cast<unsigned>(parts.size())));
+    const Impl::Geometry collection = impl_->own(GEOSGeom_createCollection_r(
+        impl_->context, GEOS_MULTIPOLYGON, parts.data(), static_cast<unsigned>(parts.size())));
     return impl_->polygons_of(impl_->own(GEOSUnaryUnionPrec_r(impl_->context, collection.get(), kGrid)));
 }
 

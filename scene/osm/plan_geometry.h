@@ -69,8 +69,8 @@ public:
     Polygons intersection(const Polygons& a, const Polygons& b) const;
     Polygons united(const std::vector<const Polygons*>& all) const;
     Triangulation triangulated(const Polygon& polygon) const;
-    /// The rectangle of least area around a ring, counter-clockwise, its first edge the longer; empty if there
-    /// is none.
+    /// The rectangle of least area around a ring, counter-clockwise, its first edge the longer; empty if
+    /// there is none.
     Ring least_rectangle(const Ring& ring) const;
 
 private:

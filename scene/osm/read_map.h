@@ -13,7 +13,7 @@ namespace campuswalk::scene::osm {
 struct MapSection {
     std::optional<GeographicBox> box;
     std::optional<std::pair<double, double>> center;  ///< latitude and longitude, degrees
-    double radius = 0.0;                               ///< of the square, metres
+    double radius = 0.0;                              ///< of the square, metres
 };
 
 /// Reads OpenStreetMap XML (`.osm`) or PBF (`.pbf`). Elements far from the section are left out. Throws

@@ -8,7 +8,7 @@
 namespace campuswalk::scene::osm {
 namespace {
 
-constexpr double kCell = 2.5;     // metres
+constexpr double kCell = 2.5;  // metres
 constexpr double kRiser = 0.16;
 constexpr double kTread = 0.32;
 constexpr double kMaxRise = 8.0;
@@ -84,12 +84,16 @@ Terrain relief_of_steps(const std::vector<Path>& paths, const Box& box) {
     const auto rows = static_cast<std::size_t>(size.y()) + 2;
     std::vector<double> heights(columns * rows, 0.0);
     for (const Flight& flight : flights) {
-        const auto first = [&](double value) { return static_cast<std::size_t>(std::max(0.0, value / kCell)); };
+        const auto first = [&](double value) {
+            return static_cast<std::size_t>(std::max(0.0, value / kCell));
+        };
         const Point low = flight.top - box.min - Point(flight.reach(), flight.reach());
         const Point high = flight.top - box.min + Point(flight.reach(), flight.reach());
         for (std::size_t row = first(low.y()); row < std::min(rows, first(high.y()) + 2); ++row) {
-            for (std::size_t column = first(low.x()); column < std::min(columns, first(high.x()) + 2); ++column) {
-                const Point p = box.min + kCell * Point(static_cast<double>(column), static_cast<double>(row));
+            for (std::size_t column = first(low.x()); column < std::min(columns, first(high.x()) + 2);
+                 ++column) {
+                const Point p =
+                    box.min + kCell * Point(static_cast<double>(column), static_cast<double>(row));
                 double& height = heights[row * columns + column];
                 height = std::max(height, flight.height(p));
             }

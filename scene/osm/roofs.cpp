@@ -73,8 +73,9 @@ RidgeFrame frame_of(const Polygons& footprint, const Roof& roof, const PlanGeome
     frame.across = shorter / width;
     frame.half_length = 0.5 * length;
     frame.half_span = 0.5 * width;
-    const bool turn = roof.directed ? std::abs(dot(roof.down, frame.along)) > std::abs(dot(roof.down, frame.across))
-                                    : roof.across;
+    const bool turn = roof.directed
+                          ? std::abs(dot(roof.down, frame.along)) > std::abs(dot(roof.down, frame.across))
+                          : roof.across;
     if (turn) {
         frame = {frame.middle, frame.across, -frame.along, frame.half_span, frame.half_length};
     }
@@ -231,7 +232,7 @@ Point centroid(const Ring& ring) {
 /// Radius, of the footprint's, and height, of 1: rings from the eaves to the top.
 Profile rings_of(RoofShape shape) {
     if (shape == RoofShape::onion) {
-        return {{1.0, 0.0},  {1.1, 0.1},  {1.12, 0.2}, {1.0, 0.32}, {0.72, 0.44},
+        return {{1.0, 0.0},   {1.1, 0.1}, {1.12, 0.2},  {1.0, 0.32}, {0.72, 0.44},
                 {0.42, 0.56}, {0.2, 0.7}, {0.08, 0.85}, {0.0, 1.0}};
     }
     if (shape == RoofShape::dome) {

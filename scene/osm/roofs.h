@@ -9,7 +9,17 @@ namespace campuswalk::scene::osm {
 
 /// The shapes of "roof:shape" in Simple 3D Buildings (wiki.openstreetmap.org/wiki/Simple_3D_Buildings).
 enum class RoofShape {
-    flat, gabled, hipped, half_hipped, pyramidal, skillion, gambrel, mansard, dome, onion, round
+    flat,
+    gabled,
+    hipped,
+    half_hipped,
+    pyramidal,
+    skillion,
+    gambrel,
+    mansard,
+    dome,
+    onion,
+    round
 };
 
 /// flat for a word that isn't one of them; `known` says whether it is.
@@ -17,10 +27,10 @@ RoofShape roof_shape(std::string_view word, bool& known);
 
 struct Roof {
     RoofShape shape = RoofShape::flat;
-    double height = 0.0;             ///< metres above the eaves; 0: flat
-    bool across = false;             ///< the ridge runs along the shorter side
-    bool directed = false;           ///< `down` is given
-    Point down = Point(0, -1);       ///< unit direction in which a skillion falls
+    double height = 0.0;        ///< metres above the eaves; 0: flat
+    bool across = false;        ///< the ridge runs along the shorter side
+    bool directed = false;      ///< `down` is given
+    Point down = Point(0, -1);  ///< unit direction in which a skillion falls
 };
 
 /// Whether the footprint can carry the shape: a roof with a ridge needs something like a rectangle, a pyramid

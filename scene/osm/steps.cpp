@@ -75,8 +75,8 @@ FlightShape shape_of(const Path& path, const Terrain& terrain) {
     const std::size_t count = count_of(path, shape.top - shape.foot);
     const double length = length_of(line);
     for (std::size_t i = 0; i <= count; ++i) {
-        shape.stations.push_back(station_at(line, length * static_cast<double>(i) / static_cast<double>(count),
-                                            0.5 * path.width));
+        shape.stations.push_back(
+            station_at(line, length * static_cast<double>(i) / static_cast<double>(count), 0.5 * path.width));
     }
     return shape;
 }
@@ -91,7 +91,8 @@ void add_treads(const FlightShape& shape, const Terrain& terrain, ObjectMesh& me
         const double height = shape.foot + riser * static_cast<double>(i + 1);
         const double bottom =
             std::min({shape.foot, terrain.height(a.at + a.left), terrain.height(a.at - a.left),
-                      terrain.height(b.at + b.left), terrain.height(b.at - b.left)}) - kBelow;
+                      terrain.height(b.at + b.left), terrain.height(b.at - b.left)}) -
+            kBelow;
         const Point left_a = a.at + a.left;
         const Point right_a = a.at - a.left;
         const Point left_b = b.at + b.left;
@@ -124,8 +125,10 @@ void add_rail(const FlightShape& shape, double side, ObjectMesh& mesh) {
         const Point across = 0.02 * left_of(unit(b - a));
         // Four sides of a bar.
         mesh.quad(kRail, {a - across, low}, {b - across, high}, {b + across, high}, {a + across, low});
-        mesh.quad(kRail, {a - across, low - 0.05}, {b - across, high - 0.05}, {b - across, high}, {a - across, low});
-        mesh.quad(kRail, {b + across, high - 0.05}, {a + across, low - 0.05}, {a + across, low}, {b + across, high});
+        mesh.quad(kRail, {a - across, low - 0.05}, {b - across, high - 0.05}, {b - across, high},
+                  {a - across, low});
+        mesh.quad(kRail, {b + across, high - 0.05}, {a + across, low - 0.05}, {a + across, low},
+                  {b + across, high});
         mesh.quad(kRail, {a + across, low - 0.05}, {b + across, high - 0.05}, {b - across, high - 0.05},
                   {a - across, low - 0.05});
         if (i % 4 == 0) {
@@ -149,7 +152,8 @@ Ring ring_around(const std::vector<Station>& stations) {
 
 bool has_treads(const Path& path, const Terrain& terrain) {
     return path.steps && !path.underground &&
-           std::abs(terrain.height(path.way->points.back()) - terrain.height(path.way->points.front())) >= kLeastRise;
+           std::abs(terrain.height(path.way->points.back()) - terrain.height(path.way->points.front())) >=
+               kLeastRise;
 }
 
 Ring outline_of_steps(const Path& path) {
@@ -171,11 +175,13 @@ Ring outline_of_treads(const Path& path, const Terrain& terrain) {
 
 void add_steps(Composition& composition) {
     for (const Path& path : composition.paths) {
-        if (!has_treads(path, composition.terrain) || !composition.map.box.contains(path.way->points.front())) {
+        if (!has_treads(path, composition.terrain) ||
+            !composition.map.box.contains(path.way->points.front())) {
             continue;
         }
         const FlightShape shape = shape_of(path, composition.terrain);
-        ObjectMesh& mesh = composition.model.object("steps/" + ElementId{ElementKind::way, path.way->id}.text());
+        ObjectMesh& mesh =
+            composition.model.object("steps/" + ElementId{ElementKind::way, path.way->id}.text());
         add_treads(shape, composition.terrain, mesh);
         const Tags& tags = path.way->tags;
         const bool both = affirmed(tags, "handrail") || affirmed(tags, "handrail:both");

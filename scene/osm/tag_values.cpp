@@ -37,16 +37,16 @@ std::optional<double> take_number(std::string_view& text) {
 
 std::optional<double> unit_of(std::string_view unit) {
     constexpr std::array<std::pair<std::string_view, double>, 11> kUnits = {{{"", 1.0},
-                                                                            {"m", 1.0},
-                                                                            {"metre", 1.0},
-                                                                            {"metres", 1.0},
-                                                                            {"meters", 1.0},
-                                                                            {"km", 1000.0},
-                                                                            {"cm", 0.01},
-                                                                            {"mm", 0.001},
-                                                                            {"ft", 0.3048},
-                                                                            {"feet", 0.3048},
-                                                                            {"in", 0.0254}}};
+                                                                             {"m", 1.0},
+                                                                             {"metre", 1.0},
+                                                                             {"metres", 1.0},
+                                                                             {"meters", 1.0},
+                                                                             {"km", 1000.0},
+                                                                             {"cm", 0.01},
+                                                                             {"mm", 0.001},
+                                                                             {"ft", 0.3048},
+                                                                             {"feet", 0.3048},
+                                                                             {"in", 0.0254}}};
     const auto* found = std::ranges::find(kUnits, unit, &std::pair<std::string_view, double>::first);
     return found == kUnits.end() ? std::nullopt : std::optional(found->second);
 }
@@ -93,33 +93,33 @@ struct NamedColor {
     Color color;
 };
 
-// The names of CSS that buildings have. Who maps a red roof means a red of roofs: the pure colours are those of paint.
-// Hexadecimal colours are taken as they are.
+// The names of CSS that buildings have. Who maps a red roof means a red of roofs: the pure colours are those
+// of paint. Hexadecimal colours are taken as they are.
 constexpr std::array<NamedColor, 40> kColors = {{
-    {"aqua", {130, 200, 204}},       {"azure", {240, 255, 255}},    {"beige", {245, 245, 220}},
-    {"black", {40, 40, 42}},          {"blue", {70, 100, 160}},         {"brown", {165, 42, 42}},
-    {"burlywood", {222, 184, 135}}, {"chocolate", {210, 105, 30}}, {"cornsilk", {255, 248, 220}},
-    {"cream", {255, 253, 208}},    {"darkgray", {169, 169, 169}}, {"darkgreen", {0, 100, 0}},
-    {"darkgrey", {169, 169, 169}}, {"darkred", {139, 0, 0}},      {"dimgray", {105, 105, 105}},
-    {"firebrick", {178, 34, 34}},  {"fuchsia", {190, 90, 160}},    {"gold", {255, 215, 0}},
-    {"gray", {128, 128, 128}},     {"green", {84, 128, 84}},        {"grey", {128, 128, 128}},
-    {"indianred", {205, 92, 92}},  {"ivory", {255, 255, 240}},    {"khaki", {240, 230, 140}},
+    {"aqua", {130, 200, 204}},      {"azure", {240, 255, 255}},     {"beige", {245, 245, 220}},
+    {"black", {40, 40, 42}},        {"blue", {70, 100, 160}},       {"brown", {165, 42, 42}},
+    {"burlywood", {222, 184, 135}}, {"chocolate", {210, 105, 30}},  {"cornsilk", {255, 248, 220}},
+    {"cream", {255, 253, 208}},     {"darkgray", {169, 169, 169}},  {"darkgreen", {0, 100, 0}},
+    {"darkgrey", {169, 169, 169}},  {"darkred", {139, 0, 0}},       {"dimgray", {105, 105, 105}},
+    {"firebrick", {178, 34, 34}},   {"fuchsia", {190, 90, 160}},    {"gold", {255, 215, 0}},
+    {"gray", {128, 128, 128}},      {"green", {84, 128, 84}},       {"grey", {128, 128, 128}},
+    {"indianred", {205, 92, 92}},   {"ivory", {255, 255, 240}},     {"khaki", {240, 230, 140}},
     {"lightgray", {211, 211, 211}}, {"lightgrey", {211, 211, 211}}, {"lime", {150, 196, 90}},
-    {"maroon", {118, 48, 44}},       {"navy", {0, 0, 128}},         {"olive", {128, 128, 0}},
-    {"orange", {216, 150, 84}},     {"pink", {255, 192, 203}},     {"purple", {116, 80, 124}},
-    {"red", {178, 64, 52}},          {"salmon", {250, 128, 114}},   {"silver", {192, 192, 192}},
-    {"tan", {210, 180, 140}},      {"teal", {0, 128, 128}},       {"white", {240, 238, 232}},
+    {"maroon", {118, 48, 44}},      {"navy", {0, 0, 128}},          {"olive", {128, 128, 0}},
+    {"orange", {216, 150, 84}},     {"pink", {255, 192, 203}},      {"purple", {116, 80, 124}},
+    {"red", {178, 64, 52}},         {"salmon", {250, 128, 114}},    {"silver", {192, 192, 192}},
+    {"tan", {210, 180, 140}},       {"teal", {0, 128, 128}},        {"white", {240, 238, 232}},
     {"yellow", {232, 208, 120}},
 }};
 
 constexpr std::array<NamedColor, 22> kMaterials = {{
-    {"brick", {158, 89, 69}},      {"bronze", {140, 100, 60}},     {"cement_block", {170, 168, 160}},
-    {"concrete", {176, 172, 164}}, {"copper", {102, 150, 132}},    {"eternit", {150, 152, 150}},
-    {"glass", {140, 170, 186}},    {"grass", {110, 142, 80}},      {"gravel", {160, 152, 140}},
+    {"brick", {158, 89, 69}},       {"bronze", {140, 100, 60}},    {"cement_block", {170, 168, 160}},
+    {"concrete", {176, 172, 164}},  {"copper", {102, 150, 132}},   {"eternit", {150, 152, 150}},
+    {"glass", {140, 170, 186}},     {"grass", {110, 142, 80}},     {"gravel", {160, 152, 140}},
     {"limestone", {214, 204, 178}}, {"marble", {226, 224, 218}},   {"metal", {168, 174, 178}},
-    {"plaster", {222, 212, 190}},  {"roof_tiles", {156, 82, 60}},  {"sandstone", {206, 178, 134}},
-    {"slate", {92, 100, 110}},     {"steel", {150, 158, 164}},     {"stone", {182, 174, 158}},
-    {"tar_paper", {84, 82, 80}},   {"tile", {170, 110, 90}},       {"timber_framing", {206, 190, 160}},
+    {"plaster", {222, 212, 190}},   {"roof_tiles", {156, 82, 60}}, {"sandstone", {206, 178, 134}},
+    {"slate", {92, 100, 110}},      {"steel", {150, 158, 164}},    {"stone", {182, 174, 158}},
+    {"tar_paper", {84, 82, 80}},    {"tile", {170, 110, 90}},      {"timber_framing", {206, 190, 160}},
     {"wood", {146, 108, 70}},
 }};
 

@@ -38,7 +38,8 @@ private:
     std::size_t columns_ = 0;
     std::size_t rows_ = 0;
     std::vector<double> heights_;
-    /// How many of the grid's points in the rectangle from the south-west aren't at 0; one row and column more.
+    /// How many of the grid's points in the rectangle from the south-west aren't at 0; one row and column
+    /// more.
     std::vector<std::uint32_t> raised_;
 };
 

@@ -21,7 +21,7 @@ struct HelperProgram {
 struct HelperResponse {
     std::span<const std::byte> bytes;
     std::shared_ptr<const void> owner;  ///< keeps the bytes
-    std::string failure;                ///< why there are none, after "FILE can't be read: "; empty if there are
+    std::string failure;  ///< why there are none, after "FILE can't be read: "; empty if there are
 };
 
 /// The limits for one file: with the CPU time for its size added.

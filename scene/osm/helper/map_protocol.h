@@ -23,7 +23,8 @@ MapHelperRequest read_map_request(std::span<const std::byte> bytes);
 
 /// `files` must outlive the writer. With errors among its warnings it stands for an InputError.
 ArchiveWriter archive_files(const MapFiles& files);
-/// Accepts untrusted bytes. Throws DamagedFile for invalid ones, InputError for a response that stands for one.
+/// Accepts untrusted bytes. Throws DamagedFile for invalid ones, InputError for a response that stands for
+/// one.
 MapFiles read_map_response(std::span<const std::byte> bytes);
 
 }  // namespace campuswalk::scene::osm

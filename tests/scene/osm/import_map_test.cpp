@@ -127,7 +127,8 @@ TEST_F(ImportMap, MakesBuildingsOfTheirAreaAndHeight) {
     const auto inner = map.rectangle(-10, -10, 10, 10);
     const auto id = map.relation({{outer, "outer"}, {inner, "inner"}},
                                  {{"type", "multipolygon"}, {"building", "yes"}, {"height", "12.34"}});
-    const auto high = map.rectangle(40, 0, 50, 10, {{"building", "yes"}, {"height", "20"}, {"min_height", "5.5"}});
+    const auto high =
+        map.rectangle(40, 0, 50, 10, {{"building", "yes"}, {"height", "20"}, {"min_height", "5.5"}});
     const Model model = import(map.xml()).model;
     const std::string court = "building/relation-" + std::to_string(id);
     ASSERT_NE(find(model, court), nullptr);
@@ -145,13 +146,16 @@ TEST_F(ImportMap, MakesTheRoofsOfSimple3dBuildings) {
         const char* shape;
         double volume;  ///< of 20 by 10 m, 9 m high, of which the roof is 3
     };
-    for (const Expected& roof : {Expected{"flat", 1800}, {"gabled", 1500}, {"hipped", 1450}, {"pyramidal", 1400},
-                                 {"skillion", 1500}, {"gambrel", 1575}}) {
+    for (const Expected& roof : {Expected{"flat", 1800},
+                                 {"gabled", 1500},
+                                 {"hipped", 1450},
+                                 {"pyramidal", 1400},
+                                 {"skillion", 1500},
+                                 {"gambrel", 1575}}) {
         MapText map;
-        const auto id = map.rectangle(-10, -5, 10, 5, {{"building", "yes"},
-                                                       {"height", "9"},
-                                                       {"roof:height", "3"},
-                                                       {"roof:shape", roof.shape}});
+        const auto id = map.rectangle(
+            -10, -5, 10, 5,
+            {{"building", "yes"}, {"height", "9"}, {"roof:height", "3"}, {"roof:shape", roof.shape}});
         const Model model = import(map.xml()).model;
         const std::string name = "building/way-" + std::to_string(id);
         EXPECT_NEAR(volume_of(model, name), roof.volume, 0.002 * roof.volume) << roof.shape;
@@ -160,10 +164,9 @@ TEST_F(ImportMap, MakesTheRoofsOfSimple3dBuildings) {
     }
     for (const char* shape : {"half-hipped", "mansard", "round", "dome"}) {
         MapText map;
-        const auto id = map.rectangle(-10, -5, 10, 5, {{"building", "yes"},
-                                                       {"height", "9"},
-                                                       {"roof:height", "3"},
-                                                       {"roof:shape", shape}});
+        const auto id = map.rectangle(
+            -10, -5, 10, 5,
+            {{"building", "yes"}, {"height", "9"}, {"roof:height", "3"}, {"roof:shape", shape}});
         const Model model = import(map.xml()).model;
         const std::string name = "building/way-" + std::to_string(id);
         EXPECT_NEAR(bounds_of(model, name).max.y(), 9.0, 0.01) << shape;
@@ -182,7 +185,8 @@ TEST_F(ImportMap, ReportsARoofThatItsFootprintForbids) {
 
 TEST_F(ImportMap, BuildsPartsInsteadOfTheirOutline) {
     MapText map;
-    const auto outline = map.rectangle(0, 0, 20, 10, {{"building", "yes"}, {"height", "30"}, {"name", "Two parts"}});
+    const auto outline =
+        map.rectangle(0, 0, 20, 10, {{"building", "yes"}, {"height", "30"}, {"name", "Two parts"}});
     const auto low = map.rectangle(0, 0, 10, 10, {{"building:part", "yes"}, {"height", "6"}});
     const auto high = map.rectangle(10, 0, 20, 10, {{"building:part", "yes"}, {"height", "30"}});
     const Model model = import(map.xml()).model;
@@ -226,11 +230,12 @@ TEST_F(ImportMap, DividesTheGroundWithoutGapsAndOverlaps) {
 
 TEST_F(ImportMap, KeepsNamesInTheirScriptAndIdsInAscii) {
     MapText map;
-    const auto id = map.rectangle(0, 0, 20, 10, {{"building", "university"},
-                                                 {"name", "\xEB\x8F\x84\xEC\x84\x9C\xEA\xB4\x80 {x} &quot;&lt;b&gt;"},
-                                                 {"name:en", "Library"},
-                                                 {"opening_hours", "Mo-Fr 08:00-20:00"},
-                                                 {"building:levels", "4"}});
+    const auto id = map.rectangle(0, 0, 20, 10,
+                                  {{"building", "university"},
+                                   {"name", "\xEB\x8F\x84\xEC\x84\x9C\xEA\xB4\x80 {x} &quot;&lt;b&gt;"},
+                                   {"name:en", "Library"},
+                                   {"opening_hours", "Mo-Fr 08:00-20:00"},
+                                   {"building:levels", "4"}});
     const ImportedMap imported = import(map.xml());
     ASSERT_EQ(imported.draft.buildings.size(), 1U);
     EXPECT_EQ(imported.draft.buildings[0].id, "building-" + std::to_string(id));
@@ -255,8 +260,8 @@ TEST_F(ImportMap, FindsDoorsAndPlacesInFrontOfThem) {
 
 TEST_F(ImportMap, BuildsFlightsWithTheirTreads) {
     MapText map;
-    const auto id = map.way({{0, 0}, {0, 6}}, {{"highway", "steps"}, {"step_count", "15"}, {"width", "2"},
-                                               {"handrail", "yes"}});
+    const auto id = map.way(
+        {{0, 0}, {0, 6}}, {{"highway", "steps"}, {"step_count", "15"}, {"width", "2"}, {"handrail", "yes"}});
     const Model model = import(map.xml()).model;
     const std::string name = "steps/way-" + std::to_string(id);
     ASSERT_NE(find(model, name), nullptr);
@@ -274,9 +279,11 @@ TEST_F(ImportMap, RefusesWhatIsNoMap) {
     EXPECT_EQ(refusal("not a map at all"), "bad-map");
     EXPECT_EQ(refusal(""), "bad-map");
     EXPECT_EQ(refusal("<osm version=\"0.6\"><node id=\"1\" lat=\"1\" lon=\"1\">"), "bad-map");
-    EXPECT_EQ(refusal("<?xml version=\"1.0\"?><!DOCTYPE a [<!ENTITY a \"aaaa\"><!ENTITY b \"&a;&a;\">]>"
-                      "<osm version=\"0.6\"><node id=\"1\" lat=\"1\" lon=\"1\"><tag k=\"&b;\" v=\"1\"/></node></osm>"),
-              "bad-map");
+    EXPECT_EQ(
+        refusal(
+            "<?xml version=\"1.0\"?><!DOCTYPE a [<!ENTITY a \"aaaa\"><!ENTITY b \"&a;&a;\">]>"
+            "<osm version=\"0.6\"><node id=\"1\" lat=\"1\" lon=\"1\"><tag k=\"&b;\" v=\"1\"/></node></osm>"),
+        "bad-map");
     EXPECT_EQ(refusal("damaged", "a.pbf"), "bad-map");
     EXPECT_EQ(refusal("<osm version=\"0.6\"></osm>"), "bad-size");
     EXPECT_EQ(refusal("<osm version=\"0.6\"><node id=\"1\" lat=\"1\" lon=\"1\"/></osm>"), "bad-size");
@@ -289,12 +296,17 @@ TEST_F(ImportMap, SurvivesWhatMapsGetWrong) {
     MapText map;
     map.way({{0, 0}, {10, 0}, {10, 10}}, {{"building", "yes"}, {"name", "open"}});
     map.ring({{0, 20}, {10, 30}, {10, 20}, {0, 30}}, {{"building", "yes"}, {"height", "-5"}});  // a bow
-    map.ring({{0, 40}, {10, 40}, {20, 40}}, {{"building", "yes"}});                              // no area
+    map.ring({{0, 40}, {10, 40}, {20, 40}}, {{"building", "yes"}});                             // no area
     map.way_of({1, 1, 1}, {{"highway", "footway"}});
     map.way_of({7777}, {{"highway", "steps"}});
     map.relation({{7777, "outer"}}, {{"type", "multipolygon"}, {"building", "yes"}});
-    map.rectangle(-50, -50, -40, -40, {{"building", "yes"}, {"height", "1e308"}, {"building:levels", "-3"},
-                                       {"min_height", "99999"}, {"roof:shape", "onion"}, {"roof:height", "1e9"}});
+    map.rectangle(-50, -50, -40, -40,
+                  {{"building", "yes"},
+                   {"height", "1e308"},
+                   {"building:levels", "-3"},
+                   {"min_height", "99999"},
+                   {"roof:shape", "onion"},
+                   {"roof:height", "1e9"}});
     map.way({{-60, -60}, {60, 60}}, {{"highway", "footway"}, {"width", "0"}});
     map.way({{-60, 60}, {60, -60}}, {{"highway", "steps"}, {"step_count", "999999999"}, {"width", "1e9"}});
     const ImportedMap imported = import(map.xml());
@@ -324,8 +336,7 @@ TEST_P(RealMaps, KeepTheAreasOfTheirBuildings) {
     std::size_t checked = 0;
     for (const MapWay& way : map.ways) {
         const Node* node = find(imported.model, "building/way-" + std::to_string(way.id));
-        if (node == nullptr || !way.closed() ||
-            way.tags.is("building", "roof")) {
+        if (node == nullptr || !way.closed() || way.tags.is("building", "roof")) {
             continue;
         }
         double twice = 0.0;  // the shoelace formula on the projected nodes
@@ -336,7 +347,8 @@ TEST_P(RealMaps, KeepTheAreasOfTheirBuildings) {
             return other.name.starts_with(node->name + "/");
         });
         if (!has_parts) {
-            EXPECT_NEAR(plan_area(imported.model, *node), 0.5 * std::abs(twice), 0.001 * 0.5 * std::abs(twice))
+            EXPECT_NEAR(plan_area(imported.model, *node), 0.5 * std::abs(twice),
+                        0.001 * 0.5 * std::abs(twice))
                 << node->name;
             ++checked;
         }

@@ -80,8 +80,8 @@ std::string MapText::xml() const {
                   " <bounds minlat=\"%.9f\" minlon=\"%.9f\" maxlat=\"%.9f\" maxlon=\"%.9f\"/>\n",
                   latitude_ - half_size_ * degrees_north_, longitude_ - half_size_ * degrees_east_,
                   latitude_ + half_size_ * degrees_north_, longitude_ + half_size_ * degrees_east_);
-    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<osm version=\"0.6\">\n" + std::string(bounds) + nodes_ +
-           ways_ + relations_ + "</osm>\n";
+    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<osm version=\"0.6\">\n" + std::string(bounds) +
+           nodes_ + ways_ + relations_ + "</osm>\n";
 }
 
 }  // namespace campuswalk::scene::test

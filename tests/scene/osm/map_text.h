@@ -8,7 +8,8 @@
 
 namespace campuswalk::scene::test {
 
-/// OpenStreetMap XML of things whose positions are in metres east and north of a place: an inverse of its own.
+/// OpenStreetMap XML of things whose positions are in metres east and north of a place: an inverse of its
+/// own.
 class MapText {
 public:
     using Tags = std::vector<std::pair<std::string, std::string>>;

@@ -79,7 +79,8 @@ void check_files(const ImportOptions& options, const CampusFiles& files) {
     for (const fs::path& file : {files.model, files.campus, files.walk, files.attribution}) {
         std::error_code ignored;
         if (!options.overwrite && fs::exists(file, ignored)) {
-            throw error_about(file, "file-exists", "the file exists; name another folder, or pass --overwrite");
+            throw error_about(file, "file-exists",
+                              "the file exists; name another folder, or pass --overwrite");
         }
         require_writable_file(file, "the campus can't be written here");
     }
@@ -137,8 +138,8 @@ void add_import(Command program, CommandAction& chosen) {
     const auto options = std::make_shared<ImportOptions>();
     Command command = program.add("import", "Make a campus with names, doors and a walk from a map");
     const std::map<std::string, SourceFormat> formats = {{"osm", SourceFormat::osm}};
-    command.choice({.names = "FORMAT", .help = "osm: OpenStreetMap, as XML or PBF", .required = true}, formats,
-                   options->format);
+    command.choice({.names = "FORMAT", .help = "osm: OpenStreetMap, as XML or PBF", .required = true},
+                   formats, options->format);
     command.option({.names = "MAP",
                     .help = "An extract of the map, such as from openstreetmap.org's Export",
                     .value = "FILE.osm",
@@ -149,8 +150,9 @@ void add_import(Command program, CommandAction& chosen) {
                     .value = "DIR",
                     .required = true},
                    options->folder);
-    command.option({.names = "--name", .help = "NAME in the files' names; default: the map's", .value = "NAME"},
-                   options->name);
+    command.option(
+        {.names = "--name", .help = "NAME in the files' names; default: the map's", .value = "NAME"},
+        options->name);
     command.option({.names = "--bbox",
                     .help = "Only this part of the map, in degrees; default: what the file states",
                     .value = "SOUTH,WEST,NORTH,EAST"},
@@ -168,7 +170,8 @@ void add_import(Command program, CommandAction& chosen) {
                    options->heights);
     command.flag({.names = "--overwrite", .help = "Replace existing files"}, options->overwrite);
     add_import_options(command);
-    command.footer("The campus is a work derived from OpenStreetMap: ATTRIBUTION.md says what that asks for.");
+    command.footer(
+        "The campus is a work derived from OpenStreetMap: ATTRIBUTION.md says what that asks for.");
     command.choose(chosen, [options] { return import_osm(*options); });
 }
 

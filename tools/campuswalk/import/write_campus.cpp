@@ -58,8 +58,8 @@ std::string visit_yaml(const std::vector<const DraftPlace*>& visits, const std::
         expect += "  - sequence: [" + json_text("trigger.enter " + visit->trigger) + "]\n";
     }
     return "# Visits doors near the start; by `campuswalk import osm`.\ncampus: " + json_text(campus_file) +
-           "\navatar: adult\nsteps:\n" + steps + (visits.empty() ? "  - wait: 1\n" : "") +
-           "expect:\n" + expect;
+           "\navatar: adult\nsteps:\n" + steps + (visits.empty() ? "  - wait: 1\n" : "") + "expect:\n" +
+           expect;
 }
 
 /// The places to visit from `here`, the most telling and nearest first.

@@ -72,8 +72,8 @@ scene::osm::MapFiles read_osm_map(const scene::osm::MapRequest& request) {
     scene::ImportLimits limits;
     limits.memory = import_memory();
     limits.cpu_per_megabyte = 20;  // geometry is made from it: ten times what any map has taken
-    return scene::osm::import_map_in_process({"/proc/self/exe", {scene::osm::kMapHelperArgument}}, request, limits,
-                                             sandbox);
+    return scene::osm::import_map_in_process({"/proc/self/exe", {scene::osm::kMapHelperArgument}}, request,
+                                             limits, sandbox);
 }
 
 void add_import_options(Command command) {
