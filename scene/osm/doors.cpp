@@ -1,5 +1,6 @@
 #include "scene/osm/doors.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <unordered_map>
@@ -31,6 +32,9 @@ public:
     Doors(Composition& composition, const FreeGround& free) : composition_(composition), free_(free) {
         for (const Volume& volume : composition.volumes) {
             walled_.insert(volume.building);
+        }
+        for (std::size_t i = 0; i < composition.openings.size(); ++i) {
+            openings_.add(i, box_of(composition.openings[i]));
         }
         for (std::size_t i = 0; i < composition.areas.size(); ++i) {
             for (const MapWay* way : composition.areas[i].outlines) {
@@ -160,17 +164,15 @@ private:
     }
 
     bool is_open_at(const Point& at) const {
-        for (const Polygons& opening : composition_.openings) {
-            if (contains(opening, at)) {
-                return true;
-            }
-        }
-        return false;
+        const std::vector<std::size_t> near = openings_.at(at);
+        return std::ranges::any_of(
+            near, [&](std::size_t i) { return contains(composition_.openings[i], at); });
     }
 
     Composition& composition_;
     const FreeGround& free_;
     std::set<std::size_t> walled_;
+    BoxIndex openings_;
     std::unordered_map<std::int64_t, std::size_t> on_wall_;  ///< areas by node
     std::set<std::int64_t> done_;
     std::set<std::size_t> with_door_;
