@@ -165,8 +165,8 @@ private:
 
     bool is_open_at(const Point& at) const {
         const std::vector<std::size_t> near = openings_.at(at);
-        return std::ranges::any_of(
-            near, [&](std::size_t i) { return contains(composition_.openings[i], at); });
+        return std::ranges::any_of(near,
+                                   [&](std::size_t i) { return contains(composition_.openings[i], at); });
     }
 
     Composition& composition_;

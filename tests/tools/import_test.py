@@ -4,6 +4,7 @@
 import os
 import re
 
+import map_pbf
 import walked_ways
 from program import ProgramCase, main
 
@@ -70,6 +71,16 @@ class ImportTest(ProgramCase):
         self.assertEqual(self.contents(), before)
         self.assertEqual(self.import_map("--overwrite").code, 0)
         self.assertEqual(self.contents(), before)
+
+    def test_reads_pbf(self):
+        self.write("a.osm", map_xml())
+        self.write("b.osm.pbf", map_pbf.pbf_of(map_xml()))
+        self.assertEqual(self.import_map(folder="xml").code, 0)
+        outcome = self.import_map(name="b.osm.pbf", folder="pbf")
+        self.assertEqual(outcome.code, 0, outcome.err)
+        self.assertEqual(self.read("xml/campus.glb"), self.read("pbf/campus.glb"))
+        self.write("b.osm.pbf", self.read("b.osm.pbf")[:-20])
+        self.assertEqual(self.import_map(name="b.osm.pbf", folder="none").code, 2)
 
     def test_cuts_a_section(self):
         self.write("a.osm", map_xml())
