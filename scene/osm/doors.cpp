@@ -29,7 +29,8 @@ bool is_entrance(const Tags& tags) {
 
 class Doors {
 public:
-    Doors(Composition& composition, const FreeGround& free) : composition_(composition), free_(free) {
+    Doors(Composition& composition, const FreeGround& free)
+        : composition_(composition), free_(free), volumes_(index_of_volumes(composition)) {
         for (const Volume& volume : composition.volumes) {
             walled_.insert(volume.building);
         }
@@ -114,7 +115,6 @@ private:
         if (!composition_.map.box.contains(door.at) || (!door.assumed && !done_.insert(door.node).second)) {
             return;
         }
-        with_door_.insert(door.area);
         Nearest wall;
         const Polygons& outline = composition_.areas[door.area].polygons;
         for (const Polygon& polygon : outline) {
@@ -126,10 +126,11 @@ private:
             }
         }
         constexpr double kOnWall = 0.05;
-        if (wall.distance > kOnWall) {
+        if (wall.distance > kOnWall || !is_wall_at(door.at)) {
             return;
         }
-        Point out(wall.along.y(), -wall.along.x());  // rings run counter-clockwise, holes clockwise
+        with_door_.insert(door.area);
+        const Point out(wall.along.y(), -wall.along.x());  // rings run counter-clockwise, holes clockwise
         const MapArea& area = composition_.areas[door.area];
         const std::string building = draft_id("building", area.id);
         const std::string number = std::to_string(door.node);
@@ -163,6 +164,23 @@ private:
         }
     }
 
+    /// Whether a wall stands on the ground there: some outlines are those of roofs, or of parts above.
+    bool is_wall_at(const Point& at) const {
+        constexpr double kOnWall = 0.3;
+        for (const std::size_t i : volumes_.near(Box{at, at}.grown(kOnWall))) {
+            for (const Polygon& polygon : composition_.volumes[i].footprint) {
+                double distance = nearest_on(polygon.outer, true, at).distance;
+                for (const Ring& hole : polygon.holes) {
+                    distance = std::min(distance, nearest_on(hole, true, at).distance);
+                }
+                if (distance < kOnWall) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
     bool is_open_at(const Point& at) const {
         const std::vector<std::size_t> near = openings_.at(at);
         return std::ranges::any_of(near,
@@ -173,6 +191,7 @@ private:
     const FreeGround& free_;
     std::set<std::size_t> walled_;
     BoxIndex openings_;
+    BoxIndex volumes_;                                       ///< that stand on the ground
     std::unordered_map<std::int64_t, std::size_t> on_wall_;  ///< areas by node
     std::set<std::int64_t> done_;
     std::set<std::size_t> with_door_;

@@ -98,7 +98,7 @@ void add_treads(const FlightShape& shape, const Terrain& terrain, ObjectMesh& me
         const Point left_b = b.at + b.left;
         const Point right_b = b.at - b.left;
         mesh.quad(kTreadLook, {right_a, height}, {right_b, height}, {left_b, height}, {left_a, height});
-        mesh.wall(kNosing, left_a, right_a, height - riser, height);
+        mesh.wall(kNosing, left_a, right_a, i == 0 ? bottom : height - riser, height);
         mesh.wall(kTreadLook, right_a, right_b, bottom, height);
         mesh.wall(kTreadLook, left_b, left_a, bottom, height);
     }

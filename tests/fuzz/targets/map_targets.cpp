@@ -23,7 +23,8 @@ std::string_view text_of(Bytes bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-void import(const std::string& map, const std::string& heights, const std::string& name, std::string_view bytes) {
+void import(const std::string& map, const std::string& heights, const std::string& name,
+            std::string_view bytes) {
     static const support::TemporaryFolder folder;
     folder.write(name, bytes);
     if (name != map) {
