@@ -1,5 +1,6 @@
 #include "scene/osm/model_builder.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -62,7 +63,10 @@ Mesh welded(const std::vector<std::array<Eigen::Vector3f, 3>>& triangles) {
                                     ab.x() * ac.y() - ab.y() * ac.x());
         const double length =
             std::sqrt(cross.x() * cross.x() + cross.y() * cross.y() + cross.z() * cross.z());
-        if (!(length > 1e-9)) {
+        constexpr double kThinnest = 1e-5;  // metres, the height of a triangle: none is left of thinner ones
+        const double longest =
+            std::sqrt(std::max({ab.squaredNorm(), ac.squaredNorm(), (ac - ab).squaredNorm()}));
+        if (!(length > kThinnest * longest)) {
             continue;
         }
         // Rounded, so that coplanar faces share vertices.
