@@ -71,6 +71,8 @@ class ImportTest(ProgramCase):
         self.assertEqual(self.contents(), before)
         self.assertEqual(self.import_map("--overwrite").code, 0)
         self.assertEqual(self.contents(), before)
+        self.assertEqual(self.import_map("--overwrite", "--no-cache", "--sandbox", "off").code, 0)
+        self.assertEqual(self.contents(), before)
 
     def test_reads_pbf(self):
         self.write("a.osm", map_xml())
