@@ -184,7 +184,10 @@ private:
         append_word(bytes, json.size());
         bytes += "JSON" + json;
         append_word(bytes, bin);
-        bytes += std::string("BIN\0", 4) + buffers_.positions + buffers_.normals + buffers_.indices;
+        bytes.append("BIN\0", 4);
+        for (const std::string* view : {&buffers_.positions, &buffers_.normals, &buffers_.indices}) {
+            bytes += *view;
+        }
         return bytes;
     }
 
