@@ -142,6 +142,7 @@ void add_titled_buildings(Composition& composition) {
     for (const Volume& volume : composition.volumes) {
         volumes[volume.building].push_back(&volume);
     }
+    DraftSolid untitled{"building", {}, "", "buildings", true};  // one line, as cities have thousands
     for (const auto& [area_index, parts] : volumes) {
         const MapArea& area = composition.areas[area_index];
         const bool titled = area.tags.has("name");
@@ -155,12 +156,15 @@ void add_titled_buildings(Composition& composition) {
         if (has_parts) {
             globs.push_back(node + "/*");
         }
-        composition.draft.solids.push_back({id + "/walls", globs, titled ? id : "", "buildings", false});
-        if (titled) {
+        if (!titled) {
+            untitled.globs.insert(untitled.globs.end(), globs.begin(), globs.end());
+        } else {
+            composition.draft.solids.push_back({id + "/walls", globs, id, "buildings", false});
             composition.draft.buildings.push_back(description_of(id, area.tags));
             add_area_trigger(composition, id + "/around", id, area.polygons, 1.5, kTriggerHeight);
         }
     }
+    composition.draft.solids.push_back(std::move(untitled));
 }
 
 void add_titled_areas(Composition& composition) {
