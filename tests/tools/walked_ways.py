@@ -280,7 +280,7 @@ def share_of(walked):
 
 def main():
     """Prints the share, and with --list what is blocked, by way."""
-    program, file, folder = sys.argv[1:4]
+    program, file, folder = os.path.abspath(sys.argv[1]), *sys.argv[2:4]
     the_map = Map(file)
     walked = walk_all(program, the_map, folder)
     good, total = share_of(walked)
