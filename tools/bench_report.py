@@ -17,7 +17,7 @@ import time
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
 WALKS = 1000
-ROUNDS = 5
+ROUNDS = 12
 MEGABYTE = 1_000_000
 
 

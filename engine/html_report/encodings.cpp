@@ -2,8 +2,8 @@
 
 #include <libdeflate.h>
 
+#include <algorithm>
 #include <cstdint>
-#include <memory>
 #include <new>
 
 #include "engine/report/plain_text.h"
@@ -11,10 +11,6 @@
 namespace campuswalk::engine {
 
 namespace {
-
-struct FreeCompressor {
-    void operator()(libdeflate_compressor* compressor) const { libdeflate_free_compressor(compressor); }
-};
 
 std::uint32_t byte(char value) {
     return static_cast<unsigned char>(value);
@@ -44,16 +40,22 @@ std::string base64(std::string_view bytes) {
     return text;
 }
 
-std::string gzip(std::string_view bytes, int effort) {
-    const std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor(
-        libdeflate_alloc_compressor(effort));
-    if (compressor == nullptr) {
+Gzip::Gzip(int effort) : compressor_(libdeflate_alloc_compressor(effort)) {
+    if (compressor_ == nullptr) {
         throw std::bad_alloc();
     }
-    std::string packed(libdeflate_gzip_compress_bound(compressor.get(), bytes.size()), '\0');
-    packed.resize(
-        libdeflate_gzip_compress(compressor.get(), bytes.data(), bytes.size(), packed.data(), packed.size()));
-    return packed;
+}
+
+std::string_view Gzip::pack(std::string_view bytes) {
+    const std::size_t bound = libdeflate_gzip_compress_bound(compressor_.get(), bytes.size());
+    packed_.resize(std::max(packed_.size(), bound));
+    const std::size_t size = libdeflate_gzip_compress(compressor_.get(), bytes.data(), bytes.size(),
+                                                      packed_.data(), packed_.size());
+    return {packed_.data(), size};
+}
+
+void Gzip::Free::operator()(libdeflate_compressor* compressor) const {
+    libdeflate_free_compressor(compressor);
 }
 
 std::string html_escaped(std::string_view text) {

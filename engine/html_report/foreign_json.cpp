@@ -10,6 +10,27 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kDeepest = 64;
 
+/// Of text that isn't JSON, it counts at least as deep as a parser gets before it notices.
+bool is_nested_deeply(std::string_view text) {
+    int depth = 0;
+    bool in_string = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (c == '"') {
+            in_string = !in_string;
+        } else if (in_string) {
+            i += c == '\\' ? 1 : 0;
+        } else if (c == '[' || c == '{') {
+            if (++depth > kDeepest) {
+                return true;
+            }
+        } else if (c == ']' || c == '}') {
+            --depth;
+        }
+    }
+    return false;
+}
+
 bool is_number(const Json& json) {
     return json.is_number() && std::isfinite(json.get<double>());
 }
@@ -25,16 +46,11 @@ bool has(const Json& json, std::initializer_list<const char*> names, const Check
 }  // namespace
 
 std::optional<Json> parse_foreign(std::string_view text) {
-    if (text.starts_with("\xEF\xBB\xBF")) {
-        return std::nullopt;  // browsers refuse it
+    if (text.starts_with("\xEF\xBB\xBF") || is_nested_deeply(text)) {  // browsers refuse the mark
+        return std::nullopt;
     }
-    bool too_deep = false;
-    const auto notice_depth = [&](int depth, Json::parse_event_t /*event*/, Json& /*parsed*/) {
-        too_deep = too_deep || depth > kDeepest;
-        return !too_deep;
-    };
-    Json json = Json::parse(text, notice_depth, false);
-    return too_deep || json.is_discarded() ? std::nullopt : std::optional(std::move(json));
+    Json json = Json::parse(text, nullptr, false);
+    return json.is_discarded() ? std::nullopt : std::optional(std::move(json));
 }
 
 bool has_strings(const Json& json, std::initializer_list<const char*> names) {

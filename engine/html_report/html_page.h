@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "engine/html_report/encodings.h"
 #include "engine/report/make_reporter.h"
 
 namespace campuswalk::engine {
@@ -25,6 +26,8 @@ public:
     void begin(std::string_view title);
     /// Compresses the bytes and returns the chunk's number.
     std::size_t add_data(std::string_view bytes);
+    /// What is compressed already, as Gzip does it.
+    std::size_t add_packed(std::string_view gzip);
     /// A picture as it is.
     std::size_t add_image(std::string_view bytes, std::string_view media_type);
     /// The last chunk, which lists what the others are, and the end.
@@ -35,6 +38,7 @@ private:
 
     TextSink sink_;
     const ViewerBundle& bundle_;
+    Gzip gzip_;
     std::size_t chunks_ = 0;
 };
 

@@ -70,7 +70,8 @@ HtmlReporter::Details HtmlReporter::details_of(const WalkResult& result, const F
     return details;
 }
 
-/// Chunk numbers by path. The thumbnail is the first snapshot, or the first picture of a failure.
+/// Chunk numbers by path. The thumbnail is the first picture, or of a failed walk the one that shows what was
+/// in the way.
 std::string HtmlReporter::images_of(const WalkResult& result, const FileReader& read_artifact,
                                     std::ptrdiff_t& thumbnail) {
     Json chunks = Json::object();
@@ -83,7 +84,10 @@ std::string HtmlReporter::images_of(const WalkResult& result, const FileReader& 
         if (image) {
             const std::size_t chunk = page_.add_image(image->bytes, image->media_type);
             chunks[artifact.path] = chunk;
-            thumbnail = thumbnail < 0 ? static_cast<std::ptrdiff_t>(chunk) : thumbnail;
+            if (thumbnail < 0 ||
+                (result.outcome == Outcome::failed && artifact.path.ends_with("-beside.png"))) {
+                thumbnail = static_cast<std::ptrdiff_t>(chunk);
+            }
         }
     }
     return dumped(chunks);
@@ -124,7 +128,7 @@ std::ptrdiff_t HtmlReporter::campus_of(const WalkResult& result, const std::opti
 void HtmlReporter::add_campus(const ReportCampus& campus) {
     std::string geometry = "null";
     if (!campus.glb.empty()) {
-        geometry = dumped({{"chunk", page_.add_data(campus.glb)},
+        geometry = dumped({{"chunk", page_.add_packed(campus.glb)},
                            {"kind", campus.error > 0.0 ? "simplified" : "exact"},
                            {"error", campus.error}});
     }

@@ -17,7 +17,7 @@ namespace campuswalk::engine {
 /// A campus as a report shows it.
 struct ReportCampus {
     std::string entry;   ///< see campus_entry
-    std::string glb;     ///< see scene::write_glb; empty: only the boxes of its objects are shown
+    std::string glb;     ///< see scene::write_glb, as Gzip packs it; empty: only its objects' boxes are shown
     double error = 0.0;  ///< of the glb, metres; 0: exact
 };
 

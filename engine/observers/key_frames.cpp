@@ -1,7 +1,6 @@
 #include "engine/observers/key_frames.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace campuswalk::engine {
 
@@ -14,10 +13,17 @@ double tolerance_of(std::size_t i) {
     return (i < kFirstAngle ? KeyFrames::kHalfUnit : KeyFrames::kAngleUnit) + kRounding;
 }
 
+/// To the nearest; halves up. std::floor is a call where the processor is any x86-64, five for each tick.
+std::int64_t whole(double value) {
+    const double raised = value + 0.5;
+    const auto truncated = static_cast<std::int64_t>(raised);
+    return truncated - (static_cast<double>(truncated) > raised ? 1 : 0);
+}
+
 KeyFrame rounded(const PathSample& sample, bool cut) {
     KeyFrame key{sample.tick, {}, cut};
     for (std::size_t i = 0; i < PathSample::kSize; ++i) {
-        key.values[i] = static_cast<std::int64_t>(std::floor(sample.values[i] + 0.5));
+        key.values[i] = whole(sample.values[i]);
     }
     return key;
 }
@@ -59,9 +65,9 @@ void KeyFrames::start_from(const KeyFrame& key) {
 
 /// Whether the line to `end` passes close enough to every sample before it.
 bool KeyFrames::fits(const KeyFrame& end) const {
-    const auto ticks = static_cast<double>(end.tick - from_.tick);
+    const double per_tick = 1.0 / static_cast<double>(end.tick - from_.tick);
     for (std::size_t i = 0; i < PathSample::kSize; ++i) {
-        const double slope = static_cast<double>(end.values[i] - from_.values[i]) / ticks;
+        const double slope = static_cast<double>(end.values[i] - from_.values[i]) * per_tick;
         if (slope < least_[i] || slope > most_[i]) {
             return false;
         }
@@ -70,11 +76,11 @@ bool KeyFrames::fits(const KeyFrame& end) const {
 }
 
 void KeyFrames::narrow(const PathSample& sample) {
-    const auto ticks = static_cast<double>(sample.tick - from_.tick);
+    const double per_tick = 1.0 / static_cast<double>(sample.tick - from_.tick);
     for (std::size_t i = 0; i < PathSample::kSize; ++i) {
         const double rise = sample.values[i] - static_cast<double>(from_.values[i]);
-        least_[i] = std::max(least_[i], (rise - tolerance_of(i)) / ticks);
-        most_[i] = std::min(most_[i], (rise + tolerance_of(i)) / ticks);
+        least_[i] = std::max(least_[i], (rise - tolerance_of(i)) * per_tick);
+        most_[i] = std::min(most_[i], (rise + tolerance_of(i)) * per_tick);
     }
 }
 

@@ -42,13 +42,14 @@ AtomicFile::AtomicFile(fs::path file) : file_(std::move(file)) {
     if (fs::exists(file_, error) && !fs::is_regular_file(file_, error)) {
         fail(file_, "it is not a regular file");  // the rename would replace a device
     }
-    if (file_.has_parent_path()) {
+    stream_.reset(create_temporary(file_, temporary_));
+    if (!stream_ && errno == ENOENT && file_.has_parent_path()) {
         fs::create_directories(file_.parent_path(), error);
         if (error) {
             fail(file_, error.message());
         }
+        stream_.reset(create_temporary(file_, temporary_));
     }
-    stream_.reset(create_temporary(file_, temporary_));
     if (!stream_) {
         fail(file_, last_error().message());
     }

@@ -71,6 +71,15 @@ class ConfinedWrites(CheckoutCase):
         os.symlink("../../../victim/precious.txt", self.path("out/short/trajectory.csv"))
         self.assert_refused_and_untouched("is a symbolic link", "run", "short.walk.yaml", "--record", "csv")
 
+    def test_recordings_are_not_written_through_links(self):
+        self.write("below/short.walk.yaml", WALK.replace("campus: ", "campus: ../"))
+        for link in ("out/recordings", "out/recordings/below"):
+            os.makedirs(self.path(os.path.dirname(link)), exist_ok=True)
+            os.symlink(self.path("../victim"), self.path(link))
+            self.assert_refused_and_untouched("is a symbolic link", "run", "short.walk.yaml", "below/short.walk.yaml",
+                                              "--rendering-backend", "none", "--record", "report")
+            os.remove(self.path(link))
+
     def test_pictures_of_failures_are_not_written_through_links(self):
         self.write("short.walk.yaml", WALK.replace("  - never:", "  - never: popup.open hut\n  - never:"))
         os.makedirs(self.path("out"))

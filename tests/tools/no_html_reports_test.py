@@ -15,7 +15,7 @@ class NoHtmlReports(ProgramCase):
 
     def test_walks_are_recorded(self):
         self.passes("run", "--rendering-backend", "none", "--record", "report")
-        self.assertTrue(self.read("out/short/recording.json").startswith(b'{"campuswalk_recording":1'))
+        self.assertTrue(self.read("out/recordings/short.recording.json").startswith(b'{"campuswalk_recording":1'))
 
 
 if __name__ == "__main__":

@@ -130,14 +130,14 @@ class Reports(ReportCase):
         self.run_walks("--reporter", "html=r.html", "--report-geometry", "boxes")
         campus = self.page("r.html").index["campuses"][0]
         self.assertEqual((campus["geometry"], len(campus["objects"])), (None, 3))
-        self.assertFalse([name for name in os.listdir(self.path("out/campuses")) if name.endswith(".glb")])
+        self.assertFalse([name for name in os.listdir(self.path("out/campuses")) if name.endswith(".glb.gz")])
 
     def test_an_html_report_needs_a_file(self):
         self.assert_refused(self.run_walks("--reporter", "html"), "--reporter: error bad-value: html=report.html")
 
     def test_a_recording_conforms_to_its_schema(self):
         self.run_walks("--record", "report", "short.walk.yaml")
-        recording = json.loads(self.read("out/short/recording.json"))
+        recording = json.loads(self.read("out/recordings/short.recording.json"))
         described = schema_of("recording.schema.json")
         check = jsonschema.Draft7Validator(described)
         check.validate(recording)
@@ -369,13 +369,15 @@ class Ways(ReportCase):
         self.assertGreater(len(walks), 5)
         self.run_program("run", "--rendering-backend", "none", "--record", "report", "--record", "csv", "--root", ROOT, *walks)
         checked = 0
-        for folder, _, names in os.walk(self.path("out")):
-            if "recording.json" in names:
-                checked += self.check(folder)
+        recordings = self.path("out/recordings")
+        for folder, _, names in os.walk(recordings):
+            for name in names:
+                walk = os.path.relpath(os.path.join(folder, name), recordings).removesuffix(".recording.json")
+                checked += self.check(os.path.join(folder, name), self.path(f"out/{walk}"))
         self.assertGreater(checked, 20_000)
 
-    def check(self, folder):
-        with open(os.path.join(folder, "recording.json"), encoding="utf-8") as file:
+    def check(self, file, folder):
+        with open(file, encoding="utf-8") as file:
             recording = json.load(file)
         with open(os.path.join(folder, "trajectory.csv"), encoding="utf-8", newline="") as file:
             exact = [[float(row[key]) for key in "xyz"] for row in csv.DictReader(file)]

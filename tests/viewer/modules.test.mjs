@@ -8,6 +8,7 @@ import { fileURLToPath, pathToFileURL } from 'node:url';
 import { build } from 'esbuild';
 
 const root = process.env.CAMPUSWALK_ROOT ?? resolve(dirname(fileURLToPath(import.meta.url)), '../..');
+const sources = process.env.CAMPUSWALK_VIEWER_SOURCES ?? join(root, 'tools/viewer/src'); // beside the packages that they need
 let folder;
 const modules = {};
 
@@ -23,11 +24,12 @@ before(async () => {
     'data/snippets',
     'data/spans',
     'data/text',
+    'scene/feature_edges',
     'scene/triangle_tree',
   ];
   await build({
-    entryPoints: names.map((name) => join(root, 'tools/viewer/src', `${name}.ts`)),
-    outbase: join(root, 'tools/viewer/src'),
+    entryPoints: names.map((name) => join(sources, `${name}.ts`)),
+    outbase: sources,
     outdir: folder,
     outExtension: { '.js': '.mjs' },
     bundle: true,
@@ -237,6 +239,10 @@ describe('a reason', () => {
     );
     assert.deepEqual([reason.object, reason.at, reason.measure.measured], ['fountain', [0, 0.36, 13.26], 0.52]);
   });
+  test('of a fall is where it began', () => {
+    const fell = failure('the avatar fell out of the world; it last stood at -11.250,-0.268,20.583', 'fell');
+    assert.deepEqual(modules.reasonOf(fell, [], ids).at, [-11.25, -0.268, 20.583]);
+  });
   test('is split into expected and actual', () => {
     assert.deepEqual(modules.expectedAndActual("'popup.open *' occurred once, expected at least 4"), {
       actual: "'popup.open *' occurred once",
@@ -285,6 +291,73 @@ describe('a snippet', () => {
 
 test('characters that would control the display are shown', () => {
   assert.equal(modules.visible('a\u202Eb\u0007\n'), 'a\\u{202e}b\\u{7}\n');
+});
+
+describe('the edges that are drawn', () => {
+  const mesh = (triangles, scale = 1) => {
+    const values = triangles.flat(2);
+    return {
+      geometry: {
+        getAttribute: () => ({
+          count: values.length / 3,
+          getX: (i) => values[3 * i],
+          getY: (i) => values[3 * i + 1],
+          getZ: (i) => values[3 * i + 2],
+        }),
+        getIndex: () => null,
+      },
+      matrixWorld: { elements: [scale, 0, 0, 0, 0, scale, 0, 0, 0, 0, scale, 0, 0, 0, 0, 1] },
+    };
+  };
+  const quad = (a, b, c, d) => [
+    [a, b, c],
+    [a, c, d],
+  ];
+  const turned = (triangles) => triangles.map((triangle) => [...triangle].reverse());
+  const at = (x, y, z) => [x, y, z];
+  const cube = [0, 1, 2].flatMap((axis) =>
+    [0, 4].flatMap((side) => {
+      const corner = (u, v) => {
+        const point = [u, v];
+        point.splice(axis, 0, side);
+        return point;
+      };
+      return quad(corner(0, 0), corner(4, 0), corner(4, 4), corner(0, 4));
+    }),
+  );
+  const floor = quad(at(0, 0, 0), at(4, 0, 0), at(4, 0, 4), at(0, 0, 4));
+  const lengths = (meshes) => {
+    const { array } = modules.featureEdges(meshes, 28).getAttribute('position');
+    const found = [];
+    for (let i = 0; i < array.length; i += 6)
+      found.push(Math.hypot(array[i] - array[i + 3], array[i + 1] - array[i + 4], array[i + 2] - array[i + 5]));
+    return found.sort((a, b) => a - b);
+  };
+  test('are the twelve of a cube, once or twice there, of any scale', () => {
+    assert.deepEqual(lengths([mesh(cube)]), Array(12).fill(4));
+    assert.deepEqual(lengths([mesh([...cube, ...turned(cube)])]), Array(12).fill(4));
+    assert.deepEqual(lengths([mesh(cube, 0.25)]), Array(12).fill(1));
+  });
+  test('are the rims of a floor, not its diagonal', () => {
+    assert.deepEqual(lengths([mesh(floor)]), Array(4).fill(4));
+    assert.deepEqual(lengths([mesh([...floor, ...turned(floor)])]), Array(4).fill(4));
+  });
+  test('are not the seams of flat surfaces', () => {
+    assert.deepEqual(lengths([mesh([floor[0]]), mesh([floor[1]])]), Array(4).fill(4)); // in two meshes
+    const beside = [quad(at(4, 0, 0), at(8, 0, 0), at(8, 0, 3), at(4, 0, 3)), quad(at(4, 0, 3), at(8, 0, 3), at(8, 0, 4), at(4, 0, 4))];
+    const seen = lengths([mesh([...floor, ...beside.flat()])]); // the floor's edge has a vertex of its neighbours'
+    assert.deepEqual(seen, [1, 3, 4, 4, 4, 4, 4]);
+    const gap = quad(at(4.01, 0, 0), at(8, 0, 0), at(8, 0, 4), at(4.01, 0, 4));
+    assert.equal(lengths([mesh([...floor, ...gap])]).length, 6);
+  });
+  test('are those of a fold between two meshes', () => {
+    const wall = quad(at(4, 0, 0), at(4, 3, 0), at(4, 3, 4), at(4, 0, 4));
+    assert.equal(lengths([mesh(floor), mesh(wall)]).length, 8); // the fold is an end of both
+  });
+  test('are not those of triangles that are lines', () => {
+    const line = [[at(0, 0, 0), at(4, 0, 4), at(2.001, 0.001, 2)]];
+    assert.deepEqual(lengths([mesh([...floor, ...line])]), Array(4).fill(4));
+  });
 });
 
 test('the triangle tree finds what testing every triangle finds', () => {

@@ -86,12 +86,13 @@ std::string ReadRoots::why_unreadable(const fs::path& file) const {
     std::error_code error;
     const fs::path written = fs::absolute(file, error);
     const fs::path whole = error ? written : fs::weakly_canonical(written, error);
-    if (error) {
-        return "cannot be read: " + error.message();
-    }
+    return error ? "cannot be read: " + error.message() : why_canonical_unreadable(whole);
+}
+
+std::string ReadRoots::why_canonical_unreadable(const fs::path& file) const {
     bool hidden = false;
     for (const fs::path& root : roots_) {
-        if (const std::optional<fs::path> rest = below(root, whole)) {
+        if (const std::optional<fs::path> rest = below(root, file)) {
             const fs::path folders = rest->parent_path();
             if (std::none_of(folders.begin(), folders.end(), is_hidden)) {
                 return "";

@@ -19,6 +19,8 @@ public:
     /// Why the file may not be read: followed to the end of its symbolic links, it must be below a root and
     /// not in a folder like `.git`. Empty if it may, or if it doesn't exist in a place where it might.
     std::string why_unreadable(const std::filesystem::path& file) const;
+    /// The same of a canonical path: nothing is followed.
+    std::string why_canonical_unreadable(const std::filesystem::path& file) const;
 
     const std::filesystem::path& project() const { return roots_.front(); }
     std::span<const std::filesystem::path> others() const { return std::span(roots_).subspan(1); }

@@ -2,7 +2,9 @@
 
 #include <libdeflate.h>
 
+#include <algorithm>
 #include <map>
+#include <random>
 #include <set>
 #include <string>
 #include <vector>
@@ -107,7 +109,7 @@ HtmlInputs inputs_of(const Files& files) {
         if (file != "a.campus.yaml") {
             return std::nullopt;
         }
-        return ReportCampus{R"("name":"a","objects":[])", "glTF bytes", 0.05};
+        return ReportCampus{R"("name":"a","objects":[])", std::string(Gzip(6).pack("glTF bytes")), 0.05};
     };
     return inputs;
 }
@@ -234,6 +236,31 @@ TEST(HtmlReporter, SaysWhatIsMissing) {
     EXPECT_EQ(page_of(inputs_of({}), {}, 0).index().at("walks"), Json::array());
 }
 
+TEST(HtmlReporter, AThumbnailShowsTheObstacle) {
+    const std::string png = from_base64(  // a red pixel
+        "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGP4z8AAAAMBAQDJ/pLvAAAAAElFTkSuQmCC");
+    Files files;
+    WalkResult result = result_named("a");
+    for (const char* name : {"shot", "failure-eyes", "failure-beside", "failure-above"}) {
+        result.artifacts.push_back({name, std::string("a/") + name + ".png", "image/png"});
+        files.artifacts[result.artifacts.back().path] = png;
+    }
+    const auto thumbnail = [&](Outcome outcome) {
+        result.outcome = outcome;
+        const Page page = page_of(inputs_of(files), {result}, 1);
+        const Json row = page.index().at("walks")[0];
+        const Json images = page.details(row).at("pictures");
+        for (const auto& [path, chunk] : images.items()) {
+            if (chunk == row.at("thumbnail")) {
+                return path;
+            }
+        }
+        return std::string("none");
+    };
+    EXPECT_EQ(thumbnail(Outcome::passed), "a/shot.png");
+    EXPECT_EQ(thumbnail(Outcome::failed), "a/failure-beside.png");
+}
+
 TEST(HtmlReporter, ARecordingThatIsNoneIsLeftOut) {
     Files files;
     WalkResult result = result_named("a");
@@ -333,6 +360,36 @@ TEST(Encodings, Base64) {
         EXPECT_EQ(base64(bytes), text);
     }
     EXPECT_EQ(base64("\xfb\xff\xfe"), "+//+");
+}
+
+std::string random_bytes(std::size_t size) {
+    std::mt19937 dice(1);
+    std::string bytes(size, '\0');
+    std::ranges::generate(bytes, [&] { return static_cast<char>(dice()); });
+    return bytes;
+}
+
+TEST(Encodings, GzipPacksOneTextAfterTheOther) {
+    Gzip gzip(4);
+    for (const std::size_t size : {std::size_t{100}, std::size_t{300'000}, std::size_t{10}, std::size_t{0}}) {
+        const std::string bytes = random_bytes(size);
+        EXPECT_EQ(gunzipped(std::string(gzip.pack(bytes))), bytes);
+    }
+}
+
+// They are written in pieces.
+TEST(HtmlPage, LargeChunksAreWhole) {
+    std::string html;
+    HtmlPage page([&](std::string_view text) { html += text; }, kViewer);
+    page.begin("large");
+    std::map<std::string, std::string> added;
+    for (const int size : {48 * 1024 - 1, 48 * 1024, 48 * 1024 + 1, 96 * 1024, 300'001}) {
+        const std::string bytes = random_bytes(static_cast<std::size_t>(size));
+        added[std::to_string(page.add_image(bytes, "image/png"))] = bytes;
+    }
+    page.finish("{}");
+    added["index"] = "{}";
+    EXPECT_EQ(opened(html).chunks, added);
 }
 
 TEST(Encodings, ShortenedTextHasNoHalfCharacter) {

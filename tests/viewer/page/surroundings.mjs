@@ -42,10 +42,10 @@ test('a narrow screen has all without scrolling sideways', async () => {
   const fits = () => narrow.evaluate(() => document.documentElement.scrollWidth <= innerWidth);
   assert.ok(await fits());
   await go(narrow, '#walk=to-the-bench.walk.yaml');
+  await narrow.locator('.transport .primary').waitFor();
   assert.ok(await fits());
-  assert.ok(await narrow.locator('.transport .primary').isVisible());
   await narrow.locator('.panel').scrollIntoViewIfNeeded();
-  assert.ok(await narrow.locator('.failures .message').isVisible());
+  await narrow.locator('.failures .message').waitFor();
   await narrow.context().close();
 });
 

@@ -160,9 +160,9 @@ void add_output(Command& command, const Options& options) {
     command.choices(
         {.names = "--record",
          .help =
-             "Keep every tick in the walk's folder below --output: for html reports as recording.json, its "
-             "position as trajectory.csv or .tum, its costs as trace.json, for Chrome's trace viewer, or "
-             "with wall time as timed-trace.json; may be repeated"},
+             "Keep every tick below --output: for html reports as recordings/WALK.recording.json, and in the "
+             "walk's folder its position as trajectory.csv or .tum, its costs as trace.json, for Chrome's "
+             "trace viewer, or with wall time as timed-trace.json; may be repeated"},
         names_of(record_kinds()), options->records);
     add_report_geometry(command, options->report_geometry);
     add_sequence(command, options->sequence);

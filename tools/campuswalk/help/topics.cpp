@@ -63,7 +63,7 @@ std::string events() {
   ray.enter .stay .exit           the visitor looks at an object, with nothing solid in between
   popup.open .close               a building's first contact has begun, its last one has ended
   avatar.spawn .teleport          the avatar was placed
-  avatar.arrive .blocked          a walk_to or follow has ended
+  avatar.arrive .blocked          a walk_to, go_to or follow has ended
   avatar.stuck                    it tried to move for a second and got less than 10 cm farther
   avatar.jump .crouch .stand      a step made the avatar jump, crouch or stand up
   avatar.landed .fell             the avatar has landed, or has fallen out of the world
@@ -102,8 +102,9 @@ walk and above it, then among those that come with the program (adult, child, de
 
 std::string exit_codes() {
     return R"(0    every walk passed; of 'collide': apart; of 'validate': no errors
-1    an expectation failed, or the visitor was blocked, fell or timed out; of 'diff', 'imgdiff' and
-     'replay --verify': different; of 'collide': overlapping
+1    an expectation failed, or the visitor was blocked, fell, timed out or had no way to go; of 'diff',
+     'imgdiff' and 'replay --verify': different; of 'collide': overlapping; of 'route': no way; of
+     'explore': what --require, --fail-on or --fail-under forbids
 2    bad usage or input, reported as FILE:LINE:COLUMN: error CODE: MESSAGE before that walk runs
 3    something failed while running: disk full, no OpenGL
 5    nothing was selected
@@ -192,7 +193,7 @@ Pictures go to DIR of '--output DIR' (out): WALK/SNAPSHOT.png, and for a failure
 failure-beside.png (what is in the way, ringed) and failure-above.png.
 'expect: [log: {golden: true}]' compares a walk's log with its golden log,
 NAME.walk.yaml-snapshots/log.jsonl. 'run -u' writes it, except for a walk that fails for another reason, and
-except where CI is set; without it the walk fails.
+is refused where CI is set; without a golden log the walk fails.
 )";
 }
 

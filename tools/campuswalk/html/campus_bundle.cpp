@@ -9,7 +9,7 @@
 #include "scene/cache/content_hash.h"
 #include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/base/text.h"
-#include "tools/campuswalk/html/cached_glb.h"
+#include "tools/campuswalk/html/packed_glb.h"
 #include "tools/campuswalk/html/run_files.h"
 
 namespace campuswalk::tools {
@@ -19,6 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kError = 0.05;  // metres
+constexpr const char* kGlbEnding = ".glb.gz";
 
 }  // namespace
 
@@ -28,7 +29,7 @@ engine::ReportCampus report_campus(const scene::Campus& campus, const std::strin
     shown.entry = engine::campus_entry(campus, file);
     if (geometry == ReportGeometry::exact || geometry == ReportGeometry::simplified) {
         shown.error = geometry == ReportGeometry::exact ? 0.0 : kError;
-        shown.glb = cached_glb(campus, shown.error);
+        shown.glb = packed_glb(campus, shown.error);
     }
     return shown;
 }
@@ -44,8 +45,8 @@ void write_bundle(const fs::path& output, const std::string& file, const engine:
     const std::string name = bundle_name(file);
     Json json = {{"campuswalk_campus", 1}, {"glb", nullptr}, {"error", campus.error}};
     if (!campus.glb.empty()) {
-        json["glb"] = fs::path(name + ".glb").filename().generic_string();
-        scene::write_file_atomically(output / (name + ".glb"), campus.glb);
+        json["glb"] = fs::path(name + kGlbEnding).filename().generic_string();
+        scene::write_file_atomically(output / (name + kGlbEnding), campus.glb);
     }
     json["campus"] = Json::parse("{" + campus.entry + "}");
     scene::write_file_atomically(output / (name + ".json"), json_text(json) + "\n");
@@ -65,7 +66,7 @@ std::optional<engine::ReportCampus> read_bundle(const fs::path& output, const st
     campus.entry = entry.substr(1, entry.size() - 2);
     campus.error = (*json)["error"].get<double>();
     if (engine::has_strings(*json, {"glb"})) {
-        campus.glb = read_below(output, name + ".glb").value_or("");
+        campus.glb = read_below(output, name + kGlbEnding).value_or("");
     }
     return campus;
 }

@@ -14,8 +14,8 @@ namespace campuswalk::tools {
 engine::ReportCampus report_campus(const scene::Campus& campus, const std::string& file,
                                    ReportGeometry geometry);
 
-// The same as files, beside a run's results: a report can be made where the campus isn't. The GLB is one that
-// any viewer opens.
+// The same as files, beside a run's results: a report can be made where the campus isn't. The GLB, which is
+// packed by gzip, is one that any viewer opens.
 
 /// Without its ending: `campuses/NAME-HASH`, the hash that of the file's path, as campuses in two folders may
 /// have one name.

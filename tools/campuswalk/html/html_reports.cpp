@@ -7,6 +7,7 @@
 #include "engine/html_report/foreign_json.h"
 #include "engine/html_report/html_reporter.h"
 #include "scene/base/diagnostic.h"
+#include "tools/campuswalk/base/canonical_paths.h"
 #include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/read_lines.h"
@@ -41,15 +42,18 @@ public:
         roots_.emplace_back(fs::path("."), more);
     }
 
-    bool may_read(const fs::path& file) const {
+    bool may_read(const fs::path& file) {
         std::error_code ignored;
-        return file.extension() == ".yaml" && fs::is_regular_file(file, ignored) &&
-               std::ranges::any_of(roots_, [&](const config::ReadRoots& roots) {
-                   return roots.why_unreadable(file).empty();
-               });
+        if (file.extension() != ".yaml" || !fs::is_regular_file(file, ignored)) {
+            return false;
+        }
+        const fs::path whole = canonical_.of(file);
+        return std::ranges::any_of(roots_, [&](const config::ReadRoots& roots) {
+            return roots.why_canonical_unreadable(whole).empty();
+        });
     }
 
-    std::optional<std::string> read(const std::string& file) const {
+    std::optional<std::string> read(const std::string& file) {
         try {
             return may_read(file) ? std::optional(read_bytes(file)) : std::nullopt;
         } catch (const scene::InputError&) {
@@ -59,16 +63,23 @@ public:
 
 private:
     std::vector<config::ReadRoots> roots_;
+    CanonicalPaths canonical_;
 };
 
 /// Finds campuses as walks name them: as they were in the run, else as they are now.
 class CampusFinder {
 public:
-    CampusFinder(fs::path output, ReportGeometry geometry, std::shared_ptr<const SourceFiles> sources)
-        : output_(std::move(output)), geometry_(geometry), sources_(std::move(sources)) {}
+    CampusFinder(const HtmlRequest& request, std::shared_ptr<SourceFiles> sources)
+        : output_(request.output),
+          geometry_(request.geometry),
+          played_(request.campuses),
+          sources_(std::move(sources)) {}
 
     std::optional<engine::ReportCampus> find(const std::string& file) {
-        std::optional<engine::ReportCampus> campus = read_bundle(output_, file);
+        const auto played = played_.find(file);
+        std::optional<engine::ReportCampus> campus = played != played_.end()
+                                                         ? std::optional(bundled(*played->second, file))
+                                                         : read_bundle(output_, file);
         const bool wants_more =
             campus && geometry_ == ReportGeometry::exact && (campus->glb.empty() || campus->error > 0.0);
         if (!campus || wants_more) {
@@ -98,6 +109,12 @@ public:
     }
 
 private:
+    engine::ReportCampus bundled(const scene::Campus& campus, const std::string& file) const {
+        engine::ReportCampus shown = report_campus(campus, file, geometry_);
+        write_bundle(output_, file, shown);
+        return shown;
+    }
+
     std::optional<engine::ReportCampus> load(const std::string& file) {
         if (!sources_->may_read(file)) {
             return std::nullopt;
@@ -121,7 +138,8 @@ private:
 
     fs::path output_;
     ReportGeometry geometry_;
-    std::shared_ptr<const SourceFiles> sources_;
+    CampusesByFile played_;
+    std::shared_ptr<SourceFiles> sources_;
     WalkLoader loader_;
 };
 
@@ -163,8 +181,8 @@ void write_campus_bundles(const fs::path& output, const CampusesByFile& campuses
 }
 
 std::unique_ptr<engine::Reporter> make_html_reporter(const HtmlRequest& request, engine::TextSink sink) {
-    const auto sources = std::make_shared<const SourceFiles>(request.walks);
-    const auto campuses = std::make_shared<CampusFinder>(request.output, request.geometry, sources);
+    const auto sources = std::make_shared<SourceFiles>(request.walks);
+    const auto campuses = std::make_shared<CampusFinder>(request, sources);
     engine::HtmlInputs inputs;
     inputs.viewer = viewer_bundle();
     inputs.title = request.title;

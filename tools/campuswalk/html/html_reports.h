@@ -22,7 +22,7 @@ using CampusesByFile = std::map<std::string, std::shared_ptr<const scene::Campus
 /// Throws scene::InputError (not-built) in a build without them; `subject` is what asks for one.
 void require_html_reports(const std::filesystem::path& subject);
 
-/// Writes OUTPUT/campuses/NAME-HASH.json and .glb for each campus: a report can be made from them later,
+/// Writes OUTPUT/campuses/NAME-HASH.json and .glb.gz for each campus: a report can be made from them later,
 /// elsewhere. Throws std::runtime_error. Does nothing in a build without.
 void write_campus_bundles(const std::filesystem::path& output, const CampusesByFile& campuses,
                           ReportGeometry geometry);
@@ -31,6 +31,7 @@ void write_campus_bundles(const std::filesystem::path& output, const CampusesByF
 struct HtmlRequest {
     std::filesystem::path output = "out";  ///< where the walks' files and the campus bundles are
     ReportGeometry geometry = ReportGeometry::simplified;
+    CampusesByFile campuses;  ///< of a run that goes on: each is bundled when its first walk is shown
     std::string title;
     std::string command;                           ///< that made the run, if known
     std::vector<std::filesystem::path> walks;      ///< files that the user named: their projects may be read

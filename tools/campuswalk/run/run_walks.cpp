@@ -274,17 +274,36 @@ private:
             if (settings_.update != UpdateSnapshots::none) {
                 check_golden_folder(golden_log_file(each.result.file, each.result.project).parent_path());
             }
-            if (each.walk && (images_ || !settings_.records.empty())) {  // a failure is drawn, too
-                require_writable_folder(
-                    settings_.output / each.folder,
-                    std::string(images_ ? "pictures" : "records") + " can't be saved here");
-            }
+        }
+        if (images_ || !settings_.records.empty()) {  // a failure is drawn, too
+            check_folders_of_walks(plan);
         }
         if (records_for_reports()) {
             require_writable_folder(settings_.output / "campuses", "campuses can't be saved here");
         }
         if (!settings_.single) {
             require_writable_file(last_run_file(settings_.output), "results can't be saved here");
+        }
+    }
+
+    void check_folders_of_walks(const Plan& plan) const {
+        const std::string message = std::string(images_ ? "pictures" : "records") + " can't be saved here";
+        std::error_code ignored;
+        if (fs::symlink_status(settings_.output, ignored).type() == fs::file_type::not_found) {
+            require_writable_folder(settings_.output, message);  // nothing in it can be in the way
+            return;
+        }
+        std::set<fs::path> recordings;  // many in one folder
+        for (const Case& each : plan.cases) {
+            if (each.walk) {
+                require_writable_folder(settings_.output / each.folder, message);
+                recordings.insert((settings_.output / report_record_file(each.folder)).parent_path());
+            }
+        }
+        if (records_for_reports()) {
+            for (const fs::path& folder : recordings) {
+                require_writable_folder(folder, message);
+            }
         }
     }
 
@@ -331,7 +350,9 @@ private:
         const std::unique_ptr<LastRunWriter> last_run = open_last_run(plan);
         const bool plays =
             std::ranges::any_of(plan.cases, [](const Case& each) { return each.walk != nullptr; });
-        if (records_for_reports()) {
+        const bool shows =
+            std::ranges::find(settings_.reports, "html", &ReportTarget::name) != settings_.reports.end();
+        if (records_for_reports() && !shows) {  // an html report bundles them itself, while walks are played
             write_campus_bundles(settings_.output, campuses_of(plan), options_.report_geometry);
         }
         Reports reports(settings_.reports, report_style(plan), plays);
@@ -362,6 +383,7 @@ private:
         HtmlRequest request;
         request.output = settings_.output;
         request.geometry = options_.report_geometry;
+        request.campuses = campuses_of(plan);
         request.title = title_of_run();
         request.command = "campuswalk run";
         for (const fs::path& path : options_.paths) {

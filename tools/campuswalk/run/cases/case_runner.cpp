@@ -116,10 +116,10 @@ void write_goldens(const std::vector<GoldenUpdate>& updates, bool fails) {
 
 /// Those of an earlier run would be mistaken for this one's.
 void remove_failure_images(const std::filesystem::path& folder) {
-    if (!why_folder_unwritable(folder).empty()) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(folder, ignored) || !why_folder_unwritable(folder).empty()) {
         return;  // a link may lead anywhere
     }
-    std::error_code ignored;
     for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
         const std::string name = entry.path().filename().string();
         const bool is_ours =

@@ -7,7 +7,7 @@
 #include "engine/observers/cost_trace.h"
 #include "engine/observers/recording.h"
 #include "engine/observers/trajectory.h"
-#include "scene/base/atomic_file.h"
+#include "scene/base/new_file.h"
 
 namespace campuswalk::tools {
 
@@ -33,13 +33,24 @@ std::unique_ptr<engine::Observer> make_timed_trace(engine::LineSink sink, const 
 }  // namespace
 
 const std::vector<RecordKind>& record_kinds() {
+    // A walk of which nothing else is kept needs no folder: to make one takes longer than to write its
+    // recording.
     static const std::vector<RecordKind> kinds = {
-        {kReportRecord, "recording", "recording.json", "application/json", make_recording},
-        {"csv", "csv", "trajectory.csv", "text/csv", make<engine::TrajectoryCsv>},
-        {"tum", "tum", "trajectory.tum", "text/plain", make<engine::TrajectoryTum>},
-        {"trace", "trace", "trace.json", "application/json", make<engine::CostTrace>},
-        {"timed-trace", "timed-trace", "timed-trace.json", "application/json", make_timed_trace}};
+        {kReportRecord, "recording", "recordings/", ".recording.json", "application/json", make_recording},
+        {"csv", "csv", "", "/trajectory.csv", "text/csv", make<engine::TrajectoryCsv>},
+        {"tum", "tum", "", "/trajectory.tum", "text/plain", make<engine::TrajectoryTum>},
+        {"trace", "trace", "", "/trace.json", "application/json", make<engine::CostTrace>},
+        {"timed-trace", "timed-trace", "", "/timed-trace.json", "application/json", make_timed_trace}};
     return kinds;
+}
+
+std::string record_file(const RecordKind& kind, const std::string& folder) {
+    return kind.before + folder + kind.after;
+}
+
+std::string report_record_file(const std::string& folder) {
+    return record_file(*std::ranges::find(record_kinds(), std::string_view(kReportRecord), &RecordKind::name),
+                       folder);
 }
 
 Records::Records(const std::vector<std::string>& names, const scene::Campus& campus) {
@@ -71,8 +82,8 @@ std::vector<engine::Artifact> Records::write(const std::filesystem::path& output
                                              const std::string& folder) const {
     std::vector<engine::Artifact> written;
     for (const auto& record : records_) {
-        const std::string path = folder + "/" + record->kind->file;
-        scene::write_file_atomically(output / path, record->text);
+        const std::string path = record_file(*record->kind, folder);
+        scene::write_new_file(output / path, record->text);
         written.push_back({record->kind->artifact, path, record->kind->media_type});
     }
     return written;

@@ -12,11 +12,12 @@
 
 namespace campuswalk::tools {
 
-/// What can be recorded of every tick of a walk, as a file in the walk's folder.
+/// What can be recorded of every tick of a walk, as a file.
 struct RecordKind {
     const char* name = "";      ///< as `run --record` takes it
     const char* artifact = "";  ///< its name in results
-    const char* file = "";      ///< in the folder
+    const char* before = "";    ///< what its path has before the walk's folder
+    const char* after = "";     ///< and after it
     const char* media_type = "";
     std::unique_ptr<engine::Observer> (*make)(engine::LineSink, const scene::Campus&) = nullptr;
 };
@@ -26,6 +27,11 @@ inline constexpr const char* kReportRecord = "report";
 
 const std::vector<RecordKind>& record_kinds();
 
+/// Below the run's output folder, for the walk with this folder.
+std::string record_file(const RecordKind& kind, const std::string& folder);
+/// Where it keeps what reports show walks from.
+std::string report_record_file(const std::string& folder);
+
 /// The records of one walk, which are written when it has ended.
 class Records {
 public:
@@ -34,7 +40,7 @@ public:
 
     /// They live as long as this.
     std::vector<engine::Observer*> observers() const;
-    /// Writes OUTPUT/FOLDER/FILE for each record and returns which. Throws std::runtime_error.
+    /// Writes OUTPUT/record_file for each record and returns which. Throws std::runtime_error.
     std::vector<engine::Artifact> write(const std::filesystem::path& output, const std::string& folder) const;
 
 private:

@@ -43,6 +43,12 @@ export function measureIn(text: string): Measure | null {
   return null;
 }
 
+/** Where a fall began. */
+function ledgeIn(text: string): Point | null {
+  const match = new RegExp(`it last stood at ${number},${number},${number}(?!\\w)`).exec(text);
+  return match ? [Number(match[1]), Number(match[2]), Number(match[3])] : null;
+}
+
 export function placeIn(text: string): Point | null {
   const match = place.exec(text);
   return match ? [Number(match[1]), Number(match[2]), Number(match[3])] : null;
@@ -61,7 +67,7 @@ export function reasonOf(failure: Failure, log: readonly LogLine[], ids: Readonl
   const by = event ? (fieldOf(event, 'by') ?? '') : '';
   const named = namedIn(failure.message, ids) ?? (by !== '' && by !== '-' ? by : (namedIn(why, ids) ?? ''));
   return {
-    at: failure.contact ?? placeIn(failure.message) ?? placeIn(why),
+    at: failure.contact ?? ledgeIn(failure.message) ?? placeIn(failure.message) ?? placeIn(why),
     object: named,
     measure: measureIn(failure.message) ?? measureIn(why),
     tick,

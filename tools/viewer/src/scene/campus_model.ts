@@ -5,7 +5,6 @@ import {
   BoxGeometry,
   Color,
   DoubleSide,
-  EdgesGeometry,
   FrontSide,
   Group,
   LineBasicMaterial,
@@ -23,6 +22,7 @@ import {
 import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
 import { MeshoptDecoder } from 'three/examples/jsm/libs/meshopt_decoder.module.js';
 import type { CampusEntry } from '../format';
+import { featureEdges } from './feature_edges';
 import { ImagePlugin } from './image_plugin';
 
 const mostWithEdges = 150_000; // triangles
@@ -118,13 +118,10 @@ export class CampusModel {
     for (const surface of this.materials)
       Object.assign(surface, { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
     this.materials.add(material);
-    for (const { mesh } of this.pieces) {
-      const edges = new LineSegments(new EdgesGeometry(mesh.geometry, 28), material);
-      edges.matrixAutoUpdate = false;
-      edges.matrix.copy(mesh.matrixWorld);
-      edges.renderOrder = 2;
-      this.root.add(edges);
-    }
+    const meshes = this.pieces.map(({ mesh }) => mesh);
+    const edges = new LineSegments(featureEdges(meshes, 28), material);
+    edges.renderOrder = 2;
+    this.root.add(edges);
   }
 
   private addBoxes(): void {

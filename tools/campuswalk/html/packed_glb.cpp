@@ -1,10 +1,11 @@
-#include "tools/campuswalk/html/cached_glb.h"
+#include "tools/campuswalk/html/packed_glb.h"
 
 #include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "engine/html_report/encodings.h"
 #include "scene/base/binary_archive.h"
 #include "scene/cache/content_hash.h"
 #include "scene/cache/file_hash.h"
@@ -17,7 +18,8 @@ namespace campuswalk::tools {
 namespace {
 
 constexpr const char* kKind = "glb";
-constexpr scene::FileKind kGlbFile = {{'c', 'w', ' ', 'g', 'l', 'b'}, 1};
+constexpr int kEffort = 6;  // of gzip
+constexpr scene::FileKind kGlbFile = {{'c', 'w', ' ', 'g', 'l', 'b'}, 2};
 
 using TagsByNode = std::vector<std::vector<scene::Tags>>;  ///< by model and node
 
@@ -62,16 +64,16 @@ std::optional<scene::ContentHash> key_of(const scene::Campus& campus, const scen
     return hasher.result();
 }
 
-std::optional<std::string> find_glb(const scene::CacheFolder& cache, const scene::ContentHash& key) {
+std::optional<std::string> find_packed_glb(const scene::CacheFolder& cache, const scene::ContentHash& key) {
     const auto file = cache.find(key, kKind);
     if (file == nullptr) {
         return std::nullopt;
     }
     try {
         scene::ArchiveReader reader(file->bytes(), kGlbFile);
-        std::string glb = reader.take_text();
+        std::string packed = reader.take_text();
         reader.finish();
-        return glb;
+        return packed;
     } catch (const scene::DamagedFile&) {
         return std::nullopt;  // it is written again
     }
@@ -79,7 +81,7 @@ std::optional<std::string> find_glb(const scene::CacheFolder& cache, const scene
 
 }  // namespace
 
-std::string cached_glb(const scene::Campus& campus, double error) {
+std::string packed_glb(const scene::Campus& campus, double error) {
     scene::GlbSettings settings;
     settings.error = error;
     const TagsByNode tags = objects_of_nodes(campus);
@@ -87,19 +89,19 @@ std::string cached_glb(const scene::Campus& campus, double error) {
     const std::optional<scene::ContentHash> key =
         cache != nullptr ? key_of(campus, settings, tags, *cache) : std::nullopt;
     if (key) {
-        if (std::optional<std::string> known = find_glb(*cache, *key)) {
+        if (std::optional<std::string> known = find_packed_glb(*cache, *key)) {
             return std::move(*known);
         }
     }
-    std::string glb = scene::write_glb(campus.models, settings, [&](std::size_t model, std::size_t node) {
-                          return tags[model][node];
-                      }).bytes;
+    const scene::GlbFile glb = scene::write_glb(
+        campus.models, settings, [&](std::size_t model, std::size_t node) { return tags[model][node]; });
+    std::string packed(engine::Gzip(kEffort).pack(glb.bytes));
     if (key) {
         scene::ArchiveWriter archive(kGlbFile);
-        archive.put_text(glb);
+        archive.put_text(packed);
         cache->store(*key, kKind, archive.finish());
     }
-    return glb;
+    return packed;
 }
 
 }  // namespace campuswalk::tools

@@ -1,0 +1,169 @@
+#!/usr/bin/env python3
+"""The reference misses nothing: it is compared with the program, the schemas, the source, and the logs of real walks.
+
+`reference_test.py PROGRAM SITE`. Plays all walks of config/walks without pictures.
+"""
+
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.join(ROOT, "tools"))
+
+from docs_site import command_lines, diagnostic_codes, event_tables  # noqa: E402  (the path first)
+from docs_site.generators import Sources  # noqa: E402
+
+# What no walk of config/walks has: one is teleported into a wall, and an expectation of an included file fails.
+MORE_WALKS = {
+    "pushed.walk.yaml": "campus: ../school.campus.yaml\nsteps: [{spawn: gate}, {teleport: {at: [3, 0, -5.85]}}, {wait: 1}]\n",
+    "including.walk.yaml": "campus: ../school.campus.yaml\nsteps: [{spawn: gate}, {include: late.steps.yaml}]\n",
+    "late.steps.yaml": "steps: [{expect: {popup: library}}]\n",
+}
+# Not codes of the program's diagnostics: those of tools, and failures of walks.
+OTHERS = diagnostic_codes.FAILURES
+TESTS_OF_TOOLS = {"check_layers_test.py", "check_citations_test.py", "check_glossary_test.py"}
+# Warnings of an import, which a comparison of pictures refuses.
+MADE_ERRORS = {"bad-texture"}
+
+
+class Reference(unittest.TestCase):
+    program, site = "", ""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.sources = Sources(ROOT, cls.program)
+        pages = os.path.join(os.path.dirname(cls.site), "pages", "reference")
+        cls.pages = {}
+        for name in os.listdir(pages):
+            with open(os.path.join(pages, name), encoding="utf-8") as file:
+                cls.pages[name] = file.read()
+
+    def first_cells(self, page):
+        """The code in the first cell of each row of a page's tables."""
+        return set(re.findall(r"^\| (?:· )*`([^`]+)`", self.pages[page], re.MULTILINE))
+
+    def test_every_kind_of_event_has_a_meaning_and_a_row(self):
+        kinds = event_tables.kinds(self.sources)
+        enumerators = re.findall(r"^    ([a-z_]+),", self.sources.text("engine", "events", "event.h").partition("enum class EventKind")[2]
+                                 .partition("};")[0], re.MULTILINE)
+        self.assertEqual([kind.replace(".", "_", 1) for kind in sorted(kinds)], sorted(enumerators))
+        self.assertEqual(set(event_tables.meanings(self.sources)), set(kinds))
+        self.assertLessEqual(set(kinds), self.first_cells("events.md"))
+
+    def test_every_field_in_the_source_is_described(self):
+        self.assertEqual(event_tables.source_fields(self.sources), set(event_tables.described(self.sources)))
+
+    def test_the_fields_of_real_walks_are_those_described(self):
+        described = {(kind, name) for name, field in event_tables.described(self.sources).items() for kind in field["events"]}
+        seen = self.fields_of_real_walks()
+        self.assertEqual(sorted(seen - described), [], "in logs, but not in event_fields.toml")
+        self.assertEqual(sorted(described - seen), [], "in event_fields.toml, but in no log")
+
+    def test_the_header_of_json_lines_is_that_described(self):
+        text = self.sources.text("engine", "observers", "json_lines.cpp").partition("void JsonLines::begin")[2].partition("\n}\n")[0]
+        keys = set(re.findall(r'\{"([a-z_]+)",|header\["([a-z_]+)"\]', text))
+        self.assertEqual({a or b for a, b in keys} | {"campus"}, {key for cell in re.findall(
+            r"(?m)^\| (.*?) \|", self.pages["events.md"].partition("| key of the header |")[2]) for key in re.findall(r"`([a-z_]+)`", cell)})
+
+    def fields_of_real_walks(self):
+        seen = set()
+        walks = [(ROOT, os.path.join(base, name)) for base, _, names in os.walk(os.path.join(ROOT, "config", "walks"))
+                 for name in sorted(names) if name.endswith(".walk.yaml")]
+        with tempfile.TemporaryDirectory(prefix="campuswalk-docs-") as folder:
+            school = os.path.join(folder, "school")
+            subprocess.run([self.program, "init", school], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=True)
+            for name, text in MORE_WALKS.items():
+                with open(os.path.join(school, "walks", name), "w", encoding="utf-8") as file:
+                    file.write(text)
+                if name.endswith(".walk.yaml"):
+                    walks.append((school, "walks/" + name))
+            log = os.path.join(folder, "log.jsonl")
+            for place, walk in walks:
+                subprocess.run([self.program, "run", walk, "-q", "--rendering-backend", "none", "--jsonl", log, "--output",
+                                os.path.join(folder, "out")], cwd=place, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
+                if os.path.exists(log):
+                    with open(log, encoding="utf-8") as file:
+                        events = [json.loads(line) for line in file][1:]
+                    os.remove(log)
+                    seen |= {(event["event"], key) for event in events for key in event if key not in ("tick", "time", "event", "object")}
+        print("reference: %d walks, %d fields of events" % (len(walks), len(seen)))
+        return seen
+
+    def test_every_code_that_tests_expect_is_there(self):
+        """The tests name codes as the program prints them, and don't read its source."""
+        codes = {code: {("warning" if use.warns else "error") for use in uses}
+                 for code, uses in diagnostic_codes.uses(ROOT).items()}
+        count = 0
+        for base, _, names in os.walk(os.path.join(ROOT, "tests")):
+            if os.path.basename(base) == "docs":
+                continue
+            for name in sorted(names):
+                if name.endswith("_test.py") and name not in TESTS_OF_TOOLS:
+                    with open(os.path.join(base, name), encoding="utf-8") as file:
+                        text = file.read()
+                    for severity, code in re.findall(r"(error|warning) ([a-z]+(?:-[a-z0-9]+)+)\b", text):
+                        if code in OTHERS:
+                            continue
+                        count += 1
+                        with self.subTest(test=name, code=code):
+                            self.assertIn("warning" if code in MADE_ERRORS else severity, codes.get(code, "no such code"))
+        print("reference: %d codes, compared with %d mentions in tests" % (len(codes), count))
+        self.assertGreater(count, 100)
+        self.assertLessEqual(set(codes), self.first_cells("diagnostics.md"))
+
+    def test_every_option_of_every_command_is_there(self):
+        page, count = self.pages["commands.md"], 0
+        for name, _ in command_lines.subcommands(self.sources.output("--help")):
+            section = re.search(r"^## %s\n(.*?)(?=^## |\Z)" % name, page, re.MULTILINE | re.DOTALL)[1]
+            for option in set(re.findall(r"(?m)^  (?:-\w,)?(--[a-z-]+)", self.sources.output(name, "--help"))) - {"--help", "--version"}:
+                count += 1
+                with self.subTest(command=name, option=option):
+                    self.assertRegex(section, r"(?m)^\| `[^|]*%s\b" % option)
+        print("reference: %d options" % count)
+        self.assertGreater(count, 80)
+
+    def test_every_key_of_every_schema_is_there(self):
+        pages = {"campus": "campus.md", "walk": "walk.md", "avatar": "avatar.md", "light": "light.md", "walks-config": "config.md",
+                 "report": "results.md", "report-line": "results.md", "explore": "results.md", "info": "results.md",
+                 "recording": "results.md", "steps": "walk.md"}
+        for file in os.listdir(os.path.join(ROOT, "config", "schema")):
+            page = self.pages[pages[file.removesuffix(".schema.json")]]
+            for key in sorted(self.keys_of(self.sources.schema(file))):
+                with self.subTest(schema=file, key=key):
+                    self.assertIn("`%s`" % key, page)
+
+    def keys_of(self, schema):
+        if isinstance(schema, list):
+            return set().union(*map(self.keys_of, schema)) if schema else set()
+        if not isinstance(schema, dict):
+            return set()
+        found = set(schema["properties"]) - {"$schema"} if isinstance(schema.get("properties"), dict) else set()
+        return found.union(*[self.keys_of(value) for value in schema.values()])
+
+    def test_every_exit_code_of_the_source_is_there(self):
+        text = self.sources.text("tools", "campuswalk", "base", "exit_codes.h")
+        codes = set(re.findall(r"constexpr int \w+ = (\d+);", text))
+        self.assertEqual(set(re.findall(r"(?m)^\| (\d+) \|", self.pages["exit-codes.md"])), codes)
+
+    def test_every_variable_of_the_environment_is_there(self):
+        text = ""
+        for folder in ("tools/campuswalk", "scene", "engine", "collision"):
+            for base, _, names in os.walk(os.path.join(ROOT, folder)):
+                for name in names:
+                    if name.endswith(".cpp"):
+                        with open(os.path.join(base, name), encoding="utf-8") as file:
+                            text += file.read()
+        for variable in sorted(set(re.findall(r'"(CAMPUSWALK_[A-Z_]+)"', text))):
+            with self.subTest(variable=variable):
+                self.assertIn(variable, self.pages["environment.md"])
+
+
+if __name__ == "__main__":
+    Reference.program, Reference.site = (os.path.abspath(each) for each in sys.argv[1:3])
+    unittest.main(argv=[sys.argv[0]])

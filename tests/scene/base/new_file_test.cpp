@@ -1,0 +1,74 @@
+#include "scene/base/new_file.h"
+
+#include <sys/resource.h>
+
+#include <csignal>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/temporary_folder.h"
+
+namespace campuswalk::scene {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string contents_of(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST(NewFile, MakesItsFoldersAndReplacesAnOlderOne) {
+    const support::TemporaryFolder folder;
+    const fs::path file = folder.path() / "a" / "b" / "c.txt";
+    write_new_file(file, "first and long");
+    EXPECT_EQ(contents_of(file), "first and long");
+    write_new_file(file, "second");
+    EXPECT_EQ(contents_of(file), "second");
+}
+
+TEST(NewFile, ReplacesALinkInsteadOfFollowingIt) {
+    const support::TemporaryFolder folder;
+    folder.write("precious.txt", "precious");
+    for (const char* target : {"precious.txt", "missing.txt"}) {
+        const fs::path file = folder.path() / (std::string("link-to-") + target);
+        fs::create_symlink(folder.path() / target, file);
+        write_new_file(file, "mine");
+        EXPECT_FALSE(fs::is_symlink(file));
+        EXPECT_EQ(contents_of(file), "mine");
+    }
+    EXPECT_EQ(contents_of(folder.path() / "precious.txt"), "precious");
+    EXPECT_FALSE(fs::exists(folder.path() / "missing.txt"));
+}
+
+TEST(NewFile, FailsOnAFolderAndBelowAFile) {
+    const support::TemporaryFolder folder;
+    folder.write("a", "a file");
+    fs::create_directory(folder.path() / "b");
+    EXPECT_THROW(write_new_file(folder.path() / "a" / "c.txt", "text"), std::runtime_error);
+    EXPECT_THROW(write_new_file(folder.path() / "b", "text"), std::runtime_error);
+    EXPECT_EQ(contents_of(folder.path() / "a"), "a file");
+    EXPECT_TRUE(fs::is_directory(folder.path() / "b"));
+}
+
+/// A limit that stands for a full disk.
+TEST(NewFile, LeavesNothingWhenItDoesNotFit) {
+    const support::TemporaryFolder folder;
+    const fs::path file = folder.path() / "large.txt";
+    rlimit before{};
+    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit small{100'000, before.rlim_max};
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+    EXPECT_THROW(write_new_file(file, std::string(1'000'000, 'x')), std::runtime_error);
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+    std::signal(SIGXFSZ, handler);
+    EXPECT_FALSE(fs::exists(file));
+}
+
+}  // namespace
+}  // namespace campuswalk::scene
