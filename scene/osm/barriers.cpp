@@ -81,7 +81,7 @@ public:
     explicit Barriers(Composition& composition)
         : composition_(composition), on_path_(path_nodes(composition.paths)) {
         for (std::size_t i = 0; i < composition.paths.size(); ++i) {
-            if (composition.paths[i].for_walkers && !composition.paths[i].underground) {
+            if (composition.paths[i].for_walkers && composition.paths[i].on_ground()) {
                 paths_.add(i, box_of(composition.paths[i].way->points));
             }
         }

@@ -281,6 +281,44 @@ void add_open_roof(const Volume& volume, const PlanGeometry& geometry, const Ter
     }
 }
 
+/// Where paths lead through a volume.
+struct Opening {
+    const Polygons* area = nullptr;
+    double bottom = 0.0;
+    double top = 0.0;
+};
+
+std::vector<Opening> openings_of(const Volume& volume, const std::vector<const Passage*>& passages,
+                                 const Terrain& terrain) {
+    constexpr double kSlab = 0.3;  // that stays below the roof
+    constexpr double kHeadroom = 2.2;
+    const double bottom = volume.base + volume.bottom;
+    const double eaves = volume.base + volume.eaves;
+    const double highest = eaves - kSlab < bottom + kHeadroom ? eaves : eaves - kSlab;
+    std::vector<Opening> openings;
+    for (const Passage* passage : passages) {
+        const double floor = std::max(bottom, passage->floor.value_or(bottom));
+        const double ground = passage->floor.value_or(terrain.highest(passage->area));
+        const double top = std::min(highest, ground + passage->height);
+        if (top > floor) {
+            openings.push_back({&passage->area, floor, top});
+        }
+    }
+    return openings;
+}
+
+/// What is open all the way between two heights.
+Polygons open_area(const std::vector<Opening>& openings, double low, double high, const Polygons& footprint,
+                   const PlanGeometry& geometry) {
+    std::vector<const Polygons*> areas;
+    for (const Opening& opening : openings) {
+        if (opening.bottom <= low && opening.top >= high) {
+            areas.push_back(opening.area);
+        }
+    }
+    return areas.empty() ? Polygons() : geometry.intersection(geometry.united(areas), footprint);
+}
+
 }  // namespace
 
 bool is_building(const Tags& tags) {
@@ -361,27 +399,28 @@ void add_volume(const Volume& volume, const std::vector<const Passage*>& passage
     const Look wall = wall_look(volume);
     const Facade facade(volume, wall, mesh);
     const double eaves = volume.base + volume.eaves;
-    double bottom = volume.base + volume.bottom;
-    if (volume.bottom > 0.0) {
-        add_ceiling(wall, volume.footprint, bottom, geometry, mesh);
+    const double bottom = volume.base + volume.bottom;
+    const std::vector<Opening> openings = openings_of(volume, passages, terrain);
+    std::vector<double> heights = {bottom, eaves};
+    for (const Opening& opening : openings) {
+        heights.push_back(opening.bottom);
+        heights.push_back(opening.top);
     }
-    if (!passages.empty()) {
-        std::vector<const Polygons*> areas;
-        double clear = bottom;
-        for (const Passage* passage : passages) {
-            areas.push_back(&passage->area);
-            clear = std::max(clear, terrain.highest(passage->area) + passage->height);
+    std::ranges::sort(heights);
+    heights.erase(std::ranges::unique(heights).begin(), heights.end());
+    Polygons below = volume.bottom > 0.0 ? Polygons() : volume.footprint;  // what is solid there
+    for (std::size_t i = 1; i < heights.size(); ++i) {
+        const Polygons open = open_area(openings, heights[i - 1], heights[i], volume.footprint, geometry);
+        const Polygons solid = open.empty() ? volume.footprint : geometry.difference(volume.footprint, open);
+        facade.add(solid, heights[i - 1], heights[i]);
+        if (i > 1 || volume.bottom > 0.0) {
+            add_ceiling(wall, geometry.difference(solid, below), heights[i - 1], geometry, mesh);
+            for (const Polygon& polygon : i > 1 ? geometry.difference(below, solid) : Polygons()) {
+                mesh.level(wall, geometry.triangulated(polygon), heights[i - 1]);
+            }
         }
-        constexpr double kSlab = 0.3;
-        clear = std::min(clear, std::max(eaves, bottom + 2.2) - kSlab);
-        const Polygons open = geometry.intersection(geometry.united(areas), volume.footprint);
-        if (clear > bottom && !open.empty()) {
-            facade.add(geometry.difference(volume.footprint, open), bottom, clear);
-            add_ceiling(wall, open, clear, geometry, mesh);
-            bottom = clear;
-        }
+        below = solid;
     }
-    facade.add(volume.footprint, bottom, eaves);
     add_roof(volume.footprint, volume.roof, eaves, roof_look(volume), wall, geometry, mesh);
 }
 

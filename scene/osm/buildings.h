@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,8 @@ struct Passage {
     bool tagged = false;  ///< as a passage
     bool for_walkers = true;
     Polygons area;
-    double height = 2.5;  ///< above the ground
+    std::optional<double> floor;  ///< of a bridge; else it is at the ground
+    double height = 2.5;          ///< above the floor
 };
 
 /// The volumes of all buildings in order of the areas. Of an outline with parts only what they leave is kept.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <unordered_map>
 
@@ -18,8 +19,9 @@ struct Door {
     std::int64_t node = 0;
     Point at = Point::Zero();
     std::size_t area = 0;
-    const Tags* tags = nullptr;  ///< null: not tagged
-    bool assumed = false;        ///< no node: `node` is the building's number
+    const Tags* tags = nullptr;         ///< null: not tagged
+    bool assumed = false;               ///< no node: `node` is the building's number
+    std::optional<double> height = {};  ///< of a bridge that leads to it; else it is at the ground
 };
 
 bool is_entrance(const Tags& tags) {
@@ -61,7 +63,8 @@ public:
             }
             for (const std::size_t i : {std::size_t{0}, path.way->nodes.size() - 1}) {
                 if (const auto wall = on_wall_.find(path.way->nodes[i]); wall != on_wall_.end()) {
-                    add({path.way->nodes[i], path.way->points[i], wall->second, nullptr, false});
+                    const auto height = path.is_above() ? std::optional(path.deck[i]) : std::nullopt;
+                    add({path.way->nodes[i], path.way->points[i], wall->second, nullptr, false, height});
                 }
             }
         }
@@ -73,7 +76,7 @@ public:
         BoxIndex paths;
         for (std::size_t i = 0; i < composition_.paths.size(); ++i) {
             const Path& path = composition_.paths[i];
-            if (path.for_walkers && !path.underground && !path.steps) {
+            if (path.for_walkers && path.on_ground() && !path.steps) {
                 paths.add(i, box_of(path.way->points));
             }
         }
@@ -126,10 +129,13 @@ private:
             }
         }
         constexpr double kOnWall = 0.05;
-        if (wall.distance > kOnWall || !is_wall_at(door.at)) {
+        const double floor = door.height.value_or(composition_.terrain.height(door.at));
+        if (wall.distance > kOnWall || (!door.height && !is_wall_at(door.at))) {
             return;
         }
-        with_door_.insert(door.area);
+        if (!door.height) {
+            with_door_.insert(door.area);
+        }
         const Point out(wall.along.y(), -wall.along.x());  // rings run counter-clockwise, holes clockwise
         const MapArea& area = composition_.areas[door.area];
         const std::string building = draft_id("building", area.id);
@@ -142,20 +148,19 @@ private:
             const ElementId id = door.assumed ? area.id : ElementId{ElementKind::node, door.node};
             composition_.model.object("door/" + id.text())
                 .box(main ? kMainLeaf : kLeaf, door.at, wall.along, Point(main ? 0.9 : 0.55, 0.05),
-                     composition_.terrain.height(door.at) - 0.05,
-                     composition_.terrain.height(door.at) + 2.15);
+                     floor - 0.05, floor + 2.15);
         }
         DraftTrigger trigger;
         trigger.id = building + "/" + name;
         trigger.building = area.tags.has("name") ? building : "";
         trigger.size = {main ? 2.4 : 1.6, 2.4, 2.4};
-        trigger.center = composition_.world(door.at, 1.2);
+        trigger.center = {door.at.x(), floor + 1.2, -door.at.y()};
         trigger.yaw_deg = yaw_along(wall.along);
         trigger.layer = "doors";
         composition_.draft.triggers.push_back(trigger);
         for (const double distance : {1.0, 0.75}) {
             const Point front = door.at + distance * out;
-            if (free_.at(front)) {
+            if (!door.height && free_.at(front)) {  // not every bridge can be got onto
                 composition_.draft.places.push_back(
                     {name, composition_.world(front), trigger.id,
                      (area.tags.has("name") ? 4 : 0) + (main ? 2 : 0) + (door.tags != nullptr ? 1 : 0)});

@@ -8,7 +8,9 @@
 #include "scene/osm/areas.h"
 #include "scene/osm/barriers.h"
 #include "scene/osm/box_index.h"
+#include "scene/osm/bridges.h"
 #include "scene/osm/compose.h"
+#include "scene/osm/decks.h"
 #include "scene/osm/furniture.h"
 #include "scene/osm/ground.h"
 #include "scene/osm/heights.h"
@@ -51,12 +53,16 @@ void add_buildings(Composition& composition) {
     }
     for (const Volume& volume : composition.volumes) {
         std::vector<const Passage*> through;
-        if (!volume.open && volume.bottom < 2.0) {
+        if (!volume.open) {
             for (const std::size_t i : index.near(box_of(volume.footprint))) {
-                if (length_inside(passages[i].way->points, volume.footprint) > kLeastInside) {
+                const bool at_ground = !passages[i].floor.has_value();
+                if ((!at_ground || volume.bottom < 2.0) &&
+                    length_inside(passages[i].way->points, volume.footprint) > kLeastInside) {
                     through.push_back(&passages[i]);
-                    composition.openings.push_back(passages[i].area);
-                    if (!passages[i].tagged && passages[i].for_walkers) {
+                    if (at_ground) {
+                        composition.openings.push_back(passages[i].area);
+                    }
+                    if (at_ground && !passages[i].tagged && passages[i].for_walkers) {
                         composition.warn("untagged-passage",
                                          "way " + std::to_string(passages[i].way->id) + " runs through " +
                                              volume.node + " without tunnel=building_passage; it is open");
@@ -66,6 +72,16 @@ void add_buildings(Composition& composition) {
         }
         add_volume(volume, through, composition.geometry, composition.terrain, composition.model);
     }
+}
+
+void add_bridges(const BridgePlan& plan, Composition& composition) {
+    for (const Bridge& bridge : plan.bridges) {
+        const std::vector<DeckPart> parts =
+            deck_of(bridge, composition.geometry, composition.terrain, composition.paths, composition.mark,
+                    composition.warnings);
+        add_deck(parts, bridge, composition);
+    }
+    composition.draft.solids.push_back({"bridge", {"bridge/*"}, "", "", true});
 }
 
 Box on_grid(const Box& box) {
@@ -91,9 +107,11 @@ Box ground_box(const Map& map, const std::vector<MapArea>& areas) {
 }
 
 /// From a grid of heights, or as steps make it.
-Terrain terrain_of(const MapRequest& request, const Map& map, const std::vector<Path>& paths,
-                   const Box& box) {
+Terrain base_terrain(const MapRequest& request, const Map& map, const std::vector<MapArea>& areas,
+                     const Box& box, std::vector<Path>& paths) {
     if (request.heights.empty()) {
+        DiagnosticList ignored;  // only to know which steps lead to bridges
+        plan_bridges(map, areas, Terrain(), request.mark, paths, ignored);
         return relief_of_steps(paths, box);
     }
     SourceMark mark;
@@ -143,13 +161,16 @@ ImportedMap import_map(const MapRequest& request) {
     std::vector<MapArea> areas = areas_of(map, geometry, request.mark, warnings);
     std::vector<Path> paths = paths_of(map, geometry);
     const Box box = ground_box(map, areas);
-    const Terrain terrain = terrain_of(request, map, paths, box);
+    const Terrain base = base_terrain(request, map, areas, box, paths);
+    const BridgePlan bridges = plan_bridges(map, areas, base, request.mark, paths, warnings);
+    const Terrain terrain = with_mounds(base, box, bridges.mounds, bridges.cuttings);
     Composition composition{map, request.mark, geometry, terrain, warnings};
     composition.draft.latitude_deg = 0.5 * (map.geographic.south + map.geographic.north);
     composition.draft.longitude_deg = 0.5 * (map.geographic.west + map.geographic.east);
     composition.areas = std::move(areas);
     composition.paths = std::move(paths);
     composition.volumes = volumes_of(composition.areas, geometry, terrain, request.mark, warnings);
+    add_bridges(bridges, composition);
     const std::vector<Surface> surfaces =
         surfaces_of(composition.paths, composition.areas, geometry, terrain);
     add_ground(surfaces, box, geometry, terrain, composition.model);

@@ -214,7 +214,7 @@ void add_start(Composition& composition, const FreeGround& free) {
     Point at = middle;
     Point towards(0, 1);
     for (const Path& path : composition.paths) {
-        if (!path.for_walkers || path.underground || path.steps) {
+        if (!path.for_walkers || !path.on_ground() || path.steps) {
             continue;
         }
         for (std::size_t i = 0; i < path.way->points.size(); ++i) {
@@ -237,7 +237,7 @@ void add_start(Composition& composition, const FreeGround& free) {
 void add_spawns(Composition& composition, const FreeGround& free) {
     std::map<std::int64_t, std::pair<const MapWay*, std::size_t>> on_path;  // by node
     for (const Path& path : composition.paths) {
-        for (std::size_t i = 0; path.for_walkers && !path.underground && i < path.way->nodes.size(); ++i) {
+        for (std::size_t i = 0; path.for_walkers && path.on_ground() && i < path.way->nodes.size(); ++i) {
             on_path.try_emplace(path.way->nodes[i], path.way, i);
         }
     }

@@ -13,7 +13,7 @@ Point direction_at(const std::vector<Point>& line, std::size_t i) {
 std::unordered_map<std::int64_t, PathNode> path_nodes(const std::vector<Path>& paths) {
     std::unordered_map<std::int64_t, PathNode> nodes;
     for (const Path& path : paths) {
-        for (std::size_t i = 0; !path.underground && i < path.way->nodes.size(); ++i) {
+        for (std::size_t i = 0; path.on_ground() && i < path.way->nodes.size(); ++i) {
             nodes.try_emplace(path.way->nodes[i], PathNode{&path, direction_at(path.way->points, i)});
         }
     }

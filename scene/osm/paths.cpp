@@ -237,6 +237,7 @@ std::vector<Path> paths_of(const Map& map, const PlanGeometry& geometry) {
         path.way = &way;
         path.highway = highway->value;
         path.width = width_of(way.tags, *highway);
+        path.carriageway = highway->carriageway;
         path.for_walkers = open_to_walkers(way.tags);
         path.underground = is_underground(way.tags);
         path.steps = highway->value == "steps";
@@ -254,7 +255,7 @@ std::vector<Surface> surfaces_of(const std::vector<Path>& paths, const std::vect
     constexpr double kKerb = 0.12;  // metres
     std::vector<Surface> surfaces;
     for (const Path& path : paths) {
-        if (path.underground) {
+        if (!path.on_ground()) {
             continue;
         }
         const Highway& highway = *highway_of(path.way->tags);
@@ -279,10 +280,10 @@ std::vector<Passage> passages_of(const std::vector<Path>& paths, const PlanGeome
     constexpr double kLeastWidth = 2.4;
     std::vector<Passage> passages;
     for (const Path& path : paths) {
-        if (path.underground || path.steps || number_of(path.way->tags, "layer").value_or(0.0) > 0.0) {
+        if (path.underground || path.steps) {
             continue;
         }
-        const bool road = highway_of(path.way->tags)->carriageway || path.highway == "service";
+        const bool road = path.carriageway || path.highway == "service";
         const double height = length_of(path.way->tags, "maxheight").value_or(road ? 3.8 : 2.7);
         const double width = std::max(kLeastWidth, path.width + 2.0 * kRoom);
         const Tags& tags = path.way->tags;
@@ -292,6 +293,11 @@ std::vector<Passage> passages_of(const std::vector<Path>& paths, const PlanGeome
         passage.for_walkers = path.for_walkers;
         passage.area = geometry.buffer(path.way->points, 0.5 * width, Caps::square);
         passage.height = std::clamp(height, 2.2, 8.0);
+        if (path.is_above()) {
+            const auto [low, high] = std::ranges::minmax(path.deck);
+            passage.floor = low;
+            passage.height += high - low;
+        }
         passages.push_back(std::move(passage));
     }
     return passages;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -16,10 +17,20 @@ struct Path {
     const MapWay* way = nullptr;
     std::string_view highway;
     double width = 2.0;
+    bool carriageway = false;  ///< between kerbs
     bool for_walkers = true;   ///< its tags let walkers in
     bool underground = false;  ///< in a tunnel or indoors below the ground: not built
     bool steps = false;
-    Polygons area;  ///< the ground that it covers; empty underground
+    Polygons area;             ///< its ribbon in the plan; empty underground
+    std::vector<double> deck;  ///< its height at each of its points, where it is above the ground; else empty
+    std::optional<double> first_height;  ///< of the ends of steps that lead to a bridge; else on the ground
+    std::optional<double> last_height;
+    double first_trim = 0.0;  ///< metres at the ends of steps that are below a bridge's deck
+    double last_trim = 0.0;
+
+    bool is_above() const { return !deck.empty(); }
+    bool hangs() const { return first_height.has_value(); }
+    bool on_ground() const { return !underground && !is_above(); }
 };
 
 /// The highways of a map in its box, in order.

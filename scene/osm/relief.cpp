@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/osm/box_index.h"
 #include "scene/osm/tag_values.h"
 
 namespace campuswalk::scene::osm {
@@ -14,6 +15,8 @@ constexpr double kTread = 0.32;
 constexpr double kMaxRise = 8.0;
 constexpr double kGentle = 0.16;  // slope behind the top
 constexpr double kMaxCells = 4e6;
+constexpr double kEmbankment = 1.0 / 1.5;  // slope beside a cutting
+constexpr double kRoadSlope = 0.06;        // along what passes there
 
 /// A flight of steps as a function: how high the ground is because of it.
 struct Flight {
@@ -32,6 +35,53 @@ struct Flight {
         return along <= -length ? 0.0 : std::max(0.0, std::min(slope, cone));
     }
 };
+
+/// A grid of heights over a box, to be raised.
+struct HeightGrid {
+    Point south_west = Point::Zero();
+    std::size_t columns = 0;
+    std::vector<double> heights;
+
+    std::size_t rows() const { return heights.size() / columns; }
+    Point at(std::size_t column, std::size_t row) const {
+        return south_west + kCell * Point(static_cast<double>(column), static_cast<double>(row));
+    }
+    /// Calls `visit` with the points and heights of the grid within a distance.
+    template <typename Visit>
+    void around(const Point& center, double reach, const Visit& visit) {
+        const auto first = [](double value) {
+            return static_cast<std::size_t>(std::max(0.0, value / kCell));
+        };
+        const Point low = center - south_west - Point(reach, reach);
+        const Point high = center - south_west + Point(reach, reach);
+        for (std::size_t row = first(low.y()); row < std::min(rows(), first(high.y()) + 2); ++row) {
+            for (std::size_t column = first(low.x()); column < std::min(columns, first(high.x()) + 2);
+                 ++column) {
+                visit(at(column, row), heights[row * columns + column]);
+            }
+        }
+    }
+};
+
+/// Over the box; empty if that would be too much.
+HeightGrid grid_over(const Box& box) {
+    const Point size = box.size() / kCell;
+    if (size.x() * size.y() > kMaxCells) {
+        return {};
+    }
+    HeightGrid grid{box.min, static_cast<std::size_t>(size.x()) + 2, {}};
+    grid.heights.assign(grid.columns * (static_cast<std::size_t>(size.y()) + 2), 0.0);
+    return grid;
+}
+
+/// How much higher than it was the ground may be because of what passes there below a bridge.
+double allowed(const Cutting& cutting, const Point& p) {
+    const Point d = p - cutting.at;
+    const double along = std::abs(d.x() * cutting.along.x() + d.y() * cutting.along.y());
+    const double across = std::abs(d.x() * cutting.along.y() - d.y() * cutting.along.x());
+    return std::max(kEmbankment * std::max(0.0, across - cutting.half_width),
+                    kRoadSlope * std::max(0.0, along - cutting.half_length));
+}
 
 }  // namespace
 
@@ -61,10 +111,19 @@ double rise_of(const Path& path) {
     return std::min({rise, steepest, kMaxRise});
 }
 
+double greatest_rise(const Path& path) {
+    constexpr double kSteepest = 0.62;  // 18.6 cm over 30 cm
+    constexpr double kHighestRiser = 0.2;
+    const double steepest = kSteepest * length_of(path.way->points);
+    const auto count = number_of(path.way->tags, "step_count");
+    return count && *count >= 1.0 ? std::min(*count * kHighestRiser, std::max(steepest, rise_of(path)))
+                                  : steepest;
+}
+
 Terrain relief_of_steps(const std::vector<Path>& paths, const Box& box) {
     std::vector<Flight> flights;
     for (const Path& path : paths) {
-        if (!path.steps || path.underground) {
+        if (!path.steps || path.underground || path.hangs()) {
             continue;
         }
         const std::vector<Point> points = upward(path);
@@ -76,30 +135,47 @@ Terrain relief_of_steps(const std::vector<Path>& paths, const Box& box) {
             flights.push_back(flight);
         }
     }
-    const Point size = box.size() / kCell;
-    if (flights.empty() || size.x() * size.y() > kMaxCells) {
+    HeightGrid grid = flights.empty() ? HeightGrid() : grid_over(box);
+    if (grid.heights.empty()) {
         return {};
     }
-    const auto columns = static_cast<std::size_t>(size.x()) + 2;
-    const auto rows = static_cast<std::size_t>(size.y()) + 2;
-    std::vector<double> heights(columns * rows, 0.0);
     for (const Flight& flight : flights) {
-        const auto first = [&](double value) {
-            return static_cast<std::size_t>(std::max(0.0, value / kCell));
-        };
-        const Point low = flight.top - box.min - Point(flight.reach(), flight.reach());
-        const Point high = flight.top - box.min + Point(flight.reach(), flight.reach());
-        for (std::size_t row = first(low.y()); row < std::min(rows, first(high.y()) + 2); ++row) {
-            for (std::size_t column = first(low.x()); column < std::min(columns, first(high.x()) + 2);
-                 ++column) {
-                const Point p =
-                    box.min + kCell * Point(static_cast<double>(column), static_cast<double>(row));
-                double& height = heights[row * columns + column];
-                height = std::max(height, flight.height(p));
+        grid.around(flight.top, flight.reach(),
+                    [&](const Point& p, double& height) { height = std::max(height, flight.height(p)); });
+    }
+    return Terrain(box.min, kCell, grid.columns, std::move(grid.heights));
+}
+
+Terrain with_mounds(const Terrain& base, const Box& box, const std::vector<Mound>& mounds,
+                    const std::vector<Cutting>& cuttings) {
+    HeightGrid grid = mounds.empty() ? HeightGrid() : grid_over(box);
+    if (grid.heights.empty()) {
+        return base;
+    }
+    BoxIndex near_cuttings;
+    for (std::size_t i = 0; i < cuttings.size(); ++i) {
+        constexpr double kReach = 60.0;  // metres: further away they limit no mound
+        near_cuttings.add(i, Box{cuttings[i].at, cuttings[i].at}.grown(kReach));
+    }
+    for (const Mound& mound : mounds) {
+        const double reach = mound.flat + mound.rise / kGentle;
+        const std::vector<std::size_t> near = near_cuttings.near(Box{mound.at, mound.at}.grown(reach));
+        grid.around(mound.at, reach, [&](const Point& p, double& raised) {
+            const Point d = p - mound.at;
+            const double distance = std::sqrt(d.x() * d.x() + d.y() * d.y());
+            double height = mound.rise - kGentle * std::max(0.0, distance - mound.flat);
+            for (const std::size_t i : near) {
+                height = std::min(height, allowed(cuttings[i], p));
             }
+            raised = std::max(raised, height);
+        });
+    }
+    for (std::size_t row = 0; row < grid.rows(); ++row) {
+        for (std::size_t column = 0; column < grid.columns; ++column) {
+            grid.heights[row * grid.columns + column] += base.height(grid.at(column, row));
         }
     }
-    return Terrain(box.min, kCell, columns, std::move(heights));
+    return Terrain(box.min, kCell, grid.columns, std::move(grid.heights));
 }
 
 }  // namespace campuswalk::scene::osm

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "scene/osm/relief.h"
 #include "scene/osm/tag_values.h"
@@ -44,6 +46,7 @@ Station station_at(const std::vector<Point>& line, double distance, double half_
 
 struct FlightShape {
     std::vector<Station> stations;  ///< the ends of treads, from the foot
+    std::optional<Station> beyond;  ///< where it ends below the deck that it leads to
     double foot = 0.0;
     double top = 0.0;
 };
@@ -59,24 +62,33 @@ std::size_t count_of(const Path& path, double rise) {
     return static_cast<std::size_t>(count);
 }
 
-std::vector<Point> from_foot(const Path& path, const Terrain& terrain) {
-    std::vector<Point> line = upward(path);
-    if (terrain.height(line.front()) > terrain.height(line.back())) {
-        std::reverse(line.begin(), line.end());
-    }
-    return line;
+/// Heights of its ends: of the ground, or of the bridge that it leads to.
+std::pair<double, double> end_heights(const Path& path, const Terrain& terrain) {
+    return {path.first_height.value_or(terrain.height(path.way->points.front())),
+            path.last_height.value_or(terrain.height(path.way->points.back()))};
 }
 
 FlightShape shape_of(const Path& path, const Terrain& terrain) {
-    const std::vector<Point> line = from_foot(path, terrain);
+    std::vector<Point> line = path.way->points;
+    const auto [first, last] = end_heights(path, terrain);
+    const bool down = first > last;
+    if (down) {
+        std::reverse(line.begin(), line.end());
+    }
     FlightShape shape;
-    shape.foot = terrain.height(line.front());
-    shape.top = terrain.height(line.back());
+    shape.foot = std::min(first, last);
+    shape.top = std::max(first, last);
     const std::size_t count = count_of(path, shape.top - shape.foot);
     const double length = length_of(line);
+    const double before = down ? path.last_trim : path.first_trim;
+    const double after = down ? path.first_trim : path.last_trim;
+    const double run = std::max(0.3 * length, length - before - after);
     for (std::size_t i = 0; i <= count; ++i) {
-        shape.stations.push_back(
-            station_at(line, length * static_cast<double>(i) / static_cast<double>(count), 0.5 * path.width));
+        const double at = before + run * static_cast<double>(i) / static_cast<double>(count);
+        shape.stations.push_back(station_at(line, at, 0.5 * path.width));
+    }
+    if (after > 0.0) {
+        shape.beyond = station_at(line, length, 0.5 * path.width);
     }
     return shape;
 }
@@ -104,6 +116,13 @@ void add_treads(const FlightShape& shape, const Terrain& terrain, ObjectMesh& me
     }
     const Station& end = shape.stations.back();
     mesh.wall(kTreadLook, end.at - end.left, end.at + end.left, shape.foot - kBelow, shape.top);
+    if (shape.beyond) {  // no gap between the highest tread, which is straight, and the deck's edge
+        constexpr double kLower = 0.12;
+        const Station& b = *shape.beyond;
+        const double height = shape.top - kLower;
+        mesh.quad(kTreadLook, {end.at - end.left, height}, {b.at - b.left, height}, {b.at + b.left, height},
+                  {end.at + end.left, height});
+    }
 }
 
 /// A rail on posts along one edge.
@@ -151,9 +170,8 @@ Ring ring_around(const std::vector<Station>& stations) {
 }  // namespace
 
 bool has_treads(const Path& path, const Terrain& terrain) {
-    return path.steps && !path.underground &&
-           std::abs(terrain.height(path.way->points.back()) - terrain.height(path.way->points.front())) >=
-               kLeastRise;
+    const auto [first, last] = end_heights(path, terrain);
+    return path.steps && !path.underground && std::abs(last - first) >= kLeastRise;
 }
 
 Ring outline_of_steps(const Path& path) {

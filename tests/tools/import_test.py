@@ -16,12 +16,12 @@ WAYS = {10: ((1, 5, 2, 3, 4, 1), {"building": "university", "name": "도서관",
         12: ((7, 6, 8), {"highway": "footway"})}
 
 
-def map_xml(extra="", node_tags=None, ways=None):
+def map_xml(extra="", node_tags=None, ways=None, nodes=None):
     """A small map; metres are about those at the equator."""
     degree = 111319.49
     tags = lambda t: "".join('<tag k="%s" v="%s"/>' % (k, v.replace("&", "&amp;").replace("<", "&lt;")) for k, v in t.items())
     text = '<osm version="0.6"><bounds minlat="-0.0008" minlon="-0.0008" maxlat="0.0008" maxlon="0.0008"/>'
-    for number, (x, y) in NODES.items():
+    for number, (x, y) in (nodes or NODES).items():
         text += '<node id="%d" lat="%.9f" lon="%.9f">%s</node>' % (number, y / 110574.0, x / degree,
                                                                    tags((node_tags or {5: {"entrance": "main"}}).get(number, {})))
     for number, (nodes, t) in (ways or WAYS).items():
@@ -109,6 +109,31 @@ class ImportTest(ProgramCase):
         self.write("d.hgt", "short")
         for name in ("b.asc", "c.asc", "d.hgt", "gone.asc"):
             self.assertEqual(self.import_map("--heights", self.path(name), folder="none").code, 2, name)
+
+    def test_people_walk_over_a_bridge_below_it_and_down_its_stairs(self):
+        nodes = {1: (-80, 0), 2: (80, 0), 3: (0, -75), 4: (0, -25), 5: (0, 25), 6: (0, 75), 7: (40, 12), 8: (40, -12),
+                 9: (50, 12), 10: (50, -12)}
+        ways = {20: ((1, 2), {"highway": "residential"}), 21: ((3, 4), {"highway": "footway"}),
+                22: ((4, 5), {"highway": "footway", "bridge": "yes", "layer": "1"}), 23: ((5, 6), {"highway": "footway"}),
+                24: ((7, 8), {"highway": "footway", "bridge": "yes", "layer": "1"}), 25: ((9, 7), {"highway": "steps"}),
+                26: ((10, 8), {"highway": "steps"})}
+        self.write("a.osm", map_xml(nodes=nodes, ways=ways))
+        outcome = self.import_map()
+        self.assertEqual(outcome.code, 0, outcome.err)
+        deck = 4.5 + 0.4 + 0.02
+        legs = (("[0, 0, 70]", ((0, 0, deck), (0, -70, 0.0))), ("[-70, -0.12, 0]", ((0, 0, -0.12), (70, 0, -0.12))),
+                ("[52, 0, -12]", ((40, -12, deck), (40, 0, deck), (40, 12, deck), (52, 12, 0.0))))
+        steps = ""
+        for start, goals in legs:
+            steps += "  - %s: {at: %s}\n" % ("teleport" if steps else "spawn", start)
+            steps += "".join("  - walk_to: [%g, %g]\n" % (x, z) for x, z, _ in goals)
+        self.write("out/over.walk.yaml", "campus: a.campus.yaml\navatar: adult\nsteps:\n" + steps)
+        outcome = self.run_program("run", self.path("out/over.walk.yaml"))
+        self.assertEqual(outcome.code, 0, outcome.out + outcome.err)
+        heights = [float(at) for at in re.findall(r"avatar.arrive .*pos=[^,]*,([^,]*),", outcome.out)]
+        self.assertEqual(len(heights), sum(len(goals) for _, goals in legs))
+        for found, (x, z, height) in zip(heights, [goal for _, goals in legs for goal in goals]):
+            self.assertAlmostEqual(found, height, delta=0.03, msg="%g, %g" % (x, z))
 
     def test_refuses_what_is_no_map(self):
         good = map_xml()

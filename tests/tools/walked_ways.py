@@ -42,6 +42,11 @@ class Map:
         self.origin = geocentric(*self.middle)
         self.nodes = {n.get("id"): self.project(float(n.get("lat")), float(n.get("lon"))) for n in root.iter("node")
                       if n.get("lat")}
+        self.above = set()  # nodes of bridges and of what leads to them
+        for way in root.iter("way"):
+            tags = {t.get("k"): t.get("v") for t in way.findall("tag")}
+            if "highway" in tags and (tags.get("bridge", "no") != "no" or tags.get("layer", "0")[0] not in "-0"):
+                self.above.update(self.nodes[n.get("ref")] for n in way.findall("nd") if n.get("ref") in self.nodes)
         self.ways = [(int(w.get("id")), {t.get("k"): t.get("v") for t in w.findall("tag")},
                       [self.nodes[n.get("ref")] for n in w.findall("nd") if n.get("ref") in self.nodes])
                      for w in root.iter("way")]
@@ -119,14 +124,15 @@ class Ground:
     CELL = 8.0
     OTHERS = ("building", "door", "tree", "shrub", "bench", "lamp", "wall", "fence", "hedge", "gate", "bollard")
 
-    def __init__(self, glb):
+    def __init__(self, glb, bridges=True):
         with open(glb, "rb") as file:
             data = file.read()
         length = struct.unpack_from("<I", data, 12)[0]
         document, self.bin = json.loads(data[20:20 + length]), data[28 + length:]
         self.cells = collections.defaultdict(list)
         for node in document["nodes"]:
-            if node["name"].split("/")[0] in self.OTHERS:
+            kind = node["name"].split("/")[0]
+            if kind in self.OTHERS or (kind == "bridge" and not bridges):
                 continue
             for primitive in document["meshes"][node["mesh"]]["primitives"]:
                 points = self.read(document, primitive["attributes"]["POSITION"])
@@ -206,12 +212,19 @@ def is_inside(p, outlines):
     return False
 
 
+def heights_in(the_map, glb):
+    """How high somebody stands who is at a point of a way: on the bridge if that way is one or leads to one, else below it."""
+    with_bridges, without = Ground(glb), Ground(glb, bridges=False)
+    led = {way for way, _, points in the_map.ways if any(p in the_map.above for p in points)}
+    return lambda way, p: (with_bridges if way in led else without).height(p)
+
+
 def walk_of(pieces, campus, height):
     """A walk along each of them, from its start."""
     steps = []
     for piece in pieces:
         x, y = piece.start
-        at = "[%.4f, %.4f, %.4f]" % (x, height(piece.start), -y)
+        at = "[%.4f, %.4f, %.4f]" % (x, height(piece.way, piece.start), -y)
         steps.append("  - %s: {at: %s}" % ("teleport" if steps else "spawn", at))
         steps.append("  - walk_to: {to: [%.4f, %.4f], if_blocked: continue}" % (piece.end[0], -piece.end[1]))
     return "campus: %s\navatar: adult\nsteps:\n%s\nexpect:\n  - not: {reaches: {place: [0, 9999, 0]}}\n" % (
@@ -248,7 +261,7 @@ def walk_all(program, the_map, folder):
     Every walk starts outside of buildings, or where another arrived: who is put into a closed building walks there,
     too. After a piece that is blocked a walk starts anew; a piece that begins inside is walked backwards if need be.
     """
-    height = Ground(os.path.join(folder, "campus.glb")).height
+    height = heights_in(the_map, os.path.join(folder, "campus.glb"))
     outlines = [(points, box_of(points)) for points in the_map.buildings if len(points) > 1]
     walked = {}
     left = list(dict.fromkeys(pieces_of(the_map)))
