@@ -74,15 +74,15 @@ double layer_of(const Tags& tags) {
     if (const auto layer = number_of(tags, "layer")) {
         return std::clamp(*layer, -9.0, 9.0);
     }
-    return affirmed(tags, "bridge")                                                       ? 1.0
+    return affirmed(tags, "bridge")                                             ? 1.0
            : affirmed(tags, "tunnel") && !tags.is("tunnel", "building_passage") ? -1.0
-                                                                                          : 0.0;
+                                                                                : 0.0;
 }
 
 CrossedByBridges::CrossedByBridges(const Map& map, const std::vector<MapArea>& areas,
                                    const std::vector<Path>& paths) {
     for (const Path& path : paths) {
-        if (!path.underground) {
+        if (!path.unbuilt) {
             lines_.push_back({path.way, &path, layer_of(path.way->tags), path.width, clearance_over(path)});
         }
     }
@@ -154,7 +154,8 @@ void CrossedByBridges::add_water(const Path& bridge, std::vector<Crossed>& found
             }
             if (wet > 0) {
                 const Point middle = sum / wet;
-                const double t = length > 0.0 ? std::clamp((middle - line[i - 1]).norm() / length, 0.0, 1.0) : 0.0;
+                const double t =
+                    length > 0.0 ? std::clamp((middle - line[i - 1]).norm() / length, 0.0, 1.0) : 0.0;
                 found.push_back(
                     {middle, left_of(unit(d)), length * wet / samples, kOverWater, nullptr, i - 1, t});
             }

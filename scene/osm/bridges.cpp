@@ -23,7 +23,7 @@ class Network {
 public:
     Network(const std::vector<MapArea>& areas, const std::vector<Path>& paths) {
         for (std::size_t i = 0; i < paths.size(); ++i) {
-            for (std::size_t k = 0; !paths[i].underground && k < paths[i].way->nodes.size(); ++k) {
+            for (std::size_t k = 0; !paths[i].unbuilt && k < paths[i].way->nodes.size(); ++k) {
                 at_[paths[i].way->nodes[k]].emplace_back(i, k);
             }
         }
@@ -49,7 +49,7 @@ private:
 };
 
 bool may_be_above(const Path& path) {
-    return !path.underground && !path.steps && layer_of(path.way->tags) > 0.0;
+    return !path.unbuilt && !path.steps && layer_of(path.way->tags) > 0.0;
 }
 
 /// Metres from a node along connected paths to all others of them.
@@ -186,8 +186,8 @@ private:
                 const double ground = crossed.path != nullptr && crossed.path->is_above()
                                           ? deck_height(*crossed.path, crossed.at)
                                           : base_.height(crossed.at);
-                lack = std::max(lack, ground + crossed.clearance + bridge.thickness -
-                                          (from + crossed.t * (to - from)));
+                lack = std::max(
+                    lack, ground + crossed.clearance + bridge.thickness - (from + crossed.t * (to - from)));
                 below.push_back(crossed);
                 add_cutting(crossed, path);
             }
@@ -252,16 +252,16 @@ private:
         return heights;
     }
 
-    bool is_over_a_valley(const Bridge& bridge, const std::unordered_map<std::int64_t, double>& heights) const {
+    bool is_over_a_valley(const Bridge& bridge,
+                          const std::unordered_map<std::int64_t, double>& heights) const {
         for (const std::size_t i : bridge.paths) {
             const MapWay& way = *paths_[i].way;
             for (std::size_t k = 1; k < way.nodes.size(); ++k) {
                 constexpr int kSamples = 16;
                 for (int s = 0; s <= kSamples; ++s) {
                     const double t = static_cast<double>(s) / kSamples;
-                    const double deck =
-                        heights.at(way.nodes[k - 1]) +
-                        t * (heights.at(way.nodes[k]) - heights.at(way.nodes[k - 1]));
+                    const double deck = heights.at(way.nodes[k - 1]) +
+                                        t * (heights.at(way.nodes[k]) - heights.at(way.nodes[k - 1]));
                     if (deck - base_.height(way.points[k - 1] + t * (way.points[k] - way.points[k - 1])) >
                         kHigh + bridge.thickness) {
                         return true;
@@ -276,10 +276,11 @@ private:
         for (const std::size_t i : bridge.paths) {
             const Path& path = paths_[i];
             if (affirmed(path.way->tags, "bridge") && box_of(path.way->points).overlaps(map_.box)) {
-                warnings_.warning(mark_, "bridge-at-ground",
-                                  "way " + std::to_string(path.way->id) +
-                                      " is a bridge, but nothing that the map has passes below it; it is at the "
-                                      "ground");
+                warnings_.warning(
+                    mark_, "bridge-at-ground",
+                    "way " + std::to_string(path.way->id) +
+                        " is a bridge, but nothing that the map has passes below it; it is at the "
+                        "ground");
             }
         }
     }
@@ -295,8 +296,8 @@ private:
     void add_cutting(const Crossed& crossed, const Path& bridge) {
         constexpr double kBeside = 0.5;
         if (crossed.path == nullptr || !crossed.path->is_above()) {
-            plan_.cuttings.push_back({crossed.at, crossed.along, 0.5 * crossed.width + kBeside,
-                                      0.5 * bridge.width + 2.0});
+            plan_.cuttings.push_back(
+                {crossed.at, crossed.along, 0.5 * crossed.width + kBeside, 0.5 * bridge.width + 2.0});
         }
     }
 
@@ -356,7 +357,7 @@ void warn_of_depths(const Map& map, const std::vector<Path>& paths, const Source
             continue;
         }
         const std::string way = "way " + std::to_string(path.way->id);
-        if (path.underground) {
+        if (path.unbuilt) {
             warnings.warning(mark, "underground", way + " runs below the ground; it isn't built");
         } else if (layer_of(path.way->tags) < 0.0 && !affirmed(path.way->tags, "tunnel")) {
             warnings.warning(mark, "underground", way + " has a layer below 0; it is at the ground");

@@ -11,9 +11,9 @@ namespace campuswalk::scene::osm {
 
 /// A path at a node of a bridge.
 struct PathAtBridge {
-    std::size_t path = 0;    ///< into the paths of the map
-    std::size_t place = 0;   ///< of the node in it
-    double height = 0.0;     ///< of the deck there
+    std::size_t path = 0;   ///< into the paths of the map
+    std::size_t place = 0;  ///< of the node in it
+    double height = 0.0;    ///< of the deck there
 };
 
 /// Paths above others that are connected with each other.
@@ -23,7 +23,7 @@ struct Bridge {
     std::vector<std::int64_t> stair_ends;  ///< nodes where only steps lead on
     std::vector<PathAtBridge> leading_on;  ///< at the open ends
     std::vector<PathAtBridge> stairs;
-    double thickness = 0.4;                ///< of its deck, metres
+    double thickness = 0.4;  ///< of its deck, metres
 };
 
 /// How paths get above others.
@@ -33,10 +33,10 @@ struct BridgePlan {
     std::vector<Cutting> cuttings;  ///< what passes below, where the ground stays as it is
 };
 
-/// Finds the bridges and how high they are: `bridge` or a `layer` above 0, where something passes below or the
-/// ground falls away. Their decks run straight between the heights of the ground at their ends, all raised
-/// until what passes below has its clearance. Sets `deck` of paths, and `hangs` of steps that lead down from
-/// one. What stays at the ground, tunnels and negative layers become warnings.
+/// Finds the bridges and how high they are: `bridge` or a `layer` above 0, where something passes below or
+/// the ground falls away. Their decks run straight between the heights of the ground at their ends, all
+/// raised until what passes below has its clearance. Sets `deck` of paths, and `hangs` of steps that lead
+/// down from one. What stays at the ground, tunnels and negative layers become warnings.
 BridgePlan plan_bridges(const Map& map, const std::vector<MapArea>& areas, const Terrain& base,
                         const SourceMark& mark, std::vector<Path>& paths, DiagnosticList& warnings);
 

@@ -44,8 +44,8 @@ double height_at(const DeckPart& part, const Point& p) {
 std::vector<Point> line_from(const Path& path, std::size_t place, bool forwards) {
     const std::vector<Point>& points = path.way->points;
     const auto at = points.begin() + static_cast<std::ptrdiff_t>(place);
-    std::vector<Point> line = forwards ? std::vector<Point>(at, points.end())
-                                       : std::vector<Point>(points.begin(), at + 1);
+    std::vector<Point> line =
+        forwards ? std::vector<Point>(at, points.end()) : std::vector<Point>(points.begin(), at + 1);
     if (!forwards) {
         std::reverse(line.begin(), line.end());
     }
@@ -192,8 +192,8 @@ private:
         const Point out = Point(unit(b - a).y(), -unit(b - a).x());  // rings run around areas on their left
         const Point middle = 0.5 * (a + b);
         constexpr double kFall = 0.45;  // metres that need a parapet
-        const double drop = 0.5 * (high_a.height + high_b.height) -
-                            composition_.terrain.height(middle + 0.3 * out);
+        const double drop =
+            0.5 * (high_a.height + high_b.height) - composition_.terrain.height(middle + 0.3 * out);
         if (drop < kFall || leads_to_stairs(middle)) {
             return;
         }

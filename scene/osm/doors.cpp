@@ -58,7 +58,7 @@ public:
 
     void add_untagged() {
         for (const Path& path : composition_.paths) {
-            if (!path.for_walkers || path.underground || path.highway == "service" || path.width > 4.5) {
+            if (!path.for_walkers || path.unbuilt || path.highway == "service" || path.width > 4.5) {
                 continue;
             }
             for (const std::size_t i : {std::size_t{0}, path.way->nodes.size() - 1}) {

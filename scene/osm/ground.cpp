@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <utility>
 
 #include "scene/osm/box_index.h"
+#include "scene/osm/ground_faces.h"
 
 namespace campuswalk::scene::osm {
 namespace {
@@ -12,7 +13,6 @@ namespace {
 constexpr double kTile = 64.0;  // metres; the cost of an overlay grows faster than its area
 constexpr Look kEarth = {{132, 148, 104}, 245, 255};
 constexpr Look kBed = {{112, 112, 96}, 240, 255};
-constexpr Look kKerbstone = {{168, 166, 160}, 230, 255};
 
 class Tiler {
 public:
@@ -33,11 +33,11 @@ public:
         });
         Polygons rest = {
             Polygon{{tile.min, {tile.max.x(), tile.min.y()}, tile.max, {tile.min.x(), tile.max.y()}}, {}}};
-        std::map<double, std::vector<Polygons>> sunk;
+        std::vector<GroundPiece> pieces;
         for (const std::size_t i : here) {
             const Surface& surface = surfaces_[i];
             const Polygons inside = geometry_.clipped(surface.area, tile);
-            const Polygons piece = geometry_.intersection(inside, rest);
+            Polygons piece = geometry_.intersection(inside, rest);
             if (piece.empty()) {
                 continue;
             }
@@ -45,23 +45,20 @@ public:
             if (surface.hollow) {
                 continue;
             }
-            emit(piece, surface.water ? kBed : surface.look, surface.level, model_.object(surface.name));
+            emit(piece, surface.water ? kBed : surface.look, surface, model_.object(surface.name));
             if (surface.water) {
                 constexpr double kSurface = -0.2;
-                emit(piece, surface.look, kSurface, model_.object("water-surface/" + surface.name));
+                emit(piece, surface.look, Surface{"", {}, {}, 0, kSurface},
+                     model_.object("water-surface/" + surface.name));
             }
-            if (surface.level < 0.0) {
-                sunk[surface.level].push_back(piece);
-            }
+            pieces.push_back({&surface, std::move(piece)});
         }
-        emit(rest, kEarth, 0.0, model_.object("ground"));
-        for (const auto& [level, pieces] : sunk) {
-            add_faces(pieces, level, tile);
-        }
+        emit(rest, kEarth, {}, model_.object("ground"));
+        add_faces(pieces, tile, terrain_, model_);
     }
 
 private:
-    void emit(const Polygons& area, const Look& look, double level, ObjectMesh& mesh) const {
+    void emit(const Polygons& area, const Look& look, const Surface& surface, ObjectMesh& mesh) const {
         std::vector<std::array<Point, 3>> parts;
         for (const Polygon& polygon : area) {
             const Triangulation flat = geometry_.triangulated(polygon);
@@ -69,50 +66,15 @@ private:
                 parts.clear();
                 terrain_.split({flat.points[a], flat.points[b], flat.points[c]}, parts);
                 for (const std::array<Point, 3>& part : parts) {
-                    mesh.triangle(look, on_ground(part[0], level), on_ground(part[1], level),
-                                  on_ground(part[2], level));
+                    mesh.triangle(look, on_ground(part[0], surface), on_ground(part[1], surface),
+                                  on_ground(part[2], surface));
                 }
             }
         }
     }
 
-    Point3 on_ground(const Point& p, double level) const { return {p, terrain_.height(p) + level}; }
-
-    /// From the ground down to what lies below it, seen from inside.
-    void add_faces(const std::vector<Polygons>& pieces, double level, const Box& tile) {
-        std::vector<const Polygons*> all;
-        for (const Polygons& piece : pieces) {
-            all.push_back(&piece);
-        }
-        ObjectMesh& kerbs = model_.object("kerbs");
-        const auto add = [&](const Ring& ring) {
-            for (std::size_t i = 0; i < ring.size(); ++i) {
-                const Point& a = ring[i];
-                const Point& b = ring[(i + 1) % ring.size()];
-                if (!on_edge(a, b, tile)) {
-                    add_face(a, b, level, kerbs);
-                }
-            }
-        };
-        for (const Polygon& polygon : geometry_.united(all)) {
-            add(polygon.outer);
-            for (const Ring& hole : polygon.holes) {
-                add(hole);
-            }
-        }
-    }
-
-    void add_face(const Point& a, const Point& b, double level, ObjectMesh& mesh) const {
-        const std::vector<Point> points = terrain_.split(a, b);
-        for (std::size_t i = 1; i < points.size(); ++i) {
-            mesh.quad(kKerbstone, on_ground(points[i], level), on_ground(points[i - 1], level),
-                      on_ground(points[i - 1], 0.0), on_ground(points[i], 0.0));
-        }
-    }
-
-    static bool on_edge(const Point& a, const Point& b, const Box& tile) {
-        return (a.x() == b.x() && (a.x() == tile.min.x() || a.x() == tile.max.x())) ||
-               (a.y() == b.y() && (a.y() == tile.min.y() || a.y() == tile.max.y()));
+    Point3 on_ground(const Point& p, const Surface& surface) const {
+        return {p, terrain_.height(p) + surface.level_at(p)};
     }
 
     const std::vector<Surface>& surfaces_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,13 @@
 #include "scene/osm/terrain.h"
 
 namespace campuswalk::scene::osm {
+
+/// A surface that falls evenly.
+struct Fall {
+    Point from = Point::Zero();
+    Point down = Point(1, 0);  ///< unit
+    double slope = 0.0;        ///< metres down for each metre along
+};
 
 /// What covers the ground in an area.
 struct Surface {
@@ -18,6 +26,11 @@ struct Surface {
     double level = 0.0;   ///< metres above the ground: 0, or below it, such as a carriageway between kerbs
     bool hollow = false;  ///< nothing: something else is built there
     bool water = false;   ///< the look is that of the water, into which visitors fall down to the level
+    std::optional<Fall> fall = {};  ///< its level is that at `from`
+
+    double level_at(const Point& p) const {
+        return fall ? level - fall->slope * fall->down.dot(p - fall->from) : level;
+    }
 };
 
 /// Divides a box of the ground among surfaces, each point to one: there are neither gaps nor overlaps. What

@@ -17,6 +17,7 @@
 #include "scene/osm/meaning.h"
 #include "scene/osm/relief.h"
 #include "scene/osm/steps.h"
+#include "scene/osm/surfaces.h"
 
 namespace campuswalk::scene::osm {
 namespace {
@@ -172,7 +173,7 @@ ImportedMap import_map(const MapRequest& request) {
     composition.volumes = volumes_of(composition.areas, geometry, terrain, request.mark, warnings);
     add_bridges(bridges, composition);
     const std::vector<Surface> surfaces =
-        surfaces_of(composition.paths, composition.areas, geometry, terrain);
+        surfaces_of(map, composition.paths, composition.areas, geometry, terrain);
     add_ground(surfaces, box, geometry, terrain, composition.model);
     composition.draft.solids.push_back({"ground", ground_globs(surfaces), "", "", false});
     add_steps(composition);
@@ -180,6 +181,10 @@ ImportedMap import_map(const MapRequest& request) {
     add_barriers(composition);
     add_furniture(composition);
     add_meaning(composition);
+    if (geometry.failures() > 0) {
+        composition.warn("lost-geometry", std::to_string(geometry.failures()) +
+                                              " pieces of the map couldn't be cut or triangulated");
+    }
     Model model = composition.model.finish();
     ImportedMap imported{std::move(model), std::move(composition.draft), warnings.all()};
     keep_existing(imported.model, imported.draft.solids);

@@ -12,16 +12,29 @@
 
 namespace campuswalk::scene::osm {
 
+/// A value of "highway": how wide it usually is, and what covers what.
+struct Highway {
+    std::string_view value;
+    double width;  ///< metres
+    int priority;
+    bool carriageway;  ///< between kerbs
+};
+
+/// Null if people don't use it.
+const Highway* highway_of(const Tags& tags);
+
 /// A way that people use, with its width.
 struct Path {
     const MapWay* way = nullptr;
     std::string_view highway;
     double width = 2.0;
+    int priority = 80;
     bool carriageway = false;  ///< between kerbs
+    bool crossing = false;     ///< of a carriageway
     bool for_walkers = true;   ///< its tags let walkers in
-    bool underground = false;  ///< in a tunnel or indoors below the ground: not built
+    bool unbuilt = false;      ///< in a tunnel, or indoors at another level than the ground's
     bool steps = false;
-    Polygons area;             ///< its ribbon in the plan; empty underground
+    Polygons area;             ///< its ribbon in the plan; empty if unbuilt
     std::vector<double> deck;  ///< its height at each of its points, where it is above the ground; else empty
     std::optional<double> first_height;  ///< of the ends of steps that lead to a bridge; else on the ground
     std::optional<double> last_height;
@@ -30,18 +43,17 @@ struct Path {
 
     bool is_above() const { return !deck.empty(); }
     bool hangs() const { return first_height.has_value(); }
-    bool on_ground() const { return !underground && !is_above(); }
+    bool on_ground() const { return !unbuilt && !is_above(); }
 };
 
 /// The highways of a map in its box, in order.
 std::vector<Path> paths_of(const Map& map, const PlanGeometry& geometry);
 
+/// Whether the tags say that something is in a tunnel, or indoors at another level than the ground's.
+bool is_unbuilt(const Tags& tags);
+
 /// Whether the tags of a highway let people walk there (wiki.openstreetmap.org/wiki/Key:access).
 bool open_to_walkers(const Tags& tags);
-
-/// How paths, squares, lawns and so on cover the ground.
-std::vector<Surface> surfaces_of(const std::vector<Path>& paths, const std::vector<MapArea>& areas,
-                                 const PlanGeometry& geometry, const Terrain& terrain);
 
 /// What is open to walkers through buildings: tagged passages, and all paths that run into one.
 std::vector<Passage> passages_of(const std::vector<Path>& paths, const PlanGeometry& geometry);

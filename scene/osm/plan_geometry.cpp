@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
+#include <string_view>
 #include <utility>
 
 #include <geos_c.h>
@@ -100,10 +102,22 @@ struct PlanGeometry::Impl {
     };
     using Geometry = std::unique_ptr<GEOSGeometry, Free>;
 
-    Impl() : context(GEOS_init_r()) {}
+    Impl() : context(GEOS_init_r()) { GEOSContext_setErrorMessageHandler_r(context, note_error, this); }
     ~Impl() { GEOS_finish_r(context); }
     Impl(const Impl&) = delete;
     Impl& operator=(const Impl&) = delete;
+
+    /// GEOS turns every exception into a message and no result.
+    static void note_error(const char* message, void* self) {
+        static_cast<Impl*>(self)->out_of_memory =
+            std::string_view(message).find("bad_alloc") != std::string_view::npos;
+    }
+    void note_failure() const {
+        if (out_of_memory) {
+            throw std::bad_alloc();
+        }
+        ++failures;
+    }
 
     Geometry own(GEOSGeometry* geometry) const { return Geometry(geometry, Free{context}); }
 
@@ -199,17 +213,40 @@ struct PlanGeometry::Impl {
 
     Polygons polygons_of(const Geometry& geometry) const {
         Polygons polygons;
+        if (!geometry) {
+            note_failure();
+        }
         append(geometry.get(), polygons);
         return polygons;
     }
 
     /// Rounded to the grid, and valid.
     Polygons rounded(const Geometry& geometry) const {
-        return geometry ? polygons_of(own(GEOSGeom_setPrecision_r(context, geometry.get(), kGrid, 0)))
-                        : Polygons();
+        return polygons_of(geometry ? own(GEOSGeom_setPrecision_r(context, geometry.get(), kGrid, 0))
+                                    : own(nullptr));
+    }
+
+    /// Triangles of what GEOS can triangulate; of the rest their area is missing.
+    void triangulate(const Polygon& polygon, Triangulation& result) const {
+        const Geometry area = geometry(polygon);
+        const Geometry triangles =
+            area ? own(GEOSConstrainedDelaunayTriangulation_r(context, area.get())) : nullptr;
+        const int count = triangles ? GEOSGetNumGeometries_r(context, triangles.get()) : 0;
+        for (int i = 0; i < count; ++i) {
+            const GEOSGeometry* triangle = GEOSGetGeometryN_r(context, triangles.get(), i);
+            const Ring ring = ring_of(GEOSGetExteriorRing_r(context, triangle), true);
+            if (ring.size() != 3 || signed_area(ring) <= 0.0) {
+                continue;
+            }
+            const auto first = static_cast<std::uint32_t>(result.points.size());
+            result.points.insert(result.points.end(), ring.begin(), ring.end());
+            result.triangles.push_back({first, first + 1, first + 2});
+        }
     }
 
     GEOSContextHandle_t context;
+    bool out_of_memory = false;
+    mutable std::size_t failures = 0;
 };
 
 PlanGeometry::PlanGeometry() : impl_(std::make_unique<Impl>()) {}
@@ -260,6 +297,22 @@ Polygons PlanGeometry::buffer(const std::vector<Point>& line, double radius, Cap
                               caps == Caps::round ? GEOSBUF_JOIN_ROUND : GEOSBUF_JOIN_MITRE, kMitreLimit)));
 }
 
+Polygons PlanGeometry::left_side(const std::vector<Point>& line, double distance) const {
+    constexpr double kMitreLimit = 2.0;
+    if (line.size() < 2) {
+        return {};
+    }
+    const Impl::Geometry path = impl_->line(line);
+    GEOSBufferParams* params = GEOSBufferParams_create_r(impl_->context);
+    GEOSBufferParams_setSingleSided_r(impl_->context, params, 1);
+    GEOSBufferParams_setJoinStyle_r(impl_->context, params, GEOSBUF_JOIN_MITRE);
+    GEOSBufferParams_setMitreLimit_r(impl_->context, params, kMitreLimit);
+    const Impl::Geometry side =
+        impl_->own(GEOSBufferWithParams_r(impl_->context, path.get(), params, distance));
+    GEOSBufferParams_destroy_r(impl_->context, params);
+    return impl_->rounded(side);
+}
+
 Polygons PlanGeometry::grown(const Polygons& polygons, double by) const {
     constexpr int kQuarterSegments = 4;
     constexpr double kMitreLimit = 2.0;
@@ -290,7 +343,10 @@ Polygons PlanGeometry::difference(const Polygons& a, const Polygons& b) const {
     }
     const Impl::Geometry from = impl_->geometry(a);
     const Impl::Geometry cut = impl_->geometry(b);
-    return impl_->polygons_of(impl_->own(GEOSDifferencePrec_r(impl_->context, from.get(), cut.get(), kGrid)));
+    const Impl::Geometry rest =
+        impl_->own(GEOSDifferencePrec_r(impl_->context, from.get(), cut.get(), kGrid));
+    Polygons polygons = impl_->polygons_of(rest);
+    return rest ? polygons : a;  // rather twice than not at all
 }
 
 Polygons PlanGeometry::intersection(const Polygons& a, const Polygons& b) const {
@@ -317,25 +373,59 @@ Polygons PlanGeometry::united(const std::vector<const Polygons*>& all) const {
     return impl_->polygons_of(impl_->own(GEOSUnaryUnionPrec_r(impl_->context, collection.get(), kGrid)));
 }
 
+namespace {
+
+double area_of(const Triangulation& triangulation) {
+    double area = 0.0;
+    for (const auto& [a, b, c] : triangulation.triangles) {
+        area += signed_area({triangulation.points[a], triangulation.points[b], triangulation.points[c]});
+    }
+    return area;
+}
+
+}  // namespace
+
 Triangulation PlanGeometry::triangulated(const Polygon& polygon) const {
     Triangulation result;
-    const Impl::Geometry area = impl_->geometry(polygon);
-    const Impl::Geometry triangles =
-        area ? impl_->own(GEOSConstrainedDelaunayTriangulation_r(impl_->context, area.get())) : nullptr;
-    if (!triangles) {
-        return result;
-    }
-    for (int i = 0; i < GEOSGetNumGeometries_r(impl_->context, triangles.get()); ++i) {
-        const GEOSGeometry* triangle = GEOSGetGeometryN_r(impl_->context, triangles.get(), i);
-        const Ring ring = impl_->ring_of(GEOSGetExteriorRing_r(impl_->context, triangle), true);
-        if (ring.size() != 3 || signed_area(ring) <= 0.0) {
-            continue;
-        }
-        const auto first = static_cast<std::uint32_t>(result.points.size());
-        result.points.insert(result.points.end(), ring.begin(), ring.end());
-        result.triangles.push_back({first, first + 1, first + 2});
-    }
+    add_triangles(polygon, 0, result);
     return result;
+}
+
+/// GEOS' ear clipping doesn't find ears in some polygons whose holes are in one line: halves of them do.
+void PlanGeometry::add_triangles(const Polygon& polygon, int depth, Triangulation& result) const {
+    constexpr int kMostCuts = 8;
+    constexpr double kMissing = 1e-6;  // of the area
+    Triangulation whole;
+    impl_->triangulate(polygon, whole);
+    const double area = area_of({polygon});
+    if (std::abs(area_of(whole) - area) <= kMissing * area + 1e-5) {
+        const auto first = static_cast<std::uint32_t>(result.points.size());
+        result.points.insert(result.points.end(), whole.points.begin(), whole.points.end());
+        for (const auto& [a, b, c] : whole.triangles) {
+            result.triangles.push_back({first + a, first + b, first + c});
+        }
+        return;
+    }
+    if (depth == kMostCuts) {
+        impl_->note_failure();
+        return;
+    }
+    const Box box = box_of(Polygons{polygon});
+    const Point size = box.size();
+    Point middle = box.max;
+    const Eigen::Index axis = size.x() > size.y() ? 0 : 1;
+    middle[axis] = std::round((box.min[axis] + 0.47 * size[axis]) / kGrid) * kGrid;
+    Point other = box.min;
+    other[axis] = middle[axis];
+    for (const Box& half : {Box{box.min, middle}, Box{other, box.max}}) {
+        for (const Polygon& part : clipped({polygon}, half)) {
+            add_triangles(part, depth + 1, result);
+        }
+    }
+}
+
+std::size_t PlanGeometry::failures() const {
+    return impl_->failures;
 }
 
 Ring PlanGeometry::least_rectangle(const Ring& ring) const {

@@ -48,7 +48,7 @@ struct Triangulation {
 enum class Caps { round, flat, square };
 
 /// Overlays of GEOS. Coordinates come out as multiples of kGrid, which makes its overlays robust and the same
-/// everywhere. What has no area is left out; input that GEOS can't handle gives nothing.
+/// everywhere. What has no area is left out.
 class PlanGeometry {
 public:
     static constexpr double kGrid = 0.001;  ///< metres
@@ -63,17 +63,23 @@ public:
     /// The areas that lines enclose, those inside others being holes: a relation's members.
     Polygons areas_of_lines(const std::vector<std::vector<Point>>& lines) const;
     Polygons buffer(const std::vector<Point>& line, double radius, Caps caps) const;
+    /// What is within a distance on the left of a line.
+    Polygons left_side(const std::vector<Point>& line, double distance) const;
     Polygons grown(const Polygons& polygons, double by) const;
     Polygons clipped(const Polygons& polygons, const Box& box) const;
     Polygons difference(const Polygons& a, const Polygons& b) const;
     Polygons intersection(const Polygons& a, const Polygons& b) const;
     Polygons united(const std::vector<const Polygons*>& all) const;
     Triangulation triangulated(const Polygon& polygon) const;
+    /// How often GEOS failed: something is missing, or there twice.
+    std::size_t failures() const;
     /// The rectangle of least area around a ring, counter-clockwise, its first edge the longer; empty if
     /// there is none.
     Ring least_rectangle(const Ring& ring) const;
 
 private:
+    void add_triangles(const Polygon& polygon, int depth, Triangulation& result) const;
+
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };

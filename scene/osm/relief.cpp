@@ -123,7 +123,7 @@ double greatest_rise(const Path& path) {
 Terrain relief_of_steps(const std::vector<Path>& paths, const Box& box) {
     std::vector<Flight> flights;
     for (const Path& path : paths) {
-        if (!path.steps || path.underground || path.hangs()) {
+        if (!path.steps || path.unbuilt || path.hangs()) {
             continue;
         }
         const std::vector<Point> points = upward(path);

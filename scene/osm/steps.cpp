@@ -171,7 +171,7 @@ Ring ring_around(const std::vector<Station>& stations) {
 
 bool has_treads(const Path& path, const Terrain& terrain) {
     const auto [first, last] = end_heights(path, terrain);
-    return path.steps && !path.underground && std::abs(last - first) >= kLeastRise;
+    return path.steps && !path.unbuilt && std::abs(last - first) >= kLeastRise;
 }
 
 Ring outline_of_steps(const Path& path) {

@@ -135,6 +135,17 @@ class ImportTest(ProgramCase):
         for found, (x, z, height) in zip(heights, [goal for _, goals in legs for goal in goals]):
             self.assertAlmostEqual(found, height, delta=0.03, msg="%g, %g" % (x, z))
 
+    def test_a_robot_crosses_only_where_the_kerb_is_lowered(self):
+        for kerb, crosses in (("raised", False), ("lowered", True), ("flush", True)):
+            nodes = {1: (-80, 0), 2: (0, 0), 3: (80, 0), 4: (0, -40), 5: (0, -3), 6: (0, 3), 7: (0, 40)}
+            ways = {20: ((1, 2, 3), {"highway": "residential"}), 21: ((4, 5, 2, 6, 7), {"highway": "footway"})}
+            self.write("a.osm", map_xml(nodes=nodes, ways=ways, node_tags={5: {"kerb": kerb}, 6: {"kerb": kerb}}))
+            outcome = self.import_map("--overwrite")
+            self.assertEqual(outcome.code, 0, outcome.err)
+            self.write("out/cross.walk.yaml", "campus: a.campus.yaml\navatar: delivery-robot\nsteps:\n"
+                       "  - spawn: {at: [0, 0, 20]}\n  - walk_to: [0, -20]\n")
+            self.assertEqual(self.run_program("run", self.path("out/cross.walk.yaml")).code, 0 if crosses else 1, kerb)
+
     def test_refuses_what_is_no_map(self):
         good = map_xml()
         bad = {"empty.osm": "", "text.osm": "hello", "cut.osm": good[:len(good) // 2], "a.pbf": "no protobuf",
