@@ -274,7 +274,7 @@ void add_barriers(Composition& composition) {
     for (const std::string& kind : barriers.kinds()) {
         std::string id = kind;
         std::ranges::replace(id, '_', '-');
-        composition.draft.solids.push_back({id, {kind + "/*"}, "", "barriers", true});
+        composition.draft.solids.push_back({id, {kind + "/*"}, "", id, true});
     }
 }
 

@@ -13,9 +13,9 @@
 namespace campuswalk::scene::osm {
 namespace {
 
-constexpr Look kPaint = {{226, 226, 220}, 220, 255};
+constexpr Look kMarks = {{226, 226, 220}, 220, 255};
 constexpr Look kIsland = {{172, 168, 160}, 235, 255};
-constexpr int kPaintPriority = 95;
+constexpr int kMarksPriority = 95;
 constexpr int kIslandPriority = 96;
 
 enum class Markings { none, stripes, lines, both };
@@ -23,11 +23,10 @@ enum class Markings { none, stripes, lines, both };
 Markings markings_in(const Tags& tags) {
     const std::string_view markings = tags.get("crossing:markings");
     if (!markings.empty()) {
-        return markings == "yes" || markings.starts_with("zebra")                         ? Markings::stripes
-               : markings.starts_with("ladder")                                           ? Markings::both
-               : markings == "lines" || markings == "dashes" || markings == "dots"
-                   ? Markings::lines
-                   : Markings::none;
+        return markings == "yes" || markings.starts_with("zebra")                  ? Markings::stripes
+               : markings.starts_with("ladder")                                    ? Markings::both
+               : markings == "lines" || markings == "dashes" || markings == "dots" ? Markings::lines
+                                                                                   : Markings::none;
     }
     const std::string_view crossing = tags.get("crossing");
     if (tags.is("crossing_ref", "zebra") || crossing == "zebra" || crossing == "marked" ||
@@ -181,9 +180,9 @@ Polygons islands_of(const Crossing& crossing) {
     constexpr double kBreadth = 1.5;
     Polygons islands;
     for (const double side : {1.0, -1.0}) {
-        islands.push_back(parallelogram(
-            crossing.at + side * 0.5 * (crossing.width + kLength) * crossing.along,
-            0.5 * kLength * crossing.along, 0.5 * kBreadth * left_of(crossing.along)));
+        islands.push_back(
+            parallelogram(crossing.at + side * 0.5 * (crossing.width + kLength) * crossing.along,
+                          0.5 * kLength * crossing.along, 0.5 * kBreadth * left_of(crossing.along)));
     }
     return islands;
 }
@@ -196,19 +195,19 @@ std::vector<Surface> crossing_surfaces(const Map& map, const std::vector<Path>& 
     std::vector<Surface> surfaces;
     const CrossingFinder finder(map, paths);
     for (const Crossing& crossing : finder.found()) {
-        Polygons paint;
+        Polygons marks;
         if (crossing.markings == Markings::stripes || crossing.markings == Markings::both) {
-            paint = stripes_of(crossing);
+            marks = stripes_of(crossing);
         }
         if (crossing.markings == Markings::lines || crossing.markings == Markings::both) {
             const Polygons lines = lines_of(crossing);
-            paint.insert(paint.end(), lines.begin(), lines.end());
+            marks.insert(marks.end(), lines.begin(), lines.end());
         }
         const std::string id = crossing.id.text();
-        if (!paint.empty()) {
+        if (!marks.empty()) {
             surfaces.push_back({"crossing/" + id,
-                                geometry.intersection(geometry.united({&paint}), crossing.road->area), kPaint,
-                                kPaintPriority, -kKerb});
+                                geometry.intersection(geometry.united({&marks}), crossing.road->area), kMarks,
+                                kMarksPriority, -kKerb});
         }
         if (crossing.island && crossing.road->width >= kLeastForIsland) {
             const Polygons islands = islands_of(crossing);

@@ -156,7 +156,7 @@ private:
         trigger.size = {main ? 2.4 : 1.6, 2.4, 2.4};
         trigger.center = {door.at.x(), floor + 1.2, -door.at.y()};
         trigger.yaw_deg = yaw_along(wall.along);
-        trigger.layer = "doors";
+        trigger.layer = "door";
         composition_.draft.triggers.push_back(trigger);
         for (const double distance : {1.0, 0.75}) {
             const Point front = door.at + distance * out;
@@ -209,7 +209,7 @@ void add_doors(Composition& composition, const FreeGround& free) {
     doors.add_tagged();
     doors.add_untagged();
     doors.add_assumed();
-    composition.draft.solids.push_back({"door", {"door/*"}, "", "doors", true});  // left out if there is none
+    composition.draft.solids.push_back({"door", {"door/*"}, "", "door", true});  // left out if there is none
 }
 
 }  // namespace campuswalk::scene::osm

@@ -247,7 +247,7 @@ public:
 
     void add_solids() const {
         for (const std::string& kind : kinds_) {
-            composition_.draft.solids.push_back({kind, {kind + "/*"}, "", "furniture", true});
+            composition_.draft.solids.push_back({kind, {kind + "/*"}, "", kind, true});
         }
     }
 

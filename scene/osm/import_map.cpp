@@ -82,7 +82,7 @@ void add_bridges(const BridgePlan& plan, Composition& composition) {
                     composition.warnings);
         add_deck(parts, bridge, composition);
     }
-    composition.draft.solids.push_back({"bridge", {"bridge/*"}, "", "", true});
+    composition.draft.solids.push_back({"bridge", {"bridge/*"}, "", "bridge", true});
 }
 
 Box on_grid(const Box& box) {
@@ -153,6 +153,19 @@ void keep_existing(const Model& model, std::vector<DraftSolid>& solids) {
     std::erase_if(solids, [](const DraftSolid& solid) { return solid.globs.empty(); });
 }
 
+/// A layer for each kind of solids and triggers, so that an avatar can ignore, say, trees.
+std::vector<std::string> layers_of(const CampusDraft& draft) {
+    std::set<std::string> layers;
+    for (const DraftSolid& solid : draft.solids) {
+        layers.insert(solid.layer);
+    }
+    for (const DraftTrigger& trigger : draft.triggers) {
+        layers.insert(trigger.layer);
+    }
+    layers.erase("");
+    return {layers.begin(), layers.end()};
+}
+
 }  // namespace
 
 ImportedMap import_map(const MapRequest& request) {
@@ -175,7 +188,7 @@ ImportedMap import_map(const MapRequest& request) {
     const std::vector<Surface> surfaces =
         surfaces_of(map, composition.paths, composition.areas, geometry, terrain);
     add_ground(surfaces, box, geometry, terrain, composition.model);
-    composition.draft.solids.push_back({"ground", ground_globs(surfaces), "", "", false});
+    composition.draft.solids.push_back({"ground", ground_globs(surfaces), "", "ground", false});
     add_steps(composition);
     add_buildings(composition);
     add_barriers(composition);
@@ -188,6 +201,7 @@ ImportedMap import_map(const MapRequest& request) {
     Model model = composition.model.finish();
     ImportedMap imported{std::move(model), std::move(composition.draft), warnings.all()};
     keep_existing(imported.model, imported.draft.solids);
+    imported.draft.layers = layers_of(imported.draft);
     imported.model.file = request.mark.file;
     imported.model.geographic =
         GeographicPlace{imported.draft.latitude_deg, imported.draft.longitude_deg, 0.0};

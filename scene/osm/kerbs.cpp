@@ -23,9 +23,9 @@ std::optional<double> kerb_height(const Tags& tags) {
         return std::clamp(*height, 0.0, kKerb);
     }
     const std::string_view kerb = tags.get("kerb");
-    return kerb == "lowered"                      ? std::optional(kLowered)
-           : kerb == "flush" || kerb == "no"      ? std::optional(0.0)
-           : kerb == "rolled"                     ? std::optional(kRolled)
+    return kerb == "lowered"                       ? std::optional(kLowered)
+           : kerb == "flush" || kerb == "no"       ? std::optional(0.0)
+           : kerb == "rolled"                      ? std::optional(kRolled)
            : kerb == "raised" || kerb == "regular" ? std::optional(kKerb)
                                                    : std::nullopt;
 }
@@ -106,7 +106,10 @@ private:
         const Ring ring = {at - half + kRun * out, at - half - kInwards * out, at + half - kInwards * out,
                            at + half + kRun * out};
         Surface ramp{"kerb-ramp/" + ElementId{ElementKind::way, path.way->id}.text(),
-                     {Polygon{ring, {}}}, kLook, kPriority, height - kKerb};
+                     {Polygon{ring, {}}},
+                     kLook,
+                     kPriority,
+                     height - kKerb};
         ramp.fall = Fall{at, -out, (kKerb - height) / kRun};
         if (signed_area(ring) < 0.0) {
             std::ranges::reverse(ramp.area.front().outer);
@@ -127,7 +130,8 @@ private:
                 nearest = distance;
                 height = tagged->second;
             }
-            crossing = crossing || (distance < 0.5 * road.width + 1.5 && crossings_.contains(path.way->nodes[i]));
+            crossing =
+                crossing || (distance < 0.5 * road.width + 1.5 && crossings_.contains(path.way->nodes[i]));
         }
         if (height) {
             return *height;

@@ -142,7 +142,7 @@ void add_titled_buildings(Composition& composition) {
     for (const Volume& volume : composition.volumes) {
         volumes[volume.building].push_back(&volume);
     }
-    DraftSolid untitled{"building", {}, "", "buildings", true};  // one line, as cities have thousands
+    DraftSolid untitled{"building", {}, "", "building", true};  // one line, as cities have thousands
     for (const auto& [area_index, parts] : volumes) {
         const MapArea& area = composition.areas[area_index];
         const bool titled = area.tags.has("name");
@@ -159,7 +159,7 @@ void add_titled_buildings(Composition& composition) {
         if (!titled) {
             untitled.globs.insert(untitled.globs.end(), globs.begin(), globs.end());
         } else {
-            composition.draft.solids.push_back({id + "/walls", globs, id, "buildings", false});
+            composition.draft.solids.push_back({id + "/walls", globs, id, "building", false});
             composition.draft.buildings.push_back(description_of(id, area.tags));
             add_area_trigger(composition, id + "/around", id, area.polygons, 1.5, kTriggerHeight);
         }
@@ -264,7 +264,6 @@ void add_spawns(Composition& composition, const FreeGround& free) {
 }  // namespace
 
 void add_meaning(Composition& composition) {
-    composition.draft.layers = {"barriers", "buildings", "doors", "furniture"};
     add_titled_buildings(composition);
     add_titled_areas(composition);
     add_titled_nodes(composition);

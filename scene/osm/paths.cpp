@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "scene/osm/steps.h"
+#include "scene/osm/flight_shape.h"
 #include "scene/osm/tag_values.h"
 
 namespace campuswalk::scene::osm {

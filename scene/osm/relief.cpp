@@ -1,8 +1,10 @@
 #include "scene/osm/relief.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "collision/geometry/trigonometry.h"
 #include "scene/osm/box_index.h"
 #include "scene/osm/tag_values.h"
 
@@ -74,6 +76,47 @@ HeightGrid grid_over(const Box& box) {
     return grid;
 }
 
+/// The points of the grid's triangle around a point.
+std::array<std::size_t, 3> triangle_around(const HeightGrid& grid, const Point& p) {
+    const Point q = (p - grid.south_west) / kCell;
+    const auto cell = [](double value, std::size_t count) {
+        return static_cast<std::size_t>(std::clamp(value, 0.0, static_cast<double>(count - 2)));
+    };
+    const std::size_t column = cell(q.x(), grid.columns);
+    const std::size_t row = cell(q.y(), grid.rows());
+    const bool below = q.x() - static_cast<double>(column) >= q.y() - static_cast<double>(row);
+    const std::size_t low = row * grid.columns + column;
+    return {low, low + grid.columns + 1, below ? low + 1 : low + grid.columns};
+}
+
+/// A grid rounds off where a flight begins and ends: gives it its whole rise there.
+void sharpen_ends(const std::vector<Flight>& flights, HeightGrid& grid) {
+    BoxIndex near;
+    for (std::size_t i = 0; i < flights.size(); ++i) {
+        near.add(i, Box{flights[i].top, flights[i].top}.grown(flights[i].reach()));
+    }
+    const auto exact = [&](const Point& p) {
+        double height = 0.0;
+        for (const std::size_t i : near.at(p)) {
+            height = std::max(height, flights[i].height(p));
+        }
+        return height;
+    };
+    for (const Flight& flight : flights) {
+        const auto foot = triangle_around(grid, flight.foot);
+        const auto top = triangle_around(grid, flight.top);
+        if (std::ranges::find_first_of(foot, top) != foot.end()) {
+            continue;  // too short
+        }
+        const double low = exact(flight.foot);
+        const double high = exact(flight.top);
+        for (std::size_t i = 0; i < foot.size(); ++i) {
+            grid.heights[foot[i]] = low;
+            grid.heights[top[i]] = high;
+        }
+    }
+}
+
 /// How much higher than it was the ground may be because of what passes there below a bridge.
 double allowed(const Cutting& cutting, const Point& p) {
     const Point d = p - cutting.at;
@@ -103,11 +146,35 @@ std::vector<Point> upward(const Path& path) {
     return points;
 }
 
+namespace {
+
+/// Of "30%", "-30 %" or "17°" metres up for each along; 0 for others.
+double slope_of(std::string_view incline) {
+    if (incline.starts_with('-')) {
+        incline.remove_prefix(1);
+    }
+    const bool degrees = incline.ends_with("\u00b0");
+    if (!degrees && !incline.ends_with('%')) {
+        return 0.0;
+    }
+    const double value = length_of(incline.substr(0, incline.size() - (degrees ? 2 : 1))).value_or(0.0);
+    if (degrees && value < 80.0) {
+        const collision::SinCos angle = collision::sin_cos(value * 0.017453292519943295);
+        return angle.sin / angle.cos;
+    }
+    return degrees ? 0.0 : 0.01 * value;
+}
+
+}  // namespace
+
 double rise_of(const Path& path) {
     const double length = length_of(path.way->points);
     const double steepest = 0.7 * length;
     const auto count = number_of(path.way->tags, "step_count");
-    const double rise = count && *count >= 1.0 ? *count * kRiser : std::floor(length / kTread) * kRiser;
+    const double slope = slope_of(path.way->tags.get("incline"));
+    const double rise = count && *count >= 1.0 ? *count * kRiser
+                        : slope > 0.0          ? slope * length
+                                               : std::floor(length / kTread) * kRiser;
     return std::min({rise, steepest, kMaxRise});
 }
 
@@ -143,6 +210,7 @@ Terrain relief_of_steps(const std::vector<Path>& paths, const Box& box) {
         grid.around(flight.top, flight.reach(),
                     [&](const Point& p, double& height) { height = std::max(height, flight.height(p)); });
     }
+    sharpen_ends(flights, grid);
     return Terrain(box.min, kCell, grid.columns, std::move(grid.heights));
 }
 

@@ -5,7 +5,8 @@
 #include <optional>
 #include <utility>
 
-#include "scene/osm/relief.h"
+#include "scene/osm/flight_shape.h"
+#include "scene/osm/step_ramps.h"
 #include "scene/osm/tag_values.h"
 
 namespace campuswalk::scene::osm {
@@ -14,88 +15,10 @@ namespace {
 constexpr Look kTreadLook = {{176, 172, 164}, 230, 255};
 constexpr Look kNosing = {{140, 136, 130}, 230, 255};
 constexpr Look kRail = {{96, 100, 104}, 140, 255};
-constexpr double kLeastRise = 0.1;
-
-/// A place along a line, and the direction of the two edges there.
-struct Station {
-    Point at = Point::Zero();
-    Point left = Point(0, 1);  ///< half a width long
-};
-
-/// The station at a distance from the start; at bends, between the directions.
-Station station_at(const std::vector<Point>& line, double distance, double half_width) {
-    double done = 0.0;
-    for (std::size_t i = 1; i < line.size(); ++i) {
-        const Point d = line[i] - line[i - 1];
-        const double length = std::sqrt(d.x() * d.x() + d.y() * d.y());
-        if (distance <= done + length + 1e-9 || i + 1 == line.size()) {
-            const double t = length > 0.0 ? std::clamp((distance - done) / length, 0.0, 1.0) : 0.0;
-            Point direction = unit(d);
-            constexpr double kBend = 0.02;
-            if (t > 1.0 - kBend && i + 1 < line.size()) {
-                direction = unit(direction + unit(line[i + 1] - line[i]));
-            } else if (t < kBend && i > 1) {
-                direction = unit(direction + unit(line[i - 1] - line[i - 2]));
-            }
-            return {line[i - 1] + t * d, half_width * left_of(direction)};
-        }
-        done += length;
-    }
-    return {line.back(), Point(0, half_width)};
-}
-
-struct FlightShape {
-    std::vector<Station> stations;  ///< the ends of treads, from the foot
-    std::optional<Station> beyond;  ///< where it ends below the deck that it leads to
-    double foot = 0.0;
-    double top = 0.0;
-};
-
-std::size_t count_of(const Path& path, double rise) {
-    constexpr double kUsualRiser = 0.16;
-    constexpr double kHighestRiser = 0.24;  // what everybody can climb
-    const auto tagged = number_of(path.way->tags, "step_count");
-    double count = std::max(1.0, std::round(rise / kUsualRiser));
-    if (tagged && *tagged >= 1.0 && *tagged <= 1000.0 && rise / *tagged <= kHighestRiser) {
-        count = std::round(*tagged);
-    }
-    return static_cast<std::size_t>(count);
-}
-
-/// Heights of its ends: of the ground, or of the bridge that it leads to.
-std::pair<double, double> end_heights(const Path& path, const Terrain& terrain) {
-    return {path.first_height.value_or(terrain.height(path.way->points.front())),
-            path.last_height.value_or(terrain.height(path.way->points.back()))};
-}
-
-FlightShape shape_of(const Path& path, const Terrain& terrain) {
-    std::vector<Point> line = path.way->points;
-    const auto [first, last] = end_heights(path, terrain);
-    const bool down = first > last;
-    if (down) {
-        std::reverse(line.begin(), line.end());
-    }
-    FlightShape shape;
-    shape.foot = std::min(first, last);
-    shape.top = std::max(first, last);
-    const std::size_t count = count_of(path, shape.top - shape.foot);
-    const double length = length_of(line);
-    const double before = down ? path.last_trim : path.first_trim;
-    const double after = down ? path.first_trim : path.last_trim;
-    const double run = std::max(0.3 * length, length - before - after);
-    for (std::size_t i = 0; i <= count; ++i) {
-        const double at = before + run * static_cast<double>(i) / static_cast<double>(count);
-        shape.stations.push_back(station_at(line, at, 0.5 * path.width));
-    }
-    if (after > 0.0) {
-        shape.beyond = station_at(line, length, 0.5 * path.width);
-    }
-    return shape;
-}
 
 void add_treads(const FlightShape& shape, const Terrain& terrain, ObjectMesh& mesh) {
-    const std::size_t count = shape.stations.size() - 1;
-    const double riser = (shape.top - shape.foot) / static_cast<double>(count);
+    const std::size_t count = shape.treads();
+    const double riser = shape.riser();
     constexpr double kBelow = 0.4;
     for (std::size_t i = 0; i < count; ++i) {
         const Station& a = shape.stations[i];
@@ -125,17 +48,17 @@ void add_treads(const FlightShape& shape, const Terrain& terrain, ObjectMesh& me
     }
 }
 
-/// A rail on posts along one edge.
+/// A rail on posts along the edge on the left (side 1) or right (-1), or along the middle (0).
 void add_rail(const FlightShape& shape, double side, ObjectMesh& mesh) {
-    constexpr double kInset = 0.06;
+    const double inset = side == 0.0 ? 0.0 : 0.06;
     constexpr double kPost = 0.025;
     constexpr double kHeight = 0.9;
     const auto place = [&](const Station& station) {
         const Point out = unit(station.left);
-        return Point(station.at + side * (station.left - kInset * out));
+        return Point(station.at + side * (station.left - inset * out));
     };
-    const std::size_t count = shape.stations.size() - 1;
-    const double riser = (shape.top - shape.foot) / static_cast<double>(count);
+    const std::size_t count = shape.treads();
+    const double riser = shape.riser();
     for (std::size_t i = 0; i < count; ++i) {
         const Point a = place(shape.stations[i]);
         const Point b = place(shape.stations[i + 1]);
@@ -156,60 +79,33 @@ void add_rail(const FlightShape& shape, double side, ObjectMesh& mesh) {
     }
 }
 
-Ring ring_around(const std::vector<Station>& stations) {
-    Ring ring;
-    for (const Station& station : stations) {
-        ring.push_back(station.at - station.left);
-    }
-    for (auto station = stations.rbegin(); station != stations.rend(); ++station) {
-        ring.push_back(station->at + station->left);
-    }
-    return ring;
-}
-
 }  // namespace
 
-bool has_treads(const Path& path, const Terrain& terrain) {
-    const auto [first, last] = end_heights(path, terrain);
-    return path.steps && !path.unbuilt && std::abs(last - first) >= kLeastRise;
-}
-
-Ring outline_of_steps(const Path& path) {
-    const std::vector<Point>& line = path.way->points;
-    std::vector<Station> stations;
-    double done = 0.0;
-    stations.push_back(station_at(line, 0.0, 0.5 * path.width));
-    for (std::size_t i = 1; i < line.size(); ++i) {
-        const Point d = line[i] - line[i - 1];
-        done += std::sqrt(d.x() * d.x() + d.y() * d.y());
-        stations.push_back(station_at(line, done, 0.5 * path.width));
-    }
-    return ring_around(stations);
-}
-
-Ring outline_of_treads(const Path& path, const Terrain& terrain) {
-    return ring_around(shape_of(path, terrain).stations);
-}
-
 void add_steps(Composition& composition) {
+    const FreeGround free(composition);
     for (const Path& path : composition.paths) {
-        if (!has_treads(path, composition.terrain) ||
-            !composition.map.box.contains(path.way->points.front())) {
+        if (!has_treads(path, composition.terrain)) {
             continue;
         }
         const FlightShape shape = shape_of(path, composition.terrain);
-        ObjectMesh& mesh =
-            composition.model.object("steps/" + ElementId{ElementKind::way, path.way->id}.text());
+        const std::string id = ElementId{ElementKind::way, path.way->id}.text();
+        ObjectMesh& mesh = composition.model.object("steps/" + id);
         add_treads(shape, composition.terrain, mesh);
         const Tags& tags = path.way->tags;
         const bool both = affirmed(tags, "handrail") || affirmed(tags, "handrail:both");
+        const double left = shape.reversed ? -1.0 : 1.0;  // tags mean the direction as drawn
         if (both || affirmed(tags, "handrail:left")) {
-            add_rail(shape, 1.0, mesh);
+            add_rail(shape, left, mesh);
         }
         if (both || affirmed(tags, "handrail:right")) {
-            add_rail(shape, -1.0, mesh);
+            add_rail(shape, -left, mesh);
         }
+        if (affirmed(tags, "handrail:center")) {
+            add_rail(shape, 0.0, mesh);
+        }
+        add_step_ramps(path, shape, free, composition);
     }
+    composition.draft.solids.push_back({"ramp", {"ramp/*"}, "", "ramp", true});  // left out if there is none
 }
 
 }  // namespace campuswalk::scene::osm

@@ -8,9 +8,9 @@
 #include <string_view>
 
 #include "scene/osm/crossings.h"
+#include "scene/osm/flight_shape.h"
 #include "scene/osm/kerbs.h"
 #include "scene/osm/sidewalks.h"
-#include "scene/osm/steps.h"
 #include "scene/osm/tag_values.h"
 
 namespace campuswalk::scene::osm {
@@ -157,19 +157,15 @@ std::optional<Surface> surface_of(const MapArea& area) {
     }
     // Not "fountain", as things at nodes are called.
     const std::string_view word = cover->value == "fountain" ? "basin" : cover->value;
-    return Surface{word_of(word) + "/" + area.id.text(),
-                   area.polygons,
-                   look,
-                   cover->priority,
-                   water ? -kWaterDepth : 0.0,
-                   false,
-                   water};
+    return Surface{word_of(word) + "/" + area.id.text(), area.polygons, look, cover->priority,
+                   water ? -kWaterDepth : 0.0,           false,         water};
 }
 
 }  // namespace
 
-std::vector<Surface> surfaces_of(const Map& map, const std::vector<Path>& paths, const std::vector<MapArea>& areas,
-                                 const PlanGeometry& geometry, const Terrain& terrain) {
+std::vector<Surface> surfaces_of(const Map& map, const std::vector<Path>& paths,
+                                 const std::vector<MapArea>& areas, const PlanGeometry& geometry,
+                                 const Terrain& terrain) {
     std::vector<Surface> surfaces;
     for (const Path& path : paths) {
         if (!path.on_ground()) {
@@ -182,9 +178,8 @@ std::vector<Surface> surfaces_of(const Map& map, const std::vector<Path>& paths,
                             treads ? geometry.polygon(outline_of_treads(path, terrain)) : path.area, look,
                             path.priority, path.carriageway ? -kKerb : 0.0, treads, false});
     }
-    for (std::vector<Surface>& more :
-         std::vector{crossing_surfaces(map, paths, geometry), kerb_ramps(map, paths),
-                     sidewalks_of(paths, geometry)}) {
+    for (std::vector<Surface>& more : std::vector{crossing_surfaces(map, paths, geometry),
+                                                  kerb_ramps(map, paths), sidewalks_of(paths, geometry)}) {
         std::ranges::move(more, std::back_inserter(surfaces));
     }
     for (const MapArea& area : areas) {

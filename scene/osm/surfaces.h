@@ -12,7 +12,8 @@ namespace campuswalk::scene::osm {
 inline constexpr double kKerb = 0.12;
 
 /// How paths, squares, lawns and so on cover the ground.
-std::vector<Surface> surfaces_of(const Map& map, const std::vector<Path>& paths, const std::vector<MapArea>& areas,
-                                 const PlanGeometry& geometry, const Terrain& terrain);
+std::vector<Surface> surfaces_of(const Map& map, const std::vector<Path>& paths,
+                                 const std::vector<MapArea>& areas, const PlanGeometry& geometry,
+                                 const Terrain& terrain);
 
 }  // namespace campuswalk::scene::osm

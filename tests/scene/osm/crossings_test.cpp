@@ -76,7 +76,7 @@ TEST_F(Crossings, HaveLoweredKerbsIfNothingIsTagged) {
 TEST_F(Crossings, HaveStripesOfTheirMarkings) {
     struct Expected {
         MapText::Tags tags;
-        double area;  ///< of paint, m²
+        double area;  ///< of marks, m²
     };
     const double bars = 7 * 0.5 * 3.5;  // half a metre of every metre of 8 m, 3.5 m long
     const double lines = 2 * 0.2 * 8.0;
@@ -89,11 +89,11 @@ TEST_F(Crossings, HaveStripesOfTheirMarkings) {
         tags.insert(tags.end(), expected.tags.begin(), expected.tags.end());
         MapText map = road_with(tags);
         const Model model = import(map.xml()).model;
-        const Node* paint = find(model, "crossing/node-" + std::to_string(middle_));
+        const Node* marks = find(model, "crossing/node-" + std::to_string(middle_));
         const std::string tagged = expected.tags.empty() ? "nothing" : expected.tags.front().second;
-        EXPECT_NEAR(paint == nullptr ? 0.0 : plan_area(model, *paint), expected.area, 0.02) << tagged;
-        if (paint != nullptr) {
-            EXPECT_NEAR(bounds_of(model, paint->name).max.y(), kCarriageway, 1e-3) << "it lies on the road";
+        EXPECT_NEAR(marks == nullptr ? 0.0 : plan_area(model, *marks), expected.area, 0.02) << tagged;
+        if (marks != nullptr) {
+            EXPECT_NEAR(bounds_of(model, marks->name).max.y(), kCarriageway, 1e-3) << "it lies on the road";
         }
         EXPECT_NEAR(ground_area(model), 40'000.0, 500.0);
     }
@@ -114,8 +114,9 @@ TEST_F(Crossings, LoseNoGroundToStripesInOneLine) {
     MapText map;
     std::vector<std::int64_t> road;
     for (double east = -60; east <= 60; east += 20) {
-        road.push_back(map.node(east, 0, {{"highway", "crossing"}, {"crossing", "zebra"},
-                                          {"crossing:island", east < 0 ? "yes" : "no"}}));
+        road.push_back(map.node(
+            east, 0,
+            {{"highway", "crossing"}, {"crossing", "zebra"}, {"crossing:island", east < 0 ? "yes" : "no"}}));
     }
     map.way_of(road, {{"highway", "secondary"}, {"width", "8"}, {"sidewalk", "both"}});
     const ImportedMap imported = import(map.xml());
