@@ -130,11 +130,11 @@ std::vector<MapArea> areas_of(const Map& map, const PlanGeometry& geometry, cons
         if (!stands_for_area(way.tags) || replaced.contains(way.id)) {
             continue;
         }
-        if (!way.closed()) {
+        if (!way.closed() || !way.complete) {
             if (affirmed(way.tags, "building") || affirmed(way.tags, "building:part")) {
                 warnings.warning(mark, "open-ring",
-                                 "building way " + std::to_string(way.id) + " isn't closed" +
-                                     (way.complete ? "" : ": the file lacks some of its nodes") +
+                                 "building way " + std::to_string(way.id) +
+                                     (way.complete ? " isn't closed" : ": the file lacks some of its nodes") +
                                      "; left out");
             }
             continue;

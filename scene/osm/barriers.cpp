@@ -5,9 +5,12 @@
 #include <cmath>
 #include <set>
 #include <string_view>
+#include <unordered_set>
+#include <utility>
 
 #include "scene/osm/box_index.h"
 #include "scene/osm/extrude.h"
+#include "scene/osm/gates.h"
 #include "scene/osm/path_nodes.h"
 #include "scene/osm/tag_values.h"
 
@@ -34,20 +37,11 @@ constexpr std::array<LineKind, 8> kLines = {{
 }};
 
 constexpr Look kGateSteel = {{96, 100, 104}, 150, 255};
-constexpr Look kGatePost = {{120, 112, 100}, 220, 255};
 constexpr Look kBarrierRed = {{190, 60, 50}, 200, 255};
 
 const LineKind* line_kind(const Tags& tags) {
     const auto* found = std::ranges::find(kLines, tags.get("barrier"), &LineKind::value);
     return found == kLines.end() ? nullptr : found;
-}
-
-/// Whether nobody gets through.
-bool is_closed(const Tags& tags) {
-    if (tags.has("foot")) {
-        return tags.is("foot", "no") || tags.is("foot", "private");
-    }
-    return tags.is("locked", "yes") || tags.is("access", "no");
 }
 
 /// Where a segment crosses a line of points, if it does.
@@ -70,12 +64,6 @@ void add_crossings(const Point& a, const Point& b, const std::vector<Point>& lin
     }
 }
 
-Polygons square(const Point& center, double half) {
-    return {Polygon{{center + Point(-half, -half), center + Point(half, -half), center + Point(half, half),
-                     center + Point(-half, half)},
-                    {}}};
-}
-
 class Barriers {
 public:
     explicit Barriers(Composition& composition)
@@ -87,19 +75,23 @@ public:
         }
         for (const MapNode& node : composition.map.nodes) {
             if (is_gate(node.tags)) {
-                gates_.emplace(node.id, &node);
+                gates_.insert(node.id);
+            }
+        }
+        for (const MapWay& way : composition.map.ways) {
+            for (std::size_t i = 0; is_line(way) && i < way.nodes.size(); ++i) {
+                if (gates_.contains(way.nodes[i])) {
+                    openings_.try_emplace(way.nodes[i], gate_opening(way, i, path_at(way.nodes[i])));
+                }
             }
         }
     }
 
     void add_lines() {
         for (const MapWay& way : composition_.map.ways) {
-            const LineKind* kind = line_kind(way.tags);
-            if (kind == nullptr || way.points.size() < 2 || affirmed(way.tags, "building") ||
-                number_of(way.tags, "layer").value_or(0.0) < 0.0) {
-                continue;
+            if (is_line(way)) {
+                add_line(way, *line_kind(way.tags));
             }
-            add_line(way, *kind);
         }
     }
 
@@ -109,10 +101,12 @@ public:
                 continue;
             }
             const std::string_view barrier = node.tags.get("barrier");
-            const auto found = on_path_.find(node.id);
-            const PathNode here = found == on_path_.end() ? PathNode{} : found->second;
+            const PathNode here = path_at(node.id);
             if (is_gate(node.tags)) {
-                add_gate(node, here);
+                const auto opening = openings_.find(node.id);
+                kinds_.insert("gate");
+                add_gate(node, opening == openings_.end() ? gate_opening(node, here) : opening->second,
+                         composition_);
             } else if (barrier == "bollard") {
                 add_bollards(node, here);
             } else if (barrier == "block") {
@@ -131,9 +125,12 @@ private:
             std::clamp(length_of(way.tags, "width").value_or(kind.thickness), 0.04, 10.0);
         Polygons area =
             geometry.clipped(geometry.buffer(way.points, 0.5 * thickness, Caps::flat), composition_.map.box);
-        for (const Polygons& gap : gaps_of(way, thickness)) {
-            area = geometry.difference(area, gap);
+        const std::vector<Polygons> gaps = gaps_of(way, thickness);
+        std::vector<const Polygons*> all;
+        for (const Polygons& gap : gaps) {
+            all.push_back(&gap);
         }
+        area = geometry.difference(area, all.empty() ? Polygons() : geometry.united(all));
         Look look = kind.look;
         if (const auto color = color_of(way.tags, "colour", "color")) {
             look.color = *color;
@@ -145,64 +142,65 @@ private:
                 composition_.model.object(std::string(kind.value) + "/" +
                                           ElementId{ElementKind::way, way.id}.text()));
         kinds_.insert(std::string(kind.value));
+        composition_.obstacles.push_back(std::move(area));
+    }
+
+    static bool is_line(const MapWay& way) {
+        return line_kind(way.tags) != nullptr && way.points.size() > 1 && !affirmed(way.tags, "building") &&
+               number_of(way.tags, "layer").value_or(0.0) >= 0.0;
+    }
+
+    PathNode path_at(std::int64_t node) const {
+        const auto found = on_path_.find(node);
+        return found == on_path_.end() ? PathNode{} : found->second;
     }
 
     std::vector<Polygons> gaps_of(const MapWay& way, double thickness) const {
-        constexpr double kRoom = 0.35;
-        constexpr double kLeast = 0.9;
+        constexpr double kDeep = 0.15;  // beyond the barrier's faces
         std::vector<Polygons> gaps;
+        std::vector<Point> gates;
         for (std::size_t i = 0; i < way.nodes.size(); ++i) {
             if (gates_.contains(way.nodes[i])) {
-                gaps.push_back(square(way.points[i], half_gap(way.nodes[i]) + 0.1));
+                gaps.push_back(composition_.geometry.buffer(openings_.at(way.nodes[i]),
+                                                            0.5 * thickness + kDeep, Caps::flat));
+                gates.push_back(way.points[i]);
             }
         }
-        for (const std::size_t number : paths_.near(box_of(way.points))) {
-            const Path& path = composition_.paths[number];
-            std::vector<Point> crossings;
-            for (std::size_t i = 1; i < way.points.size(); ++i) {
-                add_crossings(way.points[i - 1], way.points[i], path.way->points, crossings);
-            }
-            for (const Point& at : crossings) {
-                gaps.push_back(square(at, std::max(kLeast, 0.5 * path.width + kRoom) + 0.5 * thickness));
+        for (std::size_t i = 1; i < way.points.size(); ++i) {
+            const Point& a = way.points[i - 1];
+            const Point& b = way.points[i];
+            for (const std::size_t number : paths_.near(box_of({a, b}))) {
+                add_gaps_for(composition_.paths[number], a, b, 0.5 * thickness + kDeep, gates, gaps);
             }
         }
         return gaps;
     }
 
-    double half_gap(std::int64_t node) const {
-        const auto found = on_path_.find(node);
-        return found == on_path_.end() ? 0.9 : std::max(0.9, 0.5 * found->second.path->width);
+    /// Where a path crosses a segment of a barrier, besides at gates.
+    void add_gaps_for(const Path& path, const Point& a, const Point& b, double half_depth,
+                      const std::vector<Point>& gates, std::vector<Polygons>& gaps) const {
+        constexpr double kRoom = 0.35;
+        constexpr double kLeast = 0.9;
+        constexpr double kAtGate = 0.6;
+        std::vector<Point> crossings;
+        add_crossings(a, b, path.way->points, crossings);
+        for (const Point& at : crossings) {
+            if (std::ranges::any_of(gates, [&](const Point& gate) { return (gate - at).norm() < kAtGate; })) {
+                continue;
+            }
+            const Point along = unit(b - a);
+            const Nearest nearest = nearest_on(path.way->points, false, at);
+            const double half =
+                std::max(kLeast, 0.5 * path.width + kRoom) / sine_between(along, nearest.along);
+            const Point u = half * along;
+            const Point v = std::max(half_depth, kLeast) * left_of(along);
+            gaps.push_back({Polygon{{at - u - v, at + u - v, at + u + v, at - u + v}, {}}});
+        }
     }
 
     ObjectMesh& object(const std::string& kind, const MapNode& node) {
         kinds_.insert(kind);
         return composition_.model.object(kind + "/" + ElementId{ElementKind::node, node.id}.text());
-    }
-
-    void add_gate(const MapNode& node, const PathNode& here) {
-        constexpr double kPostHalf = 0.08;
-        const double half = half_gap(node.id);
-        const Point across = left_of(here.along);
-        const double ground = composition_.terrain.height(node.at);
-        ObjectMesh& mesh = object("gate", node);
-        for (const double side : {1.0, -1.0}) {
-            mesh.box(kGatePost, node.at + side * (half + kPostHalf) * across, here.along,
-                     Point(kPostHalf, kPostHalf), ground - 0.2, ground + 1.4);
-        }
-        const std::string_view barrier = node.tags.get("barrier");
-        if (barrier == "entrance") {
-            return;
-        }
-        if (barrier == "lift_gate") {  // raised, as walkers go through
-            const Point foot = node.at + half * across;
-            mesh.box(kBarrierRed, foot, here.along, Point(0.04, 0.04), ground + 0.9,
-                     ground + 0.9 + 2.0 * half);
-        } else if (is_closed(node.tags)) {
-            mesh.box(kGateSteel, node.at, across, Point(half, 0.03), ground + 0.05, ground + 1.35);
-        } else {  // the leaf is turned aside
-            mesh.box(kGateSteel, node.at + half * across + 0.5 * half * here.along, here.along,
-                     Point(0.5 * half, 0.03), ground + 0.1, ground + 1.3);
-        }
     }
 
     void add_bollards(const MapNode& node, const PathNode& here) {
@@ -216,6 +214,7 @@ private:
                                      ? node.at
                                      : Point(node.at + side * (0.5 + i) * kSpacing * left_of(here.along));
                 const double ground = composition_.terrain.height(at);
+                composition_.add_obstacle(at, 0.1);
                 mesh.cylinder(kGateSteel, at, 0.08, 0.08, 8, ground - 0.2, ground + 0.9);
                 if (here.path == nullptr) {
                     return;
@@ -229,6 +228,7 @@ private:
         for (const double side : {1.0, -1.0}) {
             const Point at = node.at + side * std::max(0.8, 0.6 * half) * left_of(here.along);
             const double ground = composition_.terrain.height(at);
+            composition_.add_obstacle(at, 0.45);
             object("block", node)
                 .box(kLines[1].look, at, here.along, Point(0.3, 0.3), ground - 0.2, ground + 0.7);
         }
@@ -241,6 +241,7 @@ private:
         for (const double side : {1.0, -1.0}) {
             const Point at = node.at + side * (0.8 * here.along + 0.5 * (half + kFree) * left_of(here.along));
             const double ground = composition_.terrain.height(at);
+            composition_.add_obstacle(at, 0.5 * half);
             object("cycle-barrier", node)
                 .box(kBarrierRed, at, left_of(here.along), Point(0.5 * (half - kFree), 0.03), ground - 0.1,
                      ground + 1.0);
@@ -253,19 +254,13 @@ public:
 private:
     Composition& composition_;
     std::unordered_map<std::int64_t, PathNode> on_path_;
-    std::unordered_map<std::int64_t, const MapNode*> gates_;
+    std::unordered_set<std::int64_t> gates_;
+    std::unordered_map<std::int64_t, std::vector<Point>> openings_;  ///< by gate: along the barrier
     BoxIndex paths_;
     std::set<std::string> kinds_;
 };
 
 }  // namespace
-
-bool is_gate(const Tags& tags) {
-    constexpr std::array<std::string_view, 10> kGates = {
-        "gate",      "swing_gate", "lift_gate",   "entrance",   "kissing_gate",
-        "turnstile", "stile",      "wicket_gate", "toll_booth", "sliding_gate"};
-    return std::ranges::find(kGates, tags.get("barrier")) != kGates.end();
-}
 
 void add_barriers(Composition& composition) {
     Barriers barriers(composition);

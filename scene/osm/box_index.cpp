@@ -7,9 +7,14 @@ namespace campuswalk::scene::osm {
 
 namespace {
 
-constexpr double kMaxCells = 1024.0;  // of a box, along an edge
+constexpr double kMaxCells = 4096.0;  // of a box; one that covers more is near everything
 
 }  // namespace
+
+bool BoxIndex::is_large(const Box& box) const {
+    const Point size = box.size() / cell_ + Point(1, 1);
+    return !(size.x() * size.y() < kMaxCells);
+}
 
 template <typename Visit>
 void BoxIndex::visit(const Box& box, const Visit& visit) const {
@@ -22,7 +27,7 @@ void BoxIndex::visit(const Box& box, const Visit& visit) const {
 }
 
 void BoxIndex::add(std::size_t number, const Box& box) {
-    if (!(box.size().maxCoeff() < kMaxCells * cell_)) {
+    if (is_large(box)) {
         everywhere_.push_back(number);
         return;
     }
@@ -31,11 +36,20 @@ void BoxIndex::add(std::size_t number, const Box& box) {
 
 std::vector<std::size_t> BoxIndex::near(const Box& box) const {
     std::vector<std::size_t> found = everywhere_;
-    visit(box, [&](std::int64_t key) {
-        if (const auto cell = cells_.find(key); cell != cells_.end()) {
-            found.insert(found.end(), cell->second.begin(), cell->second.end());
+    const auto take = [&](const std::vector<std::size_t>& numbers) {
+        found.insert(found.end(), numbers.begin(), numbers.end());
+    };
+    if (is_large(box)) {
+        for (const auto& [key, numbers] : cells_) {
+            take(numbers);
         }
-    });
+    } else {
+        visit(box, [&](std::int64_t key) {
+            if (const auto cell = cells_.find(key); cell != cells_.end()) {
+                take(cell->second);
+            }
+        });
+    }
     std::ranges::sort(found);
     const auto repeated = std::ranges::unique(found);
     found.erase(repeated.begin(), repeated.end());

@@ -20,6 +20,7 @@ public:
     std::vector<std::size_t> at(const Point& p) const { return near({p, p}); }
 
 private:
+    bool is_large(const Box& box) const;
     template <typename Visit>
     void visit(const Box& box, const Visit& visit) const;
 

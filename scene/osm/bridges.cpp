@@ -358,7 +358,8 @@ void warn_of_depths(const Map& map, const std::vector<Path>& paths, const Source
         }
         const std::string way = "way " + std::to_string(path.way->id);
         if (path.unbuilt) {
-            warnings.warning(mark, "underground", way + " runs below the ground; it isn't built");
+            warnings.warning(mark, "underground",
+                             way + " runs below the ground, or indoors on another floor; it isn't built");
         } else if (layer_of(path.way->tags) < 0.0 && !affirmed(path.way->tags, "tunnel")) {
             warnings.warning(mark, "underground", way + " has a layer below 0; it is at the ground");
         }

@@ -49,20 +49,29 @@ double limited(double height) {
     return std::clamp(height, 0.0, kMaxHeight);
 }
 
+/// A number of storeys, such as "building:levels"; what no building has counts as a mistake.
+std::optional<double> levels_of(const Tags& tags, const char* key) {
+    constexpr double kMost = 200.0;
+    const auto levels = number_of(tags, key);
+    return levels && *levels >= 0.0 && *levels <= kMost ? levels : std::nullopt;
+}
+
 /// Sets heights from tags: height, min_height, roof:height, or levels.
 void set_heights(const PlanGeometry& geometry, Volume& volume) {
     const Tags& tags = volume.tags;
     const auto height = length_of(tags, "height");
-    const auto levels = number_of(tags, "building:levels");
-    const double min_levels = number_of(tags, "building:min_level").value_or(0.0);
-    const double storeys = levels && *levels > 0.0
+    const auto levels = levels_of(tags, "building:levels");
+    const double min_levels = levels_of(tags, "building:min_level").value_or(0.0);
+    // A roof without storeys stands on the ground.
+    const bool only_roof = levels && *levels == 0.0 && levels_of(tags, "roof:levels").value_or(0.0) > 0.0;
+    const double storeys = levels && (*levels > 0.0 || only_roof)
                                ? *levels
                                : usual_levels(kind_of(tags), area_of(volume.footprint)) + min_levels;
     volume.bottom = limited(length_of(tags, "min_height").value_or(min_levels * kStorey));
     double roof_height = 0.0;
     if (volume.roof.shape != RoofShape::flat) {
         const auto tagged = length_of(tags, "roof:height");
-        const auto roof_levels = number_of(tags, "roof:levels");
+        const auto roof_levels = levels_of(tags, "roof:levels");
         const double span = half_span(volume.footprint, volume.roof, geometry);
         const double usual = volume.roof.shape == RoofShape::dome || volume.roof.shape == RoofShape::onion
                                  ? (volume.roof.shape == RoofShape::dome ? span : 2.5 * span)
@@ -70,7 +79,8 @@ void set_heights(const PlanGeometry& geometry, Volume& volume) {
         roof_height = tagged ? *tagged : roof_levels ? *roof_levels * kStorey : usual;
         if (const auto angle = number_of(tags, "roof:angle"); !tagged && angle && *angle > 0 && *angle < 80) {
             const collision::SinCos turn = collision::sin_cos(*angle * 0.017453292519943295);
-            roof_height = span * turn.sin / turn.cos;
+            const double run = volume.roof.shape == RoofShape::skillion ? 2.0 * span : span;
+            roof_height = run * turn.sin / turn.cos;
         }
         roof_height = limited(roof_height);
     }
@@ -78,7 +88,8 @@ void set_heights(const PlanGeometry& geometry, Volume& volume) {
         volume.top = limited(*height);
         roof_height = std::min(roof_height, std::max(0.0, volume.top - volume.bottom));
     } else {
-        volume.top = std::max(storeys * kStorey, volume.bottom + 0.5) + roof_height;
+        volume.top =
+            limited(std::max(storeys * kStorey, volume.bottom + (only_roof ? 0.0 : 0.5)) + roof_height);
     }
     volume.top = std::max(volume.top, volume.bottom + 0.1);
     volume.eaves = std::max(volume.bottom, volume.top - roof_height);
@@ -289,7 +300,7 @@ struct Opening {
 };
 
 std::vector<Opening> openings_of(const Volume& volume, const std::vector<const Passage*>& passages,
-                                 const Terrain& terrain) {
+                                 const PlanGeometry& geometry, const Terrain& terrain) {
     constexpr double kSlab = 0.3;  // that stays below the roof
     constexpr double kHeadroom = 2.2;
     const double bottom = volume.base + volume.bottom;
@@ -298,7 +309,8 @@ std::vector<Opening> openings_of(const Volume& volume, const std::vector<const P
     std::vector<Opening> openings;
     for (const Passage* passage : passages) {
         const double floor = std::max(bottom, passage->floor.value_or(bottom));
-        const double ground = passage->floor.value_or(terrain.highest(passage->area));
+        const double ground =
+            passage->floor.value_or(terrain.highest(geometry.intersection(passage->area, volume.footprint)));
         const double top = std::min(highest, ground + passage->height);
         if (top > floor) {
             openings.push_back({&passage->area, floor, top});
@@ -317,6 +329,21 @@ Polygons open_area(const std::vector<Opening>& openings, double low, double high
         }
     }
     return areas.empty() ? Polygons() : geometry.intersection(geometry.united(areas), footprint);
+}
+
+}  // namespace
+
+namespace {
+
+/// Whether a part is on the roof of its outline, rather than instead of it.
+bool is_on_top(const Tags& part, const Tags& outline) {
+    const auto roof = length_of(outline, "height");
+    const auto levels = levels_of(outline, "building:levels");
+    const double top = roof ? *roof : levels ? *levels * kStorey : kMaxHeight;
+    const double bottom =
+        length_of(part, "min_height").value_or(levels_of(part, "building:min_level").value_or(0.0) * kStorey);
+    constexpr double kSame = 0.05;  // metres
+    return bottom >= top - kSame;
 }
 
 }  // namespace
@@ -374,7 +401,9 @@ std::vector<Volume> volumes_of(const std::vector<MapArea>& areas, const PlanGeom
             constexpr double kSliver = 0.05;  // of the outline, where parts were drawn imprecisely
             std::vector<const Polygons*> covered;
             for (const std::size_t p : found->second) {
-                covered.push_back(&areas[p].polygons);
+                if (!is_on_top(areas[p].tags, area.tags)) {
+                    covered.push_back(&areas[p].polygons);
+                }
             }
             volume.footprint = geometry.difference(volume.footprint, geometry.united(covered));
             if (area_of(volume.footprint) < kSliver * area_of(area.polygons)) {
@@ -384,6 +413,13 @@ std::vector<Volume> volumes_of(const std::vector<MapArea>& areas, const PlanGeom
         volume.base = terrain.lowest(areas[owner[i]].polygons);
         set_roof(geometry, mark, volume, warnings);
         set_heights(geometry, volume);
+        for (const char* key : {"building:levels", "building:min_level"}) {
+            if (number_of(volume.tags, key) && !levels_of(volume.tags, key)) {
+                warnings.warning(mark, "odd-levels",
+                                 volume.id.text() + ": no building has " + key + "=" +
+                                     std::string(volume.tags.get(key)) + "; it is ignored");
+            }
+        }
         volumes.push_back(std::move(volume));
     }
     return volumes;
@@ -400,7 +436,7 @@ void add_volume(const Volume& volume, const std::vector<const Passage*>& passage
     const Facade facade(volume, wall, mesh);
     const double eaves = volume.base + volume.eaves;
     const double bottom = volume.base + volume.bottom;
-    const std::vector<Opening> openings = openings_of(volume, passages, terrain);
+    const std::vector<Opening> openings = openings_of(volume, passages, geometry, terrain);
     std::vector<double> heights = {bottom, eaves};
     for (const Opening& opening : openings) {
         heights.push_back(opening.bottom);

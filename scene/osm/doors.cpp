@@ -16,11 +16,11 @@ constexpr Look kMainLeaf = {{70, 84, 96}, 90, 255};
 
 /// A node of a building's outline.
 struct Door {
-    std::int64_t node = 0;
+    std::int64_t node = 0;  ///< nothing if it is assumed
     Point at = Point::Zero();
     std::size_t area = 0;
-    const Tags* tags = nullptr;         ///< null: not tagged
-    bool assumed = false;               ///< no node: `node` is the building's number
+    const Tags* tags = nullptr;  ///< null: not tagged
+    bool assumed = false;
     std::optional<double> height = {};  ///< of a bridge that leads to it; else it is at the ground
 };
 
@@ -108,7 +108,7 @@ public:
                 }
             }
             if (nearest < kNearest) {
-                add({building.id.number, at, area, nullptr, true});
+                add({0, at, area, nullptr, true});
             }
         }
     }
@@ -139,9 +139,9 @@ private:
         const Point out(wall.along.y(), -wall.along.x());  // rings run counter-clockwise, holes clockwise
         const MapArea& area = composition_.areas[door.area];
         const std::string building = draft_id("building", area.id);
-        const std::string number = std::to_string(door.node);
-        const std::string name = (door.assumed ? "assumed-entrance-" : "entrance-") +
-                                 (number.front() == '-' ? "new" + number.substr(1) : number);
+        const std::string name =
+            door.assumed ? draft_id("assumed-entrance", area.id)
+                         : draft_id("entrance", {ElementKind::way, door.node});  // no "n" before it
         const bool main = door.tags != nullptr && door.tags->is("entrance", "main");
         const bool in_passage = is_open_at(door.at);
         if (!in_passage) {

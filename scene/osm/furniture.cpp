@@ -147,13 +147,14 @@ struct Thing {
     std::string_view value;
     std::string_view name;  ///< of its nodes
     void (*add)(const Place&, ObjectMesh&);
+    double radius = 0.4;  ///< metres around its middle that it takes, below heads
 };
 
 constexpr std::array<Thing, 28> kThings = {{
     {"natural", "tree", "tree", add_tree},
-    {"natural", "shrub", "shrub", add_shrub},
-    {"amenity", "bench", "bench", add_bench},
-    {"leisure", "picnic_table", "bench", add_bench},
+    {"natural", "shrub", "shrub", add_shrub, 0.6},
+    {"amenity", "bench", "bench", add_bench, 1.0},
+    {"leisure", "picnic_table", "bench", add_bench, 1.0},
     {"highway", "street_lamp", "lamp", add_lamp},
     {"man_made", "utility_pole", "pole", add_pole},
     {"power", "pole", "pole", add_pole},
@@ -168,15 +169,15 @@ constexpr std::array<Thing, 28> kThings = {{
     {"amenity", "atm", "atm", add_box},
     {"man_made", "street_cabinet", "cabinet", add_box},
     {"power", "cabinet", "cabinet", add_box},
-    {"amenity", "bicycle_parking", "bicycle-stand", add_bicycle_stands},
+    {"amenity", "bicycle_parking", "bicycle-stand", add_bicycle_stands, 4.0},
     {"highway", "bus_stop", "stop-sign", add_stop_sign},
     {"railway", "tram_stop", "stop-sign", add_stop_sign},
     {"amenity", "taxi", "stop-sign", add_stop_sign},
-    {"tourism", "information", "board", add_board},
-    {"tourism", "artwork", "artwork", add_statue},
-    {"historic", "memorial", "memorial", add_statue},
-    {"historic", "monument", "memorial", add_statue},
-    {"amenity", "fountain", "fountain", add_fountain},
+    {"tourism", "information", "board", add_board, 0.6},
+    {"tourism", "artwork", "artwork", add_statue, 0.5},
+    {"historic", "memorial", "memorial", add_statue, 0.5},
+    {"historic", "monument", "memorial", add_statue, 0.5},
+    {"amenity", "fountain", "fountain", add_fountain, 1.5},
     {"emergency", "fire_hydrant", "hydrant", add_hydrant},
 }};
 
@@ -260,6 +261,7 @@ private:
         const Place place{at, facing_of(tags, facing), composition_.terrain.height(at), tags};
         thing.add(place, composition_.model.object(std::string(thing.name) + "/" + id));
         kinds_.insert(std::string(thing.name));
+        composition_.add_obstacle(at, thing.radius);
     }
 
     Composition& composition_;

@@ -81,6 +81,9 @@ void add_bridges(const BridgePlan& plan, Composition& composition) {
             deck_of(bridge, composition.geometry, composition.terrain, composition.paths, composition.mark,
                     composition.warnings);
         add_deck(parts, bridge, composition);
+        for (const DeckPart& part : parts) {
+            composition.obstacles.push_back(part.area);
+        }
     }
     composition.draft.solids.push_back({"bridge", {"bridge/*"}, "", "bridge", true});
 }
@@ -188,6 +191,11 @@ ImportedMap import_map(const MapRequest& request) {
     const std::vector<Surface> surfaces =
         surfaces_of(map, composition.paths, composition.areas, geometry, terrain);
     add_ground(surfaces, box, geometry, terrain, composition.model);
+    for (const Surface& surface : surfaces) {
+        if (surface.water) {
+            composition.obstacles.push_back(surface.area);
+        }
+    }
     composition.draft.solids.push_back({"ground", ground_globs(surfaces), "", "ground", false});
     add_steps(composition);
     add_buildings(composition);

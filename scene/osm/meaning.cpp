@@ -7,9 +7,8 @@
 #include <set>
 #include <string_view>
 
-#include "scene/osm/barriers.h"
 #include "scene/osm/doors.h"
-#include "scene/osm/path_nodes.h"
+#include "scene/osm/spawns.h"
 #include "scene/osm/tag_values.h"
 #include "scene/osm/triggers.h"
 
@@ -78,12 +77,6 @@ bool is_facility(const Tags& tags) {
                                                        "leisure", "historic", "healthcare", "craft"};
     return std::ranges::any_of(kKeys, [&](std::string_view key) { return affirmed(tags, key); }) ||
            tags.is("man_made", "tower");
-}
-
-bool is_stop(const Tags& tags) {
-    return tags.is("highway", "bus_stop") || tags.is("railway", "tram_stop") ||
-           tags.is("railway", "station") || tags.is("public_transport", "platform") ||
-           tags.is("public_transport", "station") || tags.is("amenity", "taxi");
 }
 
 std::string word_for(const Tags& tags) {
@@ -203,64 +196,6 @@ void add_titled_nodes(Composition& composition) {
     }
 }
 
-void add_spawn(Composition& composition, const std::string& name, const Point& at, const Point& towards) {
-    composition.draft.spawns.push_back({name, composition.world(at), yaw_towards(towards)});
-}
-
-/// On the path nearest to the middle that has room around it.
-void add_start(Composition& composition, const FreeGround& free) {
-    const Point middle = 0.5 * (composition.map.box.min + composition.map.box.max);
-    double nearest = 1e300;
-    Point at = middle;
-    Point towards(0, 1);
-    for (const Path& path : composition.paths) {
-        if (!path.for_walkers || !path.on_ground() || path.steps) {
-            continue;
-        }
-        for (std::size_t i = 0; i < path.way->points.size(); ++i) {
-            const Point& p = path.way->points[i];
-            const Point off = p - middle;
-            constexpr double kRoad = 50.0;  // metres of detour to stand beside the traffic
-            const double distance =
-                std::sqrt(off.x() * off.x() + off.y() * off.y()) + (path.width > 4.5 ? kRoad : 0.0);
-            if (distance < nearest && composition.map.box.grown(-2.0).contains(p) && free.at(p)) {
-                nearest = distance;
-                at = p;
-                towards = direction_at(path.way->points, i);
-            }
-        }
-    }
-    add_spawn(composition, "start", at, towards);
-}
-
-/// At gates a step away along the path, at stops beside them.
-void add_spawns(Composition& composition, const FreeGround& free) {
-    std::map<std::int64_t, std::pair<const MapWay*, std::size_t>> on_path;  // by node
-    for (const Path& path : composition.paths) {
-        for (std::size_t i = 0; path.for_walkers && path.on_ground() && i < path.way->nodes.size(); ++i) {
-            on_path.try_emplace(path.way->nodes[i], path.way, i);
-        }
-    }
-    constexpr double kStep = 2.0;
-    for (const MapNode& node : composition.map.nodes) {
-        const bool gate = is_gate(node.tags);
-        if (!composition.map.box.grown(-1.0).contains(node.at) || (!gate && !is_stop(node.tags))) {
-            continue;
-        }
-        Point towards(0, 1);
-        if (const auto found = on_path.find(node.id); found != on_path.end()) {
-            towards = direction_at(found->second.first->points, found->second.second);
-        }
-        for (const Point& at : {Point(node.at - kStep * towards), Point(node.at + kStep * towards)}) {
-            if (free.at(at) && composition.map.box.contains(at)) {
-                add_spawn(composition, draft_id(gate ? "gate" : "stop", {ElementKind::node, node.id}), at,
-                          node.at - at);
-                break;
-            }
-        }
-    }
-}
-
 }  // namespace
 
 void add_meaning(Composition& composition) {
@@ -269,7 +204,6 @@ void add_meaning(Composition& composition) {
     add_titled_nodes(composition);
     const FreeGround free(composition);
     add_doors(composition, free);
-    add_start(composition, free);
     add_spawns(composition, free);
 }
 

@@ -56,19 +56,21 @@ bool is_unbuilt(const Tags& tags) {
             (affirmed(tags, "tunnel") || affirmed(tags, "indoor") || tags.is("location", "underground")));
 }
 
+bool admits_walkers(const Tags& tags) {
+    constexpr std::array<std::string_view, 7> kRefusals = {
+        "no", "private", "use_sidepath", "military", "forestry", "agricultural", "delivery"};
+    const std::string_view value = tags.has("foot") ? tags.get("foot") : tags.get("access");
+    return std::ranges::find(kRefusals, value) == kRefusals.end();
+}
+
 bool open_to_walkers(const Tags& tags) {
     const std::string_view highway = tags.get("highway");
-    if (highway == "construction" || highway == "proposed" || highway_of(tags) == nullptr) {
+    if (highway_of(tags) == nullptr) {
         return false;
     }
-    const auto refuses = [](std::string_view value) {
-        return value == "no" || value == "private" || value == "use_sidepath";
-    };
-    if (tags.has("foot")) {
-        return !refuses(tags.get("foot"));
-    }
-    return !refuses(tags.get("access")) && !highway.starts_with("motorway") &&
-           !highway.starts_with("trunk") && highway != "busway" && highway != "bus_guideway";
+    const bool for_vehicles = highway.starts_with("motorway") || highway.starts_with("trunk") ||
+                              highway == "busway" || highway == "bus_guideway" || tags.is("motorroad", "yes");
+    return admits_walkers(tags) && (tags.has("foot") || !for_vehicles);
 }
 
 std::vector<Path> paths_of(const Map& map, const PlanGeometry& geometry) {

@@ -52,7 +52,11 @@ std::vector<Path> paths_of(const Map& map, const PlanGeometry& geometry);
 /// Whether the tags say that something is in a tunnel, or indoors at another level than the ground's.
 bool is_unbuilt(const Tags& tags);
 
-/// Whether the tags of a highway let people walk there (wiki.openstreetmap.org/wiki/Key:access).
+/// Whether "foot" and "access" let people in, of paths and gates
+/// (wiki.openstreetmap.org/wiki/Key:access).
+bool admits_walkers(const Tags& tags);
+
+/// Whether the tags of a highway let people walk there.
 bool open_to_walkers(const Tags& tags);
 
 /// What is open to walkers through buildings: tagged passages, and all paths that run into one.

@@ -53,15 +53,17 @@ RampLine beside(const FlightShape& shape, double side, double offset, double wid
 }
 
 /// Goes on straight beyond the foot while there is room.
-void extend(RampLine& line, double length, double ground, const FreeGround& free, const Composition& composition) {
-    constexpr double kStep = 0.5;       // metres
-    constexpr double kUneven = 0.5;     // metres that the ground there may differ from that at the foot
+void extend(RampLine& line, double length, double ground, const FreeGround& free,
+            const Composition& composition) {
+    constexpr double kStep = 0.5;    // metres
+    constexpr double kUneven = 0.5;  // metres that the ground there may differ from that at the foot
     const Point end = line.points.back();
     const Point left = line.left.back();
     const Point along = Point(unit(left).y(), -unit(left).x()) * -1.0;  // away from the top
     const auto usable = [&](const Point& p) {
-        return composition.map.box.contains(p) && std::abs(composition.terrain.height(p) - ground) < kUneven &&
-               free.at(p + left) && free.at(p - left);
+        return composition.map.box.contains(p) &&
+               std::abs(composition.terrain.height(p) - ground) < kUneven && free.at(p + left) &&
+               free.at(p - left);
     };
     double done = 0.0;
     while (done + kStep < length && usable(end + (done + 2.0 * kStep) * along)) {
@@ -93,9 +95,9 @@ void add_strip(const RampLine& line, double top, const Terrain& terrain, ObjectM
         const Point rb = line.points[i] - line.left[i];
         const double a = heights[i - 1];
         const double b = heights[i];
-        const double bottom = std::min({terrain.height(la), terrain.height(ra), terrain.height(lb),
-                                        terrain.height(rb), foot}) -
-                              kBelow;
+        const double bottom =
+            std::min({terrain.height(la), terrain.height(ra), terrain.height(lb), terrain.height(rb), foot}) -
+            kBelow;
         mesh.quad(kRampLook, {la, a}, {lb, b}, {rb, b}, {ra, a});
         mesh.quad(kRampLook, {lb, bottom}, {lb, b}, {la, a}, {la, bottom});
         mesh.quad(kRampLook, {ra, bottom}, {ra, a}, {rb, b}, {rb, bottom});
@@ -106,7 +108,7 @@ void add_strip(const RampLine& line, double top, const Terrain& terrain, ObjectM
 
 void add_step_ramps(const Path& path, const FlightShape& shape, const FreeGround& free,
                     Composition& composition) {
-    constexpr double kGentle = 12.0;   // metres of run for each of rise
+    constexpr double kGentle = 12.0;  // metres of run for each of rise
     constexpr double kSteepest = 6.0;
     const Tags& tags = path.way->tags;
     std::vector<RampKind> kinds;

@@ -103,6 +103,8 @@ void add_steps(Composition& composition) {
         if (affirmed(tags, "handrail:center")) {
             add_rail(shape, 0.0, mesh);
         }
+        composition.flights.push_back(
+            composition.geometry.polygon(outline_of_treads(path, composition.terrain)));
         add_step_ramps(path, shape, free, composition);
     }
     composition.draft.solids.push_back({"ramp", {"ramp/*"}, "", "ramp", true});  // left out if there is none

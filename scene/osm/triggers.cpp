@@ -1,5 +1,6 @@
 #include "scene/osm/triggers.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -50,21 +51,38 @@ const Volume* volume_at(const Composition& composition, const BoxIndex& volumes,
 }
 
 FreeGround::FreeGround(const Composition& composition)
-    : composition_(composition), index_(index_of_volumes(composition)) {}
-
-bool FreeGround::at(const Point& p) const {
-    for (const std::size_t i : index_.near(Box{p, p}.grown(kRoom))) {
-        const Volume& volume = composition_.volumes[i];
-        if (contains(volume.footprint, p)) {
-            return false;
-        }
-        for (const Polygon& polygon : volume.footprint) {
-            if (nearest_on(polygon.outer, true, p).distance < kRoom) {
-                return false;
+    : composition_(composition), volumes_(index_of_volumes(composition)) {
+    const auto add_all = [](const std::vector<Polygons>& areas, BoxIndex& index) {
+        for (std::size_t i = 0; i < areas.size(); ++i) {
+            if (!areas[i].empty()) {
+                index.add(i, box_of(areas[i]));
             }
         }
-    }
-    return true;
+    };
+    add_all(composition.obstacles, obstacles_);
+    add_all(composition.flights, flights_);
+}
+
+bool FreeGround::at(const Point& p) const {
+    const Box around = Box{p, p}.grown(kRoom);
+    return std::ranges::all_of(
+               volumes_.near(around),
+               [&](std::size_t i) { return is_clear_of(composition_.volumes[i].footprint, p); }) &&
+           std::ranges::all_of(obstacles_.near(around),
+                               [&](std::size_t i) { return is_clear_of(composition_.obstacles[i], p); });
+}
+
+bool FreeGround::is_start(const Point& p) const {
+    return at(p) && std::ranges::all_of(flights_.near(Box{p, p}.grown(kRoom)), [&](std::size_t i) {
+               return is_clear_of(composition_.flights[i], p);
+           });
+}
+
+bool FreeGround::is_clear_of(const Polygons& area, const Point& p) const {
+    const auto is_near = [&](const Ring& ring) { return nearest_on(ring, true, p).distance < kRoom; };
+    return std::ranges::none_of(area, [&](const Polygon& polygon) {
+        return contains(polygon, p) || is_near(polygon.outer) || std::ranges::any_of(polygon.holes, is_near);
+    });
 }
 
 void add_area_trigger(Composition& composition, const std::string& id, const std::string& building,

@@ -13,12 +13,18 @@ class FreeGround {
 public:
     explicit FreeGround(const Composition& composition);
 
-    /// Whether a visitor at `p` touches no building.
+    /// Whether a visitor at `p` touches no building and no obstacle that is there by now.
     bool at(const Point& p) const;
+    /// And stands on no flight of steps.
+    bool is_start(const Point& p) const;
 
 private:
+    bool is_clear_of(const Polygons& area, const Point& p) const;
+
     const Composition& composition_;
-    BoxIndex index_;
+    BoxIndex volumes_;
+    BoxIndex obstacles_;
+    BoxIndex flights_;
 };
 
 /// Degrees about +Y of a visitor who looks in a direction of the plan.

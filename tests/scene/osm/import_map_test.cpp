@@ -176,6 +176,66 @@ TEST_F(ImportMap, KeepsNamesInTheirScriptAndIdsInAscii) {
     EXPECT_NE(yaml.find("name-en: \"Library\""), std::string::npos) << yaml;
 }
 
+TEST_F(ImportMap, TakesHeightsFromLevels) {
+    const auto top = [&](const MapText::Tags& tags) {
+        MapText map;
+        MapText::Tags all = {{"building", "yes"}};
+        all.insert(all.end(), tags.begin(), tags.end());
+        const auto id = map.rectangle(-10, -5, 10, 5, all);
+        return bounds_of(import(map.xml()).model, "building/way-" + std::to_string(id)).max.y();
+    };
+    EXPECT_NEAR(top({{"building:levels", "4"}}), 12.0, 0.01);
+    EXPECT_NEAR(top({{"building:levels", "0"}, {"roof:levels", "1"}, {"roof:shape", "gabled"}}), 3.0, 0.01);
+    EXPECT_NEAR(top({{"building:levels", "2"}, {"roof:shape", "skillion"}, {"roof:angle", "30"}}),
+                6.0 + 10.0 * std::tan(std::numbers::pi / 6.0), 0.02)
+        << "over the whole breadth";
+    EXPECT_NEAR(top({{"building:levels", "2"}, {"roof:shape", "gabled"}, {"roof:angle", "30"}}),
+                6.0 + 5.0 * std::tan(std::numbers::pi / 6.0), 0.02)
+        << "over half of it";
+}
+
+TEST_F(ImportMap, KeepsWhatIsBelowAPartOnTheRoof) {
+    MapText map;
+    const auto id = map.rectangle(-10, -5, 10, 5, {{"building", "yes"}, {"height", "10"}});
+    map.rectangle(-5, -5, 5, 5, {{"building:part", "yes"}, {"height", "15"}, {"min_height", "10"}});
+    const Model model = import(map.xml()).model;
+    EXPECT_NEAR(volume_of(model, "building/way-" + std::to_string(id)), 2000.0, 2.0);
+}
+
+TEST_F(ImportMap, PavesAreasOfHighways) {
+    MapText map;
+    const auto outer = map.rectangle(-20, -20, 20, 20);
+    const auto inner = map.rectangle(-5, -5, 5, 5);
+    const auto id = map.relation({{outer, "outer"}, {inner, "inner"}},
+                                 {{"type", "multipolygon"}, {"highway", "pedestrian"}});
+    const Model model = import(map.xml()).model;
+    const std::string name = "pedestrian/relation-" + std::to_string(id);
+    ASSERT_NE(find(model, name), nullptr);
+    EXPECT_NEAR(plan_area(model, *find(model, name)), 1500.0, 1.5);
+}
+
+TEST_F(ImportMap, KeepsElementsOfOneNumberApart) {
+    const MapText::Tags hall = {{"building", "yes"}, {"name", "Hall"}};
+    MapText map;
+    map.rectangle(0, 10, 20, 20, hall);
+    const auto outer = map.rectangle(0, -20, 20, -10);
+    map.relation({{outer, "outer"}}, {{"type", "multipolygon"}, {"building", "yes"}, {"name", "Hall"}});
+    map.way({{-50, 0}, {50, 0}}, {{"highway", "footway"}});
+    std::string xml = map.xml();
+    const auto renumber = [&](const std::string& element) {
+        const auto at = xml.find("<" + element + " id=\"", xml.find("<" + element)) + element.size() + 6;
+        xml.replace(at, xml.find('"', at) - at, "777");
+    };
+    renumber("way");
+    renumber("relation");
+    const ImportedMap imported = import(xml);
+    std::set<std::string> names;
+    for (const DraftPlace& place : imported.draft.places) {
+        EXPECT_TRUE(names.insert(place.name).second) << place.name;
+    }
+    EXPECT_EQ(names.size(), 2U);
+}
+
 TEST_F(ImportMap, FindsDoorsAndPlacesInFrontOfThem) {
     MapText map;
     const auto door = map.node(10, 0, {{"entrance", "main"}});
@@ -239,8 +299,13 @@ TEST_F(ImportMap, SurvivesWhatMapsGetWrong) {
                    {"roof:height", "1e9"}});
     map.way({{-60, -60}, {60, 60}}, {{"highway", "footway"}, {"width", "0"}});
     map.way({{-60, 60}, {60, -60}}, {{"highway", "steps"}, {"step_count", "999999999"}, {"width", "1e9"}});
+    for (const char* key : {"building:levels", "building:min_level"}) {
+        map.rectangle(60, -60, 70, -50, {{"building", "yes"}, {key, "1000000000"}});
+        map.rectangle(60, -40, 70, -30, {{"building", "yes"}, {key, "2019"}});
+    }
     const ImportedMap imported = import(map.xml());
     EXPECT_TRUE(test::has_code(imported.warnings, "open-ring"));
+    EXPECT_EQ(std::ranges::count(imported.warnings, "odd-levels", &Diagnostic::code), 5);
     for (const Mesh& mesh : imported.model.meshes) {
         for (const Eigen::Vector3f& p : mesh.positions) {
             ASSERT_TRUE(p.allFinite()) << mesh.name;

@@ -86,7 +86,8 @@ TEST_F(Steps, HaveRampsForWheelchairsOfOneInTwelve) {
     const double length = bounds_of(model, ramp()).max.z() - bounds_of(model, ramp()).min.z();
     EXPECT_NEAR(length, 12.0 * rise, 1.0);
     for (double north = 6.0 - length + 1.0; north < -1.0; north += 1.0) {
-        const double slope = top_at(model, 1.6, north + 0.5, ramp()) - top_at(model, 1.6, north - 0.5, ramp());
+        const double slope =
+            top_at(model, 1.6, north + 0.5, ramp()) - top_at(model, 1.6, north - 0.5, ramp());
         EXPECT_NEAR(slope, rise / length, 0.03) << north;
     }
 }
