@@ -5,7 +5,6 @@
 #include <cmath>
 #include <set>
 #include <string_view>
-#include <unordered_set>
 #include <utility>
 
 #include "scene/osm/box_index.h"
@@ -75,7 +74,7 @@ public:
         }
         for (const MapNode& node : composition.map.nodes) {
             if (is_gate(node.tags)) {
-                gates_.insert(node.id);
+                gates_.emplace(node.id, is_closed(node.tags));
             }
         }
         for (const MapWay& way : composition.map.ways) {
@@ -160,7 +159,11 @@ private:
         std::vector<Polygons> gaps;
         std::vector<Point> gates;
         for (std::size_t i = 0; i < way.nodes.size(); ++i) {
-            if (gates_.contains(way.nodes[i])) {
+            if (const auto gate = gates_.find(way.nodes[i]); gate != gates_.end()) {
+                if (!gate->second) {  // where two barriers end, the gap is in both
+                    gaps.push_back(composition_.geometry.buffer(gate_opening(way, i, path_at(way.nodes[i])),
+                                                                0.5 * thickness + kDeep, Caps::flat));
+                }
                 gaps.push_back(composition_.geometry.buffer(openings_.at(way.nodes[i]),
                                                             0.5 * thickness + kDeep, Caps::flat));
                 gates.push_back(way.points[i]);
@@ -254,7 +257,7 @@ public:
 private:
     Composition& composition_;
     std::unordered_map<std::int64_t, PathNode> on_path_;
-    std::unordered_set<std::int64_t> gates_;
+    std::unordered_map<std::int64_t, bool> gates_;                   ///< whether they are closed
     std::unordered_map<std::int64_t, std::vector<Point>> openings_;  ///< by gate: along the barrier
     BoxIndex paths_;
     std::set<std::string> kinds_;

@@ -443,7 +443,7 @@ void add_volume(const Volume& volume, const std::vector<const Passage*>& passage
         heights.push_back(opening.top);
     }
     std::ranges::sort(heights);
-    heights.erase(std::ranges::unique(heights).begin(), heights.end());
+    heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
     Polygons below = volume.bottom > 0.0 ? Polygons() : volume.footprint;  // what is solid there
     for (std::size_t i = 1; i < heights.size(); ++i) {
         const Polygons open = open_area(openings, heights[i - 1], heights[i], volume.footprint, geometry);

@@ -37,12 +37,16 @@ std::string decimal(double value, int digits) {
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value == 0.0 ? 0.0 : value,
                                    std::chars_format::fixed, digits);
     std::string text(buffer.data(), end.ptr);
+    if (text.find('.') != std::string::npos) {  // cities have thousands of these
+        text.erase(text.find_last_not_of('0') + 1);
+        text.erase(text.find_last_not_of('.') + 1);
+    }
     return text.find_first_not_of("-0.") == std::string::npos ? text.substr(text.front() == '-' ? 1 : 0)
                                                               : text;
 }
 
 std::string list(const Eigen::Vector3d& v) {
-    return "[" + decimal(v.x(), 3) + ", " + decimal(v.y(), 3) + ", " + decimal(v.z(), 3) + "]";
+    return "[" + decimal(v.x(), 2) + ", " + decimal(v.y(), 2) + ", " + decimal(v.z(), 2) + "]";
 }
 
 std::string with_layer(const std::string& layer) {
@@ -89,7 +93,7 @@ std::string solid_yaml(const DraftSolid& solid) {
 std::string trigger_yaml(const DraftTrigger& trigger) {
     return "  - {id: " + trigger.id + ", shape: box, center: " + list(trigger.center) +
            ", size: " + list(trigger.size) +
-           (trigger.yaw_deg == 0.0 ? "" : ", yaw_deg: " + decimal(trigger.yaw_deg, 2)) + ", mode: trigger" +
+           (trigger.yaw_deg == 0.0 ? "" : ", yaw_deg: " + decimal(trigger.yaw_deg, 1)) + ", mode: trigger" +
            (trigger.building.empty() ? "" : ", building: " + trigger.building) + with_layer(trigger.layer) +
            "}\n";
 }

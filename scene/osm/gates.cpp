@@ -14,11 +14,6 @@ constexpr Look kGatePost = {{120, 112, 100}, 220, 255};
 constexpr Look kBarrierRed = {{190, 60, 50}, 200, 255};
 constexpr double kHalfGate = 0.9;  // metres, without a path
 
-/// Whether nobody gets through.
-bool is_closed(const Tags& tags) {
-    return !admits_walkers(tags) || (tags.is("locked", "yes") && !tags.has("foot"));
-}
-
 /// The points of a line within a distance of one of its points, on one side of it; nearest first.
 std::vector<Point> part_of(const MapWay& way, std::size_t place, bool forwards, double reach) {
     std::vector<Point> part;
@@ -54,6 +49,10 @@ bool is_gate(const Tags& tags) {
     return std::ranges::find(kGates, tags.get("barrier")) != kGates.end();
 }
 
+bool is_closed(const Tags& tags) {
+    return !admits_walkers(tags) || (tags.is("locked", "yes") && !tags.has("foot"));
+}
+
 double sine_between(const Point& a, const Point& b) {
     constexpr double kLeast = 1.0 / 3.0;
     return std::max(kLeast, std::abs(a.x() * b.y() - a.y() * b.x()));
@@ -62,13 +61,22 @@ double sine_between(const Point& a, const Point& b) {
 std::vector<Point> gate_opening(const MapWay& barrier, std::size_t place, const PathNode& path) {
     double half = kHalfGate;
     if (path.path != nullptr) {
-        half = std::max(half, 0.5 * path.path->width /
-                                  sine_between(direction_at(barrier.points, place), path.along));
+        half = std::max(
+            half, 0.5 * path.path->width / sine_between(direction_at(barrier.points, place), path.along));
     }
     std::vector<Point> opening = part_of(barrier, place, false, half);
+    std::vector<Point> after = part_of(barrier, place, true, half);
+    // Where the barrier ends, or another one begins, straight on.
+    const Point& at = barrier.points[place];
+    const Point along = direction_at(barrier.points, place);
+    if (opening.empty()) {
+        opening.push_back(at - half * along);
+    }
+    if (after.empty()) {
+        after.push_back(at + half * along);
+    }
     std::ranges::reverse(opening);
-    opening.push_back(barrier.points[place]);
-    const std::vector<Point> after = part_of(barrier, place, true, half);
+    opening.push_back(at);
     opening.insert(opening.end(), after.begin(), after.end());
     return opening;
 }
@@ -88,7 +96,8 @@ void add_gate(const MapNode& node, const std::vector<Point>& opening, Compositio
     const Point first = unit(opening[1] - opening[0]);
     const Point last = unit(opening.back() - opening[opening.size() - 2]);
     const double ground = composition.terrain.height(node.at);
-    for (const auto& [at, along] : {std::pair<Point, Point>{opening.front(), -first}, {opening.back(), last}}) {
+    for (const auto& [at, along] :
+         {std::pair<Point, Point>{opening.front(), -first}, {opening.back(), last}}) {
         const Point post = at + kPostHalf * along;
         const double foot = composition.terrain.height(post);
         mesh.box(kGatePost, post, along, Point(kPostHalf, kPostHalf), foot - 0.2, foot + 1.4);
@@ -103,8 +112,8 @@ void add_gate(const MapNode& node, const std::vector<Point>& opening, Compositio
             const Point d = opening[i] - opening[i - 1];
             const double half = 0.5 * std::sqrt(d.x() * d.x() + d.y() * d.y());
             const Point middle = 0.5 * (opening[i] + opening[i - 1]);
-            const double foot = std::min(composition.terrain.height(opening[i]),
-                                         composition.terrain.height(opening[i - 1]));
+            const double foot =
+                std::min(composition.terrain.height(opening[i]), composition.terrain.height(opening[i - 1]));
             mesh.box(kGateSteel, middle, unit(d), Point(half, 0.03), foot + 0.05, foot + 1.35);
             composition.add_obstacle(middle, half * unit(d), 0.03 * left_of(unit(d)));
         }

@@ -10,6 +10,9 @@ namespace campuswalk::scene::osm {
 /// Whether a node is a gate or another opening in a barrier.
 bool is_gate(const Tags& tags);
 
+/// Whether a gate lets no walkers through.
+bool is_closed(const Tags& tags);
+
 /// Of the angle between two unit directions, at least a third: gaps for paths that run along a barrier end.
 double sine_between(const Point& a, const Point& b);
 

@@ -35,7 +35,13 @@ public:
             Polygon{{tile.min, {tile.max.x(), tile.min.y()}, tile.max, {tile.min.x(), tile.max.y()}}, {}}};
         std::vector<GroundPiece> pieces;
         for (const std::size_t i : here) {
+            if (rest.empty()) {
+                break;
+            }
             const Surface& surface = surfaces_[i];
+            if (!geometry_.intersects(surface.area, rest)) {
+                continue;  // far cheaper than an overlay
+            }
             const Polygons inside = geometry_.clipped(surface.area, tile);
             Polygons piece = geometry_.intersection(inside, rest);
             if (piece.empty()) {

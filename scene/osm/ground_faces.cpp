@@ -30,7 +30,7 @@ public:
         std::ranges::sort(vertices_, [](const Point& a, const Point& b) {
             return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());
         });
-        vertices_.erase(std::ranges::unique(vertices_).begin(), vertices_.end());
+        vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
     }
 
     void add(const GroundPiece& piece) {

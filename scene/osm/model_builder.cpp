@@ -56,7 +56,11 @@ Mesh welded(const std::vector<std::array<Eigen::Vector3f, 3>>& triangles) {
     std::vector<std::array<std::uint32_t, 3>> faces;
     std::unordered_map<VertexKey, std::uint32_t, VertexHash> known;
     faces.reserve(triangles.size());
+    constexpr std::size_t kMostKnown = 1U << 15U;  // what is shared was added together: the rest is forgotten
     for (const auto& [a, b, c] : triangles) {
+        if (known.size() > kMostKnown) {
+            known.clear();
+        }
         const Eigen::Vector3d ab = (b - a).cast<double>();
         const Eigen::Vector3d ac = (c - a).cast<double>();
         const Eigen::Vector3d cross(ab.y() * ac.z() - ab.z() * ac.y(), ab.z() * ac.x() - ab.x() * ac.z(),

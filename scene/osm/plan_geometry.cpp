@@ -337,6 +337,15 @@ Polygons PlanGeometry::clipped(const Polygons& polygons, const Box& box) const {
         polygons, {Polygon{{box.min, {box.max.x(), box.min.y()}, box.max, {box.min.x(), box.max.y()}}, {}}});
 }
 
+bool PlanGeometry::intersects(const Polygons& a, const Polygons& b) const {
+    if (a.empty() || b.empty() || !box_of(a).overlaps(box_of(b))) {
+        return false;
+    }
+    const Impl::Geometry first = impl_->geometry(a);
+    const Impl::Geometry second = impl_->geometry(b);
+    return GEOSIntersects_r(impl_->context, first.get(), second.get()) != 0;  // or it failed
+}
+
 Polygons PlanGeometry::difference(const Polygons& a, const Polygons& b) const {
     if (a.empty() || b.empty() || !box_of(a).overlaps(box_of(b))) {
         return a;

@@ -67,6 +67,8 @@ public:
     Polygons left_side(const std::vector<Point>& line, double distance) const;
     Polygons grown(const Polygons& polygons, double by) const;
     Polygons clipped(const Polygons& polygons, const Box& box) const;
+    /// Whether they touch or overlap.
+    bool intersects(const Polygons& a, const Polygons& b) const;
     Polygons difference(const Polygons& a, const Polygons& b) const;
     Polygons intersection(const Polygons& a, const Polygons& b) const;
     Polygons united(const std::vector<const Polygons*>& all) const;

@@ -191,8 +191,9 @@ private:
 template <typename Element>
 void sort_unique(std::vector<Element>& elements) {
     std::ranges::stable_sort(elements, {}, &Element::id);
-    const auto repeated = std::ranges::unique(elements, {}, &Element::id);
-    elements.erase(repeated.begin(), repeated.end());
+    elements.erase(std::unique(elements.begin(), elements.end(),
+                               [](const Element& a, const Element& b) { return a.id == b.id; }),
+                   elements.end());
 }
 
 void set_boxes(const GeographicBox& geographic, const Projection& projection, const SourceMark& mark,

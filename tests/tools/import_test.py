@@ -47,7 +47,7 @@ class ImportTest(ProgramCase):
         campus = self.text("out/a.campus.yaml")
         self.assertIn("도서관", campus)
         self.assertIn("entrance-5:", campus)
-        self.assertIn("latitude_deg: 0.000000000", campus)
+        self.assertIn("latitude_deg: 0,", campus)
         self.assertIn("OpenStreetMap contributors", self.text("out/ATTRIBUTION.md"))
         walk = self.text("out/a.walk.yaml")
         self.assertIn("go_to: entrance-5", walk)
@@ -87,7 +87,7 @@ class ImportTest(ProgramCase):
     def test_cuts_a_section(self):
         self.write("a.osm", map_xml())
         self.assertEqual(self.import_map("--bbox", "-0.0004,-0.0007,0.0003,0.0003", "--name", "part").code, 0)
-        self.assertIn("latitude_deg: -0.000050000", self.text("out/part.campus.yaml"))
+        self.assertIn("latitude_deg: -0.00005,", self.text("out/part.campus.yaml"))
         self.assertEqual(self.import_map("--center", "0,0", "--radius", "50", folder="square").code, 0)
         for bad in (("--bbox", "1,2,3"), ("--bbox", "3,0,1,1"), ("--center", "0,0"), ("--radius", "5"),
                     ("--bbox", "10,10,10.001,10.001")):
@@ -145,6 +145,27 @@ class ImportTest(ProgramCase):
             self.write("out/cross.walk.yaml", "campus: a.campus.yaml\navatar: delivery-robot\nsteps:\n"
                        "  - spawn: {at: [0, 0, 20]}\n  - walk_to: [0, -20]\n")
             self.assertEqual(self.run_program("run", self.path("out/cross.walk.yaml")).code, 0 if crosses else 1, kerb)
+
+    def test_changes_nothing_if_it_fails_and_takes_any_file_name(self):
+        self.write("a.osm", map_xml())
+        self.assertEqual(self.import_map().code, 0)
+        before = self.contents()
+        self.write("a.osm", "no map")
+        self.assertEqual(self.import_map("--overwrite").code, 2)
+        self.write("a.osm", map_xml())
+        self.assertEqual(self.contents(), before)
+        self.write("map (1).osm", map_xml())
+        outcome = self.import_map(name="map (1).osm", folder="other")
+        self.assertEqual(outcome.code, 0, outcome.err)
+        self.assertIn("map-1.walk.yaml", os.listdir(self.path("other")))
+        self.assertEqual(self.import_map("--name", "../x", folder="third").code, 2)
+        self.assertFalse(os.path.exists(self.path("third")))
+
+    def test_says_when_its_walk_visits_nothing(self):
+        self.write("a.osm", map_xml(ways={12: WAYS[12]}))
+        outcome = self.import_map()
+        self.assertEqual(outcome.code, 0, outcome.err)
+        self.assertIn("warning no-visits", outcome.err)
 
     def test_refuses_what_is_no_map(self):
         good = map_xml()

@@ -42,6 +42,8 @@ class Map:
         self.origin = geocentric(*self.middle)
         self.nodes = {n.get("id"): self.project(float(n.get("lat")), float(n.get("lon"))) for n in root.iter("node")
                       if n.get("lat")}
+        self.closed_gates = [self.nodes[n.get("id")] for n in root.iter("node") if n.get("lat") and is_closed_gate(
+            {t.get("k"): t.get("v") for t in n.findall("tag")})]
         self.above = set()  # nodes of bridges and of what leads to them
         for way in root.iter("way"):
             tags = {t.get("k"): t.get("v") for t in way.findall("tag")}
@@ -73,6 +75,12 @@ class Map:
 def is_building(tags):
     """Whether tags are those of a building with walls."""
     return tags.get("building", "no") not in ("no", "roof")
+
+
+def is_closed_gate(tags):
+    """Whether tags are those of a gate that lets no walkers through."""
+    refused = tags.get("foot", tags.get("access")) in ("no", "private")
+    return "gate" in tags.get("barrier", "") and (refused or (tags.get("locked") == "yes" and "foot" not in tags))
 
 
 def is_open(tags):
@@ -265,7 +273,8 @@ def walk_all(program, the_map, folder):
     outlines = [(points, box_of(points)) for points in the_map.buildings if len(points) > 1]
     walked = {}
     left = list(dict.fromkeys(pieces_of(the_map)))
-    arrived = {p for piece in left for p in (piece.start, piece.end) if not is_inside(p, outlines)}
+    arrived = {p for piece in left for p in (piece.start, piece.end) if not is_inside(p, outlines)
+               and all(math.dist(p, gate) > 0.5 for gate in the_map.closed_gates)}
     order = {piece: i for i, piece in enumerate(left)}
     while True:
         now = [piece if piece.start in arrived else backwards(piece) for piece in left

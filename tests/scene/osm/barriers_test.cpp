@@ -50,7 +50,8 @@ protected:
 TEST_F(Barriers, AreClosedAtLockedGates) {
     for (const double degrees : {0.0, 90.0, 45.0, -30.0}) {
         for (const char* width : {static_cast<const char*>(nullptr), "4"}) {
-            for (const MapText::Tags& tags : {MapText::Tags{{"locked", "yes"}}, {{"access", "private"}},
+            for (const MapText::Tags& tags : {MapText::Tags{{"locked", "yes"}},
+                                              {{"access", "private"}},
                                               {{"foot", "no"}, {"access", "yes"}}}) {
                 MapText map = fence_with_gate(degrees, tags, width);
                 EXPECT_LT(free_length(import(map.xml()).model), 0.11)

@@ -37,13 +37,33 @@ struct ImportOptions {
     bool overwrite = false;
 };
 
-/// A file name's first part, as a word that file names can have everywhere.
+/// Characters that names of campus and walk files may have everywhere.
+bool is_plain(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+           c == '_' || static_cast<unsigned char>(c) >= 0x80;
+}
+
+/// That of --name, or the map's file's first part: "map (1).osm" makes "map-1".
 std::string name_of(const ImportOptions& options) {
     if (options.name) {
+        if (options.name->empty() || !std::ranges::all_of(*options.name, is_plain)) {
+            throw error_about("--name", "bad-value",
+                              "'" + *options.name + "' is no name; use letters, digits, '-' and '_'");
+        }
         return *options.name;
     }
-    std::string name = options.map.filename().string();
-    name = name.substr(0, name.find('.'));
+    const std::string file = options.map.filename().string();
+    std::string name;
+    for (const char c : file.substr(0, file.find('.'))) {
+        if (is_plain(c)) {
+            name += c;
+        } else if (!name.empty() && name.back() != '-') {
+            name += '-';
+        }
+    }
+    while (!name.empty() && name.back() == '-') {
+        name.pop_back();
+    }
     return name.empty() ? "campus" : name;
 }
 
@@ -120,7 +140,17 @@ int import_osm(const ImportOptions& options) {
     request.section = section_of(options);
     const scene::osm::MapFiles contents = read_osm_map(request);
     print_warnings(contents.warnings);
-    const std::size_t visits = write_campus_files(contents, files);
+    const std::size_t visits = write_campus_files(contents, files, options.map);
+    if (visits == 0) {
+        scene::Diagnostic warning;
+        warning.severity = scene::Severity::warning;
+        warning.mark.file = options.map.string();
+        warning.code = "no-visits";
+        warning.message = contents.places.empty()
+                              ? "it has no door that a walk could visit; the walk only stands at the start"
+                              : "no door near the start can be reached; the walk only stands there";
+        diagnose({warning});
+    }
     const auto shown = [](const fs::path& path) { return path.lexically_normal().generic_string(); };
     print_line("%s: %s", shown(files.model).c_str(), scene::plural(contents.triangles, "triangle").c_str());
     print_line("%s: %s with a name, %s, %s", shown(files.campus).c_str(),

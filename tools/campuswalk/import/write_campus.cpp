@@ -6,10 +6,13 @@
 #include <utility>
 #include <vector>
 
-#include "engine/events/decimals.h"
+#include <unistd.h>
+
+#include "config/loader/yaml/source_text.h"
 #include "engine/simulation/run_walk.h"
 #include "scene/base/atomic_file.h"
 #include "tools/campuswalk/base/json_text.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/loading/walk_loader.h"
 
 namespace campuswalk::tools {
@@ -24,30 +27,30 @@ using scene::osm::MapFiles;
 constexpr std::size_t kMaxVisits = 3;
 constexpr double kFarthest = 200.0;  // metres from one visit to the next
 
-/// Removes the files that were new, unless all were written.
-class NewFiles {
+/// A folder beside the files to write, which goes away with everything in it.
+class Workshop {
 public:
-    NewFiles() = default;
-    NewFiles(const NewFiles&) = delete;
-    NewFiles& operator=(const NewFiles&) = delete;
-    ~NewFiles() {
+    explicit Workshop(const fs::path& folder)
+        : made_folder_(!fs::exists(folder)),
+          folder_(folder),
+          path_(folder / (".import-" + std::to_string(getpid()))) {
+        fs::create_directories(path_);
+    }
+    Workshop(const Workshop&) = delete;
+    Workshop& operator=(const Workshop&) = delete;
+    ~Workshop() {
         std::error_code ignored;
-        for (const fs::path& file : files_) {
-            fs::remove(file, ignored);
+        fs::remove_all(path_, ignored);
+        if (made_folder_) {
+            fs::remove(folder_, ignored);  // only if nothing is in it
         }
     }
-    void write(const fs::path& file, std::string_view contents) {
-        std::error_code ignored;
-        const bool is_new = !fs::exists(file, ignored);
-        scene::write_file_atomically(file, contents);
-        if (is_new) {
-            files_.push_back(file);
-        }
-    }
-    void finish() { files_.clear(); }
+    const fs::path& path() const { return path_; }
 
 private:
-    std::vector<fs::path> files_;
+    bool made_folder_;
+    fs::path folder_;
+    fs::path path_;
 };
 
 std::string visit_yaml(const std::vector<const DraftPlace*>& visits, const std::string& campus_file) {
@@ -87,7 +90,7 @@ bool passes(const fs::path& walk_file, WalkLoader& loader) {
 
 /// Adds visits one by one, each played with those before it.
 std::vector<const DraftPlace*> playable_visits(const MapFiles& contents, const CampusFiles& files,
-                                               WalkLoader& loader, NewFiles& written) {
+                                               WalkLoader& loader) {
     constexpr std::size_t kMaxTries = 8;
     std::vector<const DraftPlace*> visits;
     Eigen::Vector3d here = Eigen::Vector3d::Zero();
@@ -102,7 +105,7 @@ std::vector<const DraftPlace*> playable_visits(const MapFiles& contents, const C
                 continue;
             }
             visits.push_back(place);
-            written.write(files.walk, visit_yaml(visits, files.campus.filename().string()));
+            scene::write_file_atomically(files.walk, visit_yaml(visits, files.campus.filename().string()));
             ++tries;
             if (passes(files.walk, loader)) {
                 here = place->at;
@@ -127,21 +130,43 @@ CampusFiles campus_files_in(const fs::path& folder, const std::string& name) {
             folder / "ATTRIBUTION.md"};
 }
 
-std::size_t write_campus_files(const MapFiles& contents, const CampusFiles& files) {
-    NewFiles written;
-    written.write(files.model, contents.glb);
-    written.write(files.campus, contents.campus_yaml);
-    written.write(files.attribution, contents.attribution);
-    config::SearchPaths search = search_paths();
-    search.roots.push_back(fs::absolute(files.campus).parent_path());
-    WalkLoader loader([](const std::vector<scene::Diagnostic>&) {}, std::move(search));
-    const std::vector<const DraftPlace*> visits = playable_visits(contents, files, loader, written);
-    written.write(files.walk, visit_yaml(visits, files.campus.filename().string()));
-    if (!passes(files.walk, loader)) {
-        throw std::runtime_error("the walk of the imported campus doesn't pass; please report this map");
+std::size_t write_campus_files(const MapFiles& contents, const CampusFiles& files, const fs::path& map) {
+    if (contents.campus_yaml.size() > config::kMaxSourceBytes) {
+        throw error_about(map, "too-large",
+                          "its names and doors make a campus file of " +
+                              std::to_string(contents.campus_yaml.size()) + " bytes, and the limit is " +
+                              std::to_string(config::kMaxSourceBytes) +
+                              "; choose a part of the map with --bbox or --center");
     }
-    written.finish();
-    return visits.size();
+    const Workshop workshop(files.campus.parent_path());
+    const auto inside = [&](const fs::path& file) { return workshop.path() / file.filename(); };
+    const CampusFiles drafts{inside(files.model), inside(files.campus), inside(files.walk),
+                             inside(files.attribution)};
+    scene::write_file_atomically(drafts.model, contents.glb);
+    scene::write_file_atomically(drafts.campus, contents.campus_yaml);
+    scene::write_file_atomically(drafts.attribution, contents.attribution);
+    config::SearchPaths search = search_paths();
+    search.roots.push_back(fs::absolute(workshop.path()));
+    WalkLoader loader([](const std::vector<scene::Diagnostic>&) {}, std::move(search));
+    std::size_t count = 0;
+    try {
+        const std::vector<const DraftPlace*> visits = playable_visits(contents, drafts, loader);
+        scene::write_file_atomically(drafts.walk, visit_yaml(visits, files.campus.filename().string()));
+        if (!passes(drafts.walk, loader)) {
+            throw std::runtime_error("the walk of the imported campus doesn't pass; please report this map");
+        }
+        count = visits.size();
+    } catch (const scene::InputError& error) {  // about files that the user has never seen
+        throw std::runtime_error("the imported campus isn't valid; please report this map: " +
+                                 std::string(error.what()));
+    }
+    for (const auto& [draft, file] : {std::pair(drafts.model, files.model),
+                                      {drafts.campus, files.campus},
+                                      {drafts.attribution, files.attribution},
+                                      {drafts.walk, files.walk}}) {
+        fs::rename(draft, file);
+    }
+    return count;
 }
 
 }  // namespace campuswalk::tools

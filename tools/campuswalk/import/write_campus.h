@@ -17,8 +17,11 @@ struct CampusFiles {
 
 CampusFiles campus_files_in(const std::filesystem::path& folder, const std::string& name);
 
-/// Writes the campus, and a walk from its start to doors nearby that passes: it has been played. If something
-/// fails, none of the files is left. Returns how many doors it visits.
-std::size_t write_campus_files(const scene::osm::MapFiles& contents, const CampusFiles& files);
+/// Writes the campus, and a walk from its start to doors nearby that passes: it has been played, in a folder
+/// of its own, from which all files are moved at the end. If something fails, nothing has changed. Returns
+/// how many doors it visits. Throws scene::InputError about `map` if it makes more than a campus file may
+/// have.
+std::size_t write_campus_files(const scene::osm::MapFiles& contents, const CampusFiles& files,
+                               const std::filesystem::path& map);
 
 }  // namespace campuswalk::tools
