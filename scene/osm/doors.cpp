@@ -36,6 +36,9 @@ public:
         for (const Volume& volume : composition.volumes) {
             walled_.insert(volume.building);
         }
+        for (const std::size_t area : walled_) {
+            outlines_.add(area, box_of(composition.areas[area].polygons));
+        }
         for (std::size_t i = 0; i < composition.openings.size(); ++i) {
             openings_.add(i, box_of(composition.openings[i]));
         }
@@ -50,8 +53,13 @@ public:
 
     void add_tagged() {
         for (const MapNode& node : composition_.map.nodes) {
-            if (const auto wall = on_wall_.find(node.id); wall != on_wall_.end() && is_entrance(node.tags)) {
+            if (!is_entrance(node.tags) || number_of(node.tags, "level").value_or(0.0) != 0.0) {
+                continue;  // of other floors
+            }
+            if (const auto wall = on_wall_.find(node.id); wall != on_wall_.end()) {
                 add({node.id, node.at, wall->second, &node.tags, false});
+            } else if (affirmed(node.tags, "entrance")) {
+                add_beside(node);
             }
         }
     }
@@ -114,6 +122,30 @@ public:
     }
 
 private:
+    /// At the nearest wall: some are drawn beside it.
+    void add_beside(const MapNode& node) {
+        constexpr double kFarthest = 3.0;  // metres
+        double nearest = kFarthest;
+        Point at = node.at;
+        std::optional<std::size_t> area;
+        for (const std::size_t i : outlines_.near(Box{node.at, node.at}.grown(kFarthest))) {
+            for (const Polygon& polygon : composition_.areas[i].polygons) {
+                const Nearest wall = nearest_on(polygon.outer, true, node.at);
+                if (wall.distance < nearest) {
+                    nearest = wall.distance;
+                    at = wall.at;
+                    area = i;
+                }
+            }
+        }
+        if (area) {
+            add({node.id, at, *area, &node.tags, false});
+        } else if (composition_.map.box.contains(node.at)) {
+            composition_.warn("entrance-without-wall",
+                              "node " + std::to_string(node.id) + " is an entrance, but no wall is near");
+        }
+    }
+
     void add(const Door& door) {
         if (!composition_.map.box.contains(door.at) || (!door.assumed && !done_.insert(door.node).second)) {
             return;
@@ -196,6 +228,7 @@ private:
     const FreeGround& free_;
     std::set<std::size_t> walled_;
     BoxIndex openings_;
+    BoxIndex outlines_;                                      ///< of areas with walls
     BoxIndex volumes_;                                       ///< that stand on the ground
     std::unordered_map<std::int64_t, std::size_t> on_wall_;  ///< areas by node
     std::set<std::int64_t> done_;

@@ -50,6 +50,13 @@ std::string field_word(std::string_view text) {
     return word;
 }
 
+/// Whether the rest of "name:…" is a language, such as "en" or "zh-Hant", rather than "etymology".
+bool is_language(std::string_view text) {
+    const std::size_t length = std::min(text.find_first_of("-_"), text.size());
+    return (length == 2 || length == 3) &&
+           std::ranges::all_of(text.substr(0, length), [](char c) { return c >= 'a' && c <= 'z'; });
+}
+
 std::string address_of(const Tags& tags) {
     std::string address(tags.get("addr:street"));
     const auto append = [&](std::string_view key, const char* separator) {
@@ -100,7 +107,9 @@ DraftBuilding description_of(const std::string& id, const Tags& tags) {
     constexpr std::string_view kName = "name:";
     std::set<std::string> taken;
     for (const auto& [key, value] : tags.all()) {
-        if (key.starts_with(kName) && value != building.title) {
+        constexpr std::size_t kMostLanguages = 20;
+        if (key.starts_with(kName) && value != building.title && taken.size() < kMostLanguages &&
+            is_language(std::string_view(key).substr(kName.size()))) {
             const std::string field = "name-" + field_word(std::string_view(key).substr(kName.size()));
             if (field.size() > 5 && taken.insert(field).second) {
                 building.info.emplace_back(field, value);

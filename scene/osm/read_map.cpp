@@ -61,7 +61,9 @@ void take_node(const osmium::Node& node, RawMap& raw) {
         ++raw.bad_locations;
         return;
     }
-    raw.locations[node.id()] = at;
+    if (!raw.locations.try_emplace(node.id(), at).second) {
+        return;  // the first of several, as of ways
+    }
     if (!node.tags().empty()) {
         raw.nodes.emplace_back(node.id(), tags_of(node.tags()));
     }
@@ -161,10 +163,14 @@ GeographicBox box_to_read(const RawMap& raw, const MapSection& section) {
 /// Projects elements and keeps those near the box.
 class Projector {
 public:
-    Projector(const RawMap& raw, const Projection& projection) {
+    Projector(const RawMap& raw, const Projection& projection, double latitude, double longitude) {
         points_.reserve(raw.locations.size());
+        constexpr double kFarthest = 60.0;  // degrees: the plane doesn't know the Earth's other side
         for (const auto& [id, at] : raw.locations) {
-            points_.emplace(id, projection.project(at.lat(), at.lon()));
+            const double east = std::abs(at.lon() - longitude);
+            if (std::abs(at.lat() - latitude) < kFarthest && std::min(east, 360.0 - east) < kFarthest) {
+                points_.emplace(id, projection.project(at.lat(), at.lon()));
+            }
         }
     }
     const Point* at(std::int64_t node) const {
@@ -218,11 +224,13 @@ void set_boxes(const GeographicBox& geographic, const Projection& projection, co
 
 Map local_map(RawMap raw, const SourceMark& mark, const MapSection& section, DiagnosticList& warnings) {
     const GeographicBox box = box_to_read(raw, section);
-    const Projection projection(0.5 * (box.south + box.north), 0.5 * (box.west + box.east));
+    const double latitude = 0.5 * (box.south + box.north);
+    const double longitude = 0.5 * (box.west + box.east);
+    const Projection projection(latitude, longitude);
     Map map;
     set_boxes(box, projection, mark, map);
     const Box near = map.box.grown(kMargin);
-    const Projector projector(raw, projection);
+    const Projector projector(raw, projection, latitude, longitude);
     for (auto& [id, tags] : raw.nodes) {
         if (const Point* at = projector.at(id); at != nullptr && near.contains(*at)) {
             map.nodes.push_back({id, *at, std::move(tags)});
@@ -253,7 +261,8 @@ Map local_map(RawMap raw, const SourceMark& mark, const MapSection& section, Dia
     }
     if (incomplete > 0) {
         warnings.warning(mark, "incomplete-way",
-                         std::to_string(incomplete) + " ways refer to nodes that the file lacks");
+                         std::to_string(incomplete) + (incomplete == 1 ? " way refers" : " ways refer") +
+                             " to nodes that the file lacks");
     }
     return map;
 }

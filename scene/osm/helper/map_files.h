@@ -20,7 +20,7 @@ struct MapFiles {
     std::vector<Diagnostic> warnings;
 };
 
-/// `map_file` is named in the texts.
-MapFiles files_of(const ImportedMap& imported, const std::string& map_file);
+/// The map's file is named in the texts.
+MapFiles files_of(const ImportedMap& imported, const std::string& name);
 
 }  // namespace campuswalk::scene::osm

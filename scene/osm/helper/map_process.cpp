@@ -15,7 +15,7 @@ namespace {
 
 MapFiles response_to(const MapRequest& request) {
     try {
-        return files_of(import_map(request), request.file.filename().string());
+        return files_of(import_map(request), std::filesystem::path(request.mark.file).filename().string());
     } catch (const InputError& error) {
         MapFiles refusal;
         refusal.warnings = error.diagnostics();

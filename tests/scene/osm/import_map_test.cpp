@@ -248,6 +248,38 @@ TEST_F(ImportMap, FindsDoorsAndPlacesInFrontOfThem) {
     EXPECT_NEAR(imported.draft.places[0].at.z(), 1.0, 0.01) << "a metre to the south";
 }
 
+TEST_F(ImportMap, FindsDoorsAtWallsNearEntrances) {
+    MapText map;
+    map.rectangle(0, 0, 20, 10, {{"building", "yes"}, {"name", "Hall"}});
+    const auto beside = map.node(5, -0.8, {{"entrance", "yes"}});
+    const auto inside = map.node(15, 1.5, {{"entrance", "yes"}});
+    map.node(10, 0, {{"entrance", "yes"}, {"level", "2"}});
+    map.node(60, 60, {{"entrance", "yes"}});
+    const ImportedMap imported = import(map.xml());
+    EXPECT_EQ(std::ranges::count(imported.warnings, "entrance-without-wall", &Diagnostic::code), 1);
+    ASSERT_EQ(imported.draft.places.size(), 2U) << "not that of another floor";
+    for (const DraftPlace& place : imported.draft.places) {
+        EXPECT_NEAR(place.at.z(), 1.0, 0.01) << "a metre in front of the wall";
+        EXPECT_TRUE(place.name == "entrance-" + std::to_string(beside) ||
+                    place.name == "entrance-" + std::to_string(inside));
+    }
+}
+
+TEST_F(ImportMap, TakesNamesInLanguagesOnly) {
+    MapText map;
+    map.rectangle(0, 0, 20, 10,
+                  {{"building", "yes"},
+                   {"name", "Hall"},
+                   {"name:en", "The Hall"},
+                   {"name:zh-Hant", "x"},
+                   {"name:etymology:wikidata", "Q42"},
+                   {"name:signed", "no"}});
+    const DraftBuilding hall = import(map.xml()).draft.buildings.front();
+    ASSERT_EQ(hall.info.size(), 2U);
+    EXPECT_EQ(hall.info[0].first, "name-en");
+    EXPECT_EQ(hall.info[1].first, "name-zh-hant");
+}
+
 TEST_F(ImportMap, BuildsFlightsWithTheirTreads) {
     MapText map;
     const auto id = map.way(

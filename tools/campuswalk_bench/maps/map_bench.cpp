@@ -1,5 +1,5 @@
-// Imports a map once and prints, as JSON, what that took and how much of it was spent in GEOS: `map-bench FILE`.
-// A program of its own, as the linker puts the functions below between the importer and GEOS (--wrap).
+// Imports a map once and prints, as JSON, what that took and how much of it was spent in GEOS: `map-bench
+// FILE`. A program of its own, as the linker puts the functions below between the importer and GEOS (--wrap).
 
 #include <cstdio>
 #include <ctime>
