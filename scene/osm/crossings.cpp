@@ -63,7 +63,7 @@ Polygon parallelogram(const Point& center, const Point& u, const Point& v) {
 
 class CrossingFinder {
 public:
-    CrossingFinder(const Map& map, const std::vector<Path>& paths) : map_(map) {
+    CrossingFinder(const Map& map, const std::vector<Path>& paths) {
         for (const MapNode& node : map.nodes) {
             if (node.tags.is("highway", "crossing") || node.tags.has("crossing")) {
                 nodes_.emplace(node.id, &node);
@@ -133,7 +133,6 @@ private:
         found_.push_back(crossing);
     }
 
-    const Map& map_;
     std::unordered_map<std::int64_t, const MapNode*> nodes_;
     std::unordered_map<std::int64_t, std::pair<const Path*, std::size_t>> roads_;
     std::unordered_set<std::int64_t> done_;

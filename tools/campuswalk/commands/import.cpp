@@ -142,14 +142,14 @@ int import_osm(const ImportOptions& options) {
     print_warnings(contents.warnings);
     const std::size_t visits = write_campus_files(contents, files, options.map);
     if (visits == 0) {
-        scene::Diagnostic warning;
-        warning.severity = scene::Severity::warning;
-        warning.mark.file = options.map.string();
-        warning.code = "no-visits";
-        warning.message = contents.places.empty()
-                              ? "it has no door that a walk could visit; the walk only stands at the start"
-                              : "no door near the start can be reached; the walk only stands there";
-        diagnose({warning});
+        scene::SourceMark mark;
+        mark.file = options.map.string();
+        scene::DiagnosticList warnings;
+        warnings.warning(mark, "no-visits",
+                         contents.places.empty()
+                             ? "it has no door that a walk could visit; the walk only stands at the start"
+                             : "no door near the start can be reached; the walk only stands there");
+        diagnose(warnings.all());
     }
     const auto shown = [](const fs::path& path) { return path.lexically_normal().generic_string(); };
     print_line("%s: %s", shown(files.model).c_str(), scene::plural(contents.triangles, "triangle").c_str());
