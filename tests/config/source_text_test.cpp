@@ -89,9 +89,9 @@ TEST_F(SourceText, ReportsUnreadableFiles) {
     EXPECT_THAT(about_path("secret.yaml"), says("a.walk.yaml:3:9: error missing-file", {"'secret.yaml'"}));
 }
 
-TEST_F(SourceText, RefusesFilesOverTwoMegabytes) {
-    EXPECT_THAT(about(std::string(2'000'001, '#')), says("a.yaml: error too-large"));
-    EXPECT_EQ(about(std::string(2'000'000, '#')), "");
+TEST_F(SourceText, RefusesFilesOverEightMegabytes) {
+    EXPECT_THAT(about(std::string(8'000'001, '#')), says("a.yaml: error too-large"));
+    EXPECT_EQ(about(std::string(8'000'000, '#')), "");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@ int main(int argc, char** argv) {
     return run_program(argc, argv, {"campuswalk", "Headless walkthrough tests for virtual campuses."},
                        [](Command program, CommandAction& chosen) {
                            add_init(program, chosen);
+                           add_import(program, chosen);
                            add_validate(program, chosen);
                            add_run(program, chosen);
                            add_merge_reports(program, chosen);

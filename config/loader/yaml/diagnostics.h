@@ -6,7 +6,7 @@
 
 namespace campuswalk::config {
 
-/// Whether the list is so long that more diagnostics would help nobody: a file of 2 MB can have a million
+/// Whether the list is so long that more diagnostics would help nobody: a file of 8 MB can have a million
 /// errors.
 bool is_full(const scene::DiagnosticList& diagnostics);
 

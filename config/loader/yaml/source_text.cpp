@@ -14,7 +14,6 @@ using scene::utf8_length;
 
 namespace {
 
-constexpr std::uintmax_t kMaxBytes = 2'000'000;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 /// Why the path can't be read; empty if it can.
@@ -111,10 +110,10 @@ std::optional<std::string> read_source(const std::filesystem::path& path, const 
         return missing(why);
     }
     std::error_code error;
-    if (const auto size = std::filesystem::file_size(path, error); !error && size > kMaxBytes) {
-        diagnostics.error(
-            {shown, 0, 0}, "too-large",
-            "the file has " + std::to_string(size) + " bytes; the limit is " + std::to_string(kMaxBytes));
+    if (const auto size = std::filesystem::file_size(path, error); !error && size > kMaxSourceBytes) {
+        diagnostics.error({shown, 0, 0}, "too-large",
+                          "the file has " + std::to_string(size) + " bytes; the limit is " +
+                              std::to_string(kMaxSourceBytes));
         return std::nullopt;
     }
     std::ifstream in(path, std::ios::binary);

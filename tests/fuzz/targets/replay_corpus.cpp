@@ -37,8 +37,8 @@ int main(int argc, char** argv) {
         return 2;
     }
     std::size_t missing = 0;
-    for (const auto& targets : {campuswalk::fuzz::model_targets(), campuswalk::fuzz::archive_targets(),
-                                campuswalk::fuzz::text_targets()}) {
+    for (const auto& targets : {campuswalk::fuzz::model_targets(), campuswalk::fuzz::map_targets(),
+                                campuswalk::fuzz::archive_targets(), campuswalk::fuzz::text_targets()}) {
         for (const Target& target : targets) {
             const fs::path folder = fs::path(argv[1]) / target.name;
             if (!fs::is_directory(folder) || replay(target, folder) == 0) {

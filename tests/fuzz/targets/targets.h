@@ -15,6 +15,7 @@ struct Target {
 };
 
 std::span<const Target> model_targets();
+std::span<const Target> map_targets();
 std::span<const Target> archive_targets();
 std::span<const Target> text_targets();
 

@@ -7,6 +7,7 @@
 
 #include "collision/base/simd_target.h"
 #include "scene/import/helper/serve_import.h"
+#include "scene/osm/helper/map_process.h"
 #include "tools/campuswalk/base/environment.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/standard_streams.h"
@@ -48,6 +49,9 @@ int run_program(int argc, char** argv, const ProgramName& name,
                 const std::function<void(Command, CommandAction&)>& add_commands) {
     if (argc == 2 && argv[1] == std::string_view(scene::kImportHelperArgument)) {
         return scene::serve_import();
+    }
+    if (argc == 2 && argv[1] == std::string_view(scene::osm::kMapHelperArgument)) {
+        return scene::osm::serve_map();
     }
     guard_standard_streams();
     return read_command_line(argc, argv, name, add_commands, guarded);

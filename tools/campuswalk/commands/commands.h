@@ -17,6 +17,7 @@ namespace campuswalk::tools {
 // names sets `chosen`.
 
 void add_init(Command program, CommandAction& chosen);
+void add_import(Command program, CommandAction& chosen);
 void add_validate(Command program, CommandAction& chosen);
 void add_run(Command program, CommandAction& chosen);
 void add_merge_reports(Command program, CommandAction& chosen);

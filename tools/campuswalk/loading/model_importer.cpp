@@ -13,6 +13,7 @@
 #include "scene/import/helper/import_process.h"
 #include "scene/import/helper/sandbox.h"
 #include "scene/import/helper/serve_import.h"
+#include "scene/osm/helper/map_process.h"
 #include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/text.h"
@@ -64,6 +65,15 @@ scene::Importer model_importer(std::size_t at_once) {
         std::call_once(checked, check_sandbox);
         return importer(file, if_empty);
     };
+}
+
+scene::osm::MapFiles read_osm_map(const scene::osm::MapRequest& request) {
+    check_sandbox();
+    scene::ImportLimits limits;
+    limits.memory = import_memory();
+    limits.cpu_per_megabyte = 20;  // geometry is made from it: ten times what any map has taken
+    return scene::osm::import_map_in_process({"/proc/self/exe", {scene::osm::kMapHelperArgument}}, request,
+                                             limits, sandbox);
 }
 
 void add_import_options(Command command) {

@@ -2,6 +2,7 @@
 
 #include "scene/cache/load_model.h"
 #include "scene/import/import_model.h"
+#include "scene/osm/helper/map_files.h"
 #include "tools/campuswalk/command_line/command.h"
 
 namespace campuswalk::tools {
@@ -14,6 +15,9 @@ scene::Importer model_importer(std::size_t at_once = 1);
 /// How many of so many models are imported at once: one on each processor, unless that leaves one less than a
 /// gigabyte.
 std::size_t imports_at_once(std::size_t models);
+
+/// Imports a map of OpenStreetMap, likewise in a process of its own. Throws scene::InputError.
+scene::osm::MapFiles read_osm_map(const scene::osm::MapRequest& request);
 
 /// `--no-cache` and `--sandbox`.
 void add_import_options(Command command);

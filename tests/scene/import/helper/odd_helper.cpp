@@ -17,6 +17,7 @@
 #include <thread>
 #include <vector>
 
+#include "scene/import/helper/helper_streams.h"
 #include "scene/import/helper/sandbox.h"
 #include "scene/import/helper/serve_import.h"
 #include "scene/import/source/scene_folder.h"

@@ -1,0 +1,156 @@
+#include "scene/osm/areas.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "scene/osm/tag_values.h"
+
+namespace campuswalk::scene::osm {
+namespace {
+
+/// Keys that make an area of a closed way, whatever their value.
+constexpr std::array<std::string_view, 15> kAreaKeys = {
+    "building", "building:part", "landuse", "leisure", "amenity", "area:highway", "water",     "tourism",
+    "historic", "shop",          "office",  "place",   "power",   "aeroway",      "healthcare"};
+
+bool stands_for_area(const Tags& tags) {
+    if (tags.is("area", "no")) {
+        return false;
+    }
+    if (tags.is("area", "yes")) {
+        return true;
+    }
+    if (tags.is("leisure", "track") || tags.has("barrier")) {
+        return tags.has("building");
+    }
+    const std::string_view natural = tags.get("natural");
+    return (!natural.empty() && natural != "tree_row" && natural != "cliff" && natural != "coastline") ||
+           tags.is("public_transport", "platform") || tags.is("man_made", "bridge") ||
+           tags.is("waterway", "riverbank") || tags.is("waterway", "dock") ||
+           std::ranges::any_of(kAreaKeys, [&](std::string_view key) { return affirmed(tags, key); });
+}
+
+Ring ring_of(const MapWay& way) {
+    return {way.points.begin(), way.points.end() - 1};
+}
+
+bool touches(const Polygons& polygons, const Box& box) {
+    return !polygons.empty() && box_of(polygons).overlaps(box);
+}
+
+/// The members' lines; nothing if one is missing and the rest doesn't close.
+std::vector<const MapWay*> member_ways(const Map& map, const MapRelation& relation, bool& complete) {
+    std::vector<const MapWay*> ways;
+    for (const Member& member : relation.members) {
+        if (member.element.kind != ElementKind::way || (member.role != "outer" && member.role != "inner" &&
+                                                        !member.role.empty() && member.role != "outline")) {
+            continue;
+        }
+        const MapWay* way = map.way(member.element.number);
+        if (way == nullptr || !way->complete) {
+            complete = false;
+        } else if (std::ranges::find(ways, way) == ways.end()) {
+            ways.push_back(way);
+        }
+    }
+    return ways;
+}
+
+/// The relation's tags, or in the old style those of its outer way.
+Tags tags_of_area(const Map& map, const MapRelation& relation) {
+    if (stands_for_area(relation.tags) || affirmed(relation.tags, "highway")) {
+        return relation.tags;
+    }
+    for (const Member& member : relation.members) {
+        const MapWay* way = member.role == "outer" && member.element.kind == ElementKind::way
+                                ? map.way(member.element.number)
+                                : nullptr;
+        if (way != nullptr && stands_for_area(way->tags)) {
+            return way->tags;
+        }
+    }
+    return relation.tags;
+}
+
+/// The ways whose area a relation describes, so that it isn't there twice.
+void note_outer_ways(const Map& map, const MapRelation& relation, const Tags& tags,
+                     std::set<std::int64_t>& replaced) {
+    for (const Member& member : relation.members) {
+        const MapWay* way = member.role == "outer" && member.element.kind == ElementKind::way
+                                ? map.way(member.element.number)
+                                : nullptr;
+        const bool same =
+            way != nullptr &&
+            std::ranges::any_of(
+                std::array<std::string_view, 5>{"building", "landuse", "leisure", "natural", "amenity"},
+                [&](std::string_view key) {
+                    return affirmed(way->tags, key) && way->tags.get(key) == tags.get(key);
+                });
+        if (same) {
+            replaced.insert(way->id);
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<MapArea> areas_of(const Map& map, const PlanGeometry& geometry, const SourceMark& mark,
+                              DiagnosticList& warnings) {
+    std::vector<MapArea> of_relations;
+    std::set<std::int64_t> replaced;
+    for (const MapRelation& relation : map.relations) {
+        if (!relation.tags.is("type", "multipolygon")) {
+            continue;
+        }
+        bool complete = true;
+        const std::vector<const MapWay*> ways = member_ways(map, relation, complete);
+        const Tags tags = tags_of_area(map, relation);
+        if (ways.empty() || (!stands_for_area(tags) && !affirmed(tags, "highway"))) {
+            continue;
+        }
+        std::vector<std::vector<Point>> lines;
+        for (const MapWay* way : ways) {
+            lines.push_back(way->points);
+        }
+        MapArea area{{ElementKind::relation, relation.id}, tags, geometry.areas_of_lines(lines), ways};
+        if (area.polygons.empty()) {
+            warnings.warning(mark, "open-ring",
+                             "relation " + std::to_string(relation.id) + " encloses no area" +
+                                 (complete ? "" : ": the file lacks some of its ways") + "; left out");
+        } else if (touches(area.polygons, map.box)) {
+            note_outer_ways(map, relation, tags, replaced);
+            of_relations.push_back(std::move(area));
+        }
+    }
+    std::vector<MapArea> areas;
+    for (const MapWay& way : map.ways) {
+        if (!stands_for_area(way.tags) || replaced.contains(way.id)) {
+            continue;
+        }
+        if (!way.closed() || !way.complete) {
+            if (affirmed(way.tags, "building") || affirmed(way.tags, "building:part")) {
+                warnings.warning(mark, "open-ring",
+                                 "building way " + std::to_string(way.id) +
+                                     (way.complete ? " isn't closed" : ": the file lacks some of its nodes") +
+                                     "; left out");
+            }
+            continue;
+        }
+        MapArea area{{ElementKind::way, way.id}, way.tags, geometry.polygon(ring_of(way)), {&way}};
+        if (area.polygons.empty()) {
+            warnings.warning(mark, "empty-ring",
+                             "way " + std::to_string(way.id) + " encloses no area; left out");
+        } else if (touches(area.polygons, map.box)) {
+            areas.push_back(std::move(area));
+        }
+    }
+    for (MapArea& area : of_relations) {
+        areas.push_back(std::move(area));
+    }
+    return areas;
+}
+
+}  // namespace campuswalk::scene::osm

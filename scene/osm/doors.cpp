@@ -1,0 +1,248 @@
+#include "scene/osm/doors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <unordered_map>
+
+#include "scene/osm/tag_values.h"
+
+namespace campuswalk::scene::osm {
+namespace {
+
+constexpr Look kLeaf = {{92, 66, 48}, 160, 255};
+constexpr Look kMainLeaf = {{70, 84, 96}, 90, 255};
+
+/// A node of a building's outline.
+struct Door {
+    std::int64_t node = 0;  ///< nothing if it is assumed
+    Point at = Point::Zero();
+    std::size_t area = 0;
+    const Tags* tags = nullptr;  ///< null: not tagged
+    bool assumed = false;
+    std::optional<double> height = {};  ///< of a bridge that leads to it; else it is at the ground
+};
+
+bool is_entrance(const Tags& tags) {
+    return affirmed(tags, "entrance") || affirmed(tags, "door") || tags.is("building", "entrance") ||
+           tags.is("railway", "subway_entrance");
+}
+
+class Doors {
+public:
+    Doors(Composition& composition, const FreeGround& free)
+        : composition_(composition), free_(free), volumes_(index_of_volumes(composition)) {
+        for (const Volume& volume : composition.volumes) {
+            walled_.insert(volume.building);
+        }
+        for (const std::size_t area : walled_) {
+            outlines_.add(area, box_of(composition.areas[area].polygons));
+        }
+        for (std::size_t i = 0; i < composition.openings.size(); ++i) {
+            openings_.add(i, box_of(composition.openings[i]));
+        }
+        for (std::size_t i = 0; i < composition.areas.size(); ++i) {
+            for (const MapWay* way : composition.areas[i].outlines) {
+                for (std::size_t k = 0; walled_.contains(i) && k < way->nodes.size(); ++k) {
+                    on_wall_.try_emplace(way->nodes[k], i);
+                }
+            }
+        }
+    }
+
+    void add_tagged() {
+        for (const MapNode& node : composition_.map.nodes) {
+            if (!is_entrance(node.tags) || number_of(node.tags, "level").value_or(0.0) != 0.0) {
+                continue;  // of other floors
+            }
+            if (const auto wall = on_wall_.find(node.id); wall != on_wall_.end()) {
+                add({node.id, node.at, wall->second, &node.tags, false});
+            } else if (affirmed(node.tags, "entrance")) {
+                add_beside(node);
+            }
+        }
+    }
+
+    void add_untagged() {
+        for (const Path& path : composition_.paths) {
+            if (!path.for_walkers || path.unbuilt || path.highway == "service" || path.width > 4.5) {
+                continue;
+            }
+            for (const std::size_t i : {std::size_t{0}, path.way->nodes.size() - 1}) {
+                if (const auto wall = on_wall_.find(path.way->nodes[i]); wall != on_wall_.end()) {
+                    const auto height = path.is_above() ? std::optional(path.deck[i]) : std::nullopt;
+                    add({path.way->nodes[i], path.way->points[i], wall->second, nullptr, false, height});
+                }
+            }
+        }
+    }
+
+    /// Every building with a name can be entered: where no door is known, at its wall nearest to a path.
+    void add_assumed() {
+        constexpr double kNearest = 40.0;
+        BoxIndex paths;
+        for (std::size_t i = 0; i < composition_.paths.size(); ++i) {
+            const Path& path = composition_.paths[i];
+            if (path.for_walkers && path.on_ground() && !path.steps) {
+                paths.add(i, box_of(path.way->points));
+            }
+        }
+        for (const std::size_t area : walled_) {
+            const MapArea& building = composition_.areas[area];
+            if (!building.tags.has("name") || with_door_.contains(area) ||
+                building.polygons.front().outer.size() < 3) {
+                continue;
+            }
+            const Ring& ring = building.polygons.front().outer;
+            double nearest = kNearest;
+            Point at = Point::Zero();
+            const std::vector<std::size_t> near = paths.near(box_of(ring).grown(kNearest));
+            for (std::size_t i = 0; i < ring.size(); ++i) {
+                const Point& a = ring[i];
+                const Point& b = ring[(i + 1) % ring.size()];
+                constexpr double kLeastWall = 2.0;
+                const Point middle = 0.5 * (a + b);
+                if ((b - a).norm() < kLeastWall || !free_.at(middle + 1.0 * -left_of(unit(b - a)))) {
+                    continue;
+                }
+                for (const std::size_t number : near) {
+                    const double distance =
+                        nearest_on(composition_.paths[number].way->points, false, middle).distance;
+                    if (distance < nearest) {
+                        nearest = distance;
+                        at = middle;
+                    }
+                }
+            }
+            if (nearest < kNearest) {
+                add({0, at, area, nullptr, true});
+            }
+        }
+    }
+
+private:
+    /// At the nearest wall: some are drawn beside it.
+    void add_beside(const MapNode& node) {
+        constexpr double kFarthest = 3.0;  // metres
+        double nearest = kFarthest;
+        Point at = node.at;
+        std::optional<std::size_t> area;
+        for (const std::size_t i : outlines_.near(Box{node.at, node.at}.grown(kFarthest))) {
+            for (const Polygon& polygon : composition_.areas[i].polygons) {
+                const Nearest wall = nearest_on(polygon.outer, true, node.at);
+                if (wall.distance < nearest) {
+                    nearest = wall.distance;
+                    at = wall.at;
+                    area = i;
+                }
+            }
+        }
+        if (area) {
+            add({node.id, at, *area, &node.tags, false});
+        } else if (composition_.map.box.contains(node.at)) {
+            composition_.warn("entrance-without-wall",
+                              "node " + std::to_string(node.id) + " is an entrance, but no wall is near");
+        }
+    }
+
+    void add(const Door& door) {
+        if (!composition_.map.box.contains(door.at) || (!door.assumed && !done_.insert(door.node).second)) {
+            return;
+        }
+        Nearest wall;
+        const Polygons& outline = composition_.areas[door.area].polygons;
+        for (const Polygon& polygon : outline) {
+            const Nearest other = nearest_on(polygon.outer, true, door.at);
+            wall = other.distance < wall.distance ? other : wall;
+            for (const Ring& hole : polygon.holes) {
+                const Nearest inner = nearest_on(hole, true, door.at);
+                wall = inner.distance < wall.distance ? inner : wall;
+            }
+        }
+        constexpr double kOnWall = 0.05;
+        const double floor = door.height.value_or(composition_.terrain.height(door.at));
+        if (wall.distance > kOnWall || (!door.height && !is_wall_at(door.at))) {
+            return;
+        }
+        if (!door.height) {
+            with_door_.insert(door.area);
+        }
+        const Point out(wall.along.y(), -wall.along.x());  // rings run counter-clockwise, holes clockwise
+        const MapArea& area = composition_.areas[door.area];
+        const std::string building = draft_id("building", area.id);
+        const std::string name =
+            door.assumed ? draft_id("assumed-entrance", area.id)
+                         : draft_id("entrance", {ElementKind::way, door.node});  // no "n" before it
+        const bool main = door.tags != nullptr && door.tags->is("entrance", "main");
+        const bool in_passage = is_open_at(door.at);
+        if (!in_passage) {
+            const ElementId id = door.assumed ? area.id : ElementId{ElementKind::node, door.node};
+            composition_.model.object("door/" + id.text())
+                .box(main ? kMainLeaf : kLeaf, door.at, wall.along, Point(main ? 0.9 : 0.55, 0.05),
+                     floor - 0.05, floor + 2.15);
+        }
+        DraftTrigger trigger;
+        trigger.id = building + "/" + name;
+        trigger.building = area.tags.has("name") ? building : "";
+        trigger.size = {main ? 2.4 : 1.6, 2.4, 2.4};
+        trigger.center = {door.at.x(), floor + 1.2, -door.at.y()};
+        trigger.yaw_deg = yaw_along(wall.along);
+        trigger.layer = "door";
+        composition_.draft.triggers.push_back(trigger);
+        for (const double distance : {1.0, 0.75}) {
+            const Point front = door.at + distance * out;
+            if (!door.height && free_.at(front)) {  // not every bridge can be got onto
+                composition_.draft.places.push_back(
+                    {name, composition_.world(front), trigger.id,
+                     (area.tags.has("name") ? 4 : 0) + (main ? 2 : 0) + (door.tags != nullptr ? 1 : 0)});
+                break;
+            }
+        }
+    }
+
+    /// Whether a wall stands on the ground there: some outlines are those of roofs, or of parts above.
+    bool is_wall_at(const Point& at) const {
+        constexpr double kOnWall = 0.3;
+        for (const std::size_t i : volumes_.near(Box{at, at}.grown(kOnWall))) {
+            for (const Polygon& polygon : composition_.volumes[i].footprint) {
+                double distance = nearest_on(polygon.outer, true, at).distance;
+                for (const Ring& hole : polygon.holes) {
+                    distance = std::min(distance, nearest_on(hole, true, at).distance);
+                }
+                if (distance < kOnWall) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    bool is_open_at(const Point& at) const {
+        const std::vector<std::size_t> near = openings_.at(at);
+        return std::ranges::any_of(near,
+                                   [&](std::size_t i) { return contains(composition_.openings[i], at); });
+    }
+
+    Composition& composition_;
+    const FreeGround& free_;
+    std::set<std::size_t> walled_;
+    BoxIndex openings_;
+    BoxIndex outlines_;                                      ///< of areas with walls
+    BoxIndex volumes_;                                       ///< that stand on the ground
+    std::unordered_map<std::int64_t, std::size_t> on_wall_;  ///< areas by node
+    std::set<std::int64_t> done_;
+    std::set<std::size_t> with_door_;
+};
+
+}  // namespace
+
+void add_doors(Composition& composition, const FreeGround& free) {
+    Doors doors(composition, free);
+    doors.add_tagged();
+    doors.add_untagged();
+    doors.add_assumed();
+    composition.draft.solids.push_back({"door", {"door/*"}, "", "door", true});  // left out if there is none
+}
+
+}  // namespace campuswalk::scene::osm

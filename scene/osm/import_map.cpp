@@ -1,0 +1,219 @@
+#include "scene/osm/import_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "scene/osm/areas.h"
+#include "scene/osm/barriers.h"
+#include "scene/osm/box_index.h"
+#include "scene/osm/bridges.h"
+#include "scene/osm/compose.h"
+#include "scene/osm/decks.h"
+#include "scene/osm/furniture.h"
+#include "scene/osm/ground.h"
+#include "scene/osm/heights.h"
+#include "scene/osm/meaning.h"
+#include "scene/osm/relief.h"
+#include "scene/osm/steps.h"
+#include "scene/osm/surfaces.h"
+
+namespace campuswalk::scene::osm {
+namespace {
+
+/// How much of a path's centre line is inside polygons, metres; sampled.
+double length_inside(const std::vector<Point>& line, const Polygons& polygons) {
+    constexpr double kSample = 0.25;
+    const Box box = box_of(polygons);
+    double inside = 0.0;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const Point d = line[i] - line[i - 1];
+        if (!box_of({line[i - 1], line[i]}).overlaps(box)) {
+            continue;
+        }
+        const double length = std::sqrt(d.x() * d.x() + d.y() * d.y());
+        const int samples = std::min(4'000, static_cast<int>(length / kSample) + 1);
+        for (int k = 0; k < samples; ++k) {
+            const Point p = line[i - 1] + d * ((k + 0.5) / samples);
+            inside += contains(polygons, p) ? length / samples : 0.0;
+        }
+    }
+    return inside;
+}
+
+/// Adds the buildings, open where paths lead through them.
+void add_buildings(Composition& composition) {
+    constexpr double kLeastInside = 1.5;  // metres; less is a door
+    const std::vector<Passage> passages = passages_of(composition.paths, composition.geometry);
+    BoxIndex index;
+    for (std::size_t i = 0; i < passages.size(); ++i) {
+        if (!passages[i].area.empty()) {
+            index.add(i, box_of(passages[i].area));
+        }
+    }
+    for (const Volume& volume : composition.volumes) {
+        std::vector<const Passage*> through;
+        if (!volume.open) {
+            for (const std::size_t i : index.near(box_of(volume.footprint))) {
+                const bool at_ground = !passages[i].floor.has_value();
+                if ((!at_ground || volume.bottom < 2.0) &&
+                    length_inside(passages[i].way->points, volume.footprint) > kLeastInside) {
+                    through.push_back(&passages[i]);
+                    if (at_ground) {
+                        composition.openings.push_back(passages[i].area);
+                    }
+                    if (at_ground && !passages[i].tagged && passages[i].for_walkers) {
+                        composition.warn("untagged-passage",
+                                         "way " + std::to_string(passages[i].way->id) + " runs through " +
+                                             volume.node + " without tunnel=building_passage; it is open");
+                    }
+                }
+            }
+        }
+        add_volume(volume, through, composition.geometry, composition.terrain, composition.model);
+    }
+}
+
+void add_bridges(const BridgePlan& plan, Composition& composition) {
+    for (const Bridge& bridge : plan.bridges) {
+        const std::vector<DeckPart> parts =
+            deck_of(bridge, composition.geometry, composition.terrain, composition.paths, composition.mark,
+                    composition.warnings);
+        add_deck(parts, bridge, composition);
+        for (const DeckPart& part : parts) {
+            composition.obstacles.push_back(part.area);
+        }
+    }
+    composition.draft.solids.push_back({"bridge", {"bridge/*"}, "", "bridge", true});
+}
+
+Box on_grid(const Box& box) {
+    return {{std::floor(box.min.x()), std::floor(box.min.y())},
+            {std::ceil(box.max.x()), std::ceil(box.max.y())}};
+}
+
+/// The map's box, and as much around it as buildings that begin in it need.
+Box ground_box(const Map& map, const std::vector<MapArea>& areas) {
+    constexpr double kMargin = 5.0;
+    constexpr double kFarthest = 250.0;
+    const Box farthest = map.box.grown(kFarthest);
+    Box box = map.box;
+    for (const MapArea& area : areas) {
+        if (is_building(area.tags)) {
+            const Box around = box_of(area.polygons).grown(kMargin);
+            for (const Point& p : {around.min, around.max}) {
+                box.extend(p.cwiseMax(farthest.min).cwiseMin(farthest.max));
+            }
+        }
+    }
+    return on_grid(box);
+}
+
+/// From a grid of heights, or as steps make it.
+Terrain base_terrain(const MapRequest& request, const Map& map, const std::vector<MapArea>& areas,
+                     const Box& box, std::vector<Path>& paths) {
+    if (request.heights.empty()) {
+        DiagnosticList ignored;  // only to know which steps lead to bridges
+        plan_bridges(map, areas, Terrain(), request.mark, paths, ignored);
+        return relief_of_steps(paths, box);
+    }
+    SourceMark mark;
+    mark.file = request.heights.string();
+    return read_heights(request.heights, mark, map, box);
+}
+
+/// One object, as a visitor is always on one of its nodes.
+std::vector<std::string> ground_globs(const std::vector<Surface>& surfaces) {
+    std::set<std::string> kinds;
+    for (const Surface& surface : surfaces) {
+        kinds.insert(surface.name.substr(0, surface.name.find('/')));
+    }
+    std::vector<std::string> globs = {"ground", "kerbs"};
+    for (const std::string& kind : kinds) {
+        globs.push_back(kind + "/*");
+    }
+    return globs;
+}
+
+/// Leaves out what has no triangles after all: globs that match nothing are errors.
+void keep_existing(const Model& model, std::vector<DraftSolid>& solids) {
+    std::set<std::string> names;
+    for (const Node& node : model.nodes) {
+        names.insert(node.name);
+    }
+    const auto matches_none = [&](const std::string& glob) {
+        if (!glob.ends_with("/*")) {
+            return !names.contains(glob);
+        }
+        const std::string prefix = glob.substr(0, glob.size() - 1);
+        const auto next = names.lower_bound(prefix);
+        return next == names.end() || !next->starts_with(prefix);
+    };
+    for (DraftSolid& solid : solids) {
+        std::erase_if(solid.globs, matches_none);
+    }
+    std::erase_if(solids, [](const DraftSolid& solid) { return solid.globs.empty(); });
+}
+
+/// A layer for each kind of solids and triggers, so that an avatar can ignore, say, trees.
+std::vector<std::string> layers_of(const CampusDraft& draft) {
+    std::set<std::string> layers;
+    for (const DraftSolid& solid : draft.solids) {
+        layers.insert(solid.layer);
+    }
+    for (const DraftTrigger& trigger : draft.triggers) {
+        layers.insert(trigger.layer);
+    }
+    layers.erase("");
+    return {layers.begin(), layers.end()};
+}
+
+}  // namespace
+
+ImportedMap import_map(const MapRequest& request) {
+    DiagnosticList warnings;
+    const Map map = read_map(request.file, request.mark, request.section, warnings);
+    const PlanGeometry geometry;
+    std::vector<MapArea> areas = areas_of(map, geometry, request.mark, warnings);
+    std::vector<Path> paths = paths_of(map, geometry);
+    const Box box = ground_box(map, areas);
+    const Terrain base = base_terrain(request, map, areas, box, paths);
+    const BridgePlan bridges = plan_bridges(map, areas, base, request.mark, paths, warnings);
+    const Terrain terrain = with_mounds(base, box, bridges.mounds, bridges.cuttings);
+    Composition composition{map, request.mark, geometry, terrain, warnings};
+    composition.draft.latitude_deg = 0.5 * (map.geographic.south + map.geographic.north);
+    composition.draft.longitude_deg = 0.5 * (map.geographic.west + map.geographic.east);
+    composition.areas = std::move(areas);
+    composition.paths = std::move(paths);
+    composition.volumes = volumes_of(composition.areas, geometry, terrain, request.mark, warnings);
+    add_bridges(bridges, composition);
+    const std::vector<Surface> surfaces =
+        surfaces_of(map, composition.paths, composition.areas, geometry, terrain);
+    add_ground(surfaces, box, geometry, terrain, composition.model);
+    for (const Surface& surface : surfaces) {
+        if (surface.water) {
+            composition.obstacles.push_back(surface.area);
+        }
+    }
+    composition.draft.solids.push_back({"ground", ground_globs(surfaces), "", "ground", false});
+    add_steps(composition);
+    add_buildings(composition);
+    add_barriers(composition);
+    add_furniture(composition);
+    add_meaning(composition);
+    if (geometry.failures() > 0) {
+        composition.warn("lost-geometry", std::to_string(geometry.failures()) +
+                                              " pieces of the map couldn't be cut or triangulated");
+    }
+    Model model = composition.model.finish();
+    ImportedMap imported{std::move(model), std::move(composition.draft), warnings.all()};
+    keep_existing(imported.model, imported.draft.solids);
+    imported.draft.layers = layers_of(imported.draft);
+    imported.model.file = request.mark.file;
+    imported.model.geographic =
+        GeographicPlace{imported.draft.latitude_deg, imported.draft.longitude_deg, 0.0};
+    return imported;
+}
+
+}  // namespace campuswalk::scene::osm

@@ -1,0 +1,243 @@
+#include "scene/osm/model_builder.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <unordered_map>
+#include <utility>
+
+#include "collision/geometry/trigonometry.h"
+
+namespace campuswalk::scene::osm {
+namespace {
+
+Eigen::Vector3f world(const Point3& p) {
+    return {static_cast<float>(p.at.x()), static_cast<float>(p.height), static_cast<float>(-p.at.y())};
+}
+
+/// glTF's colours are linear; sRGB's transfer function (IEC 61966-2-1) is x^2.4, here within 0.5 % by a
+/// polynomial, as pow() differs between machines.
+float linear(std::uint8_t value) {
+    const double x = value / 255.0;
+    return static_cast<float>(x * (x * (x * 0.305306011 + 0.682171111) + 0.012522878));
+}
+
+std::string hex(const Look& look) {
+    constexpr const char* kDigits = "0123456789abcdef";
+    std::string text = "surface-";
+    for (const std::uint8_t part : look.color) {
+        text += kDigits[part >> 4U];
+        text += kDigits[part & 15U];
+    }
+    return text;
+}
+
+struct VertexKey {
+    std::array<float, 6> values{};
+    friend bool operator==(const VertexKey&, const VertexKey&) = default;
+};
+
+struct VertexHash {
+    std::size_t operator()(const VertexKey& key) const {
+        std::size_t hash = 0;
+        for (const float value : key.values) {
+            hash = hash * 1099511628211U + std::hash<float>()(value);
+        }
+        return hash;
+    }
+};
+
+/// Triangles with vertices shared where position and normal are the same.
+Mesh welded(const std::vector<std::array<Eigen::Vector3f, 3>>& triangles) {
+    Mesh mesh;
+    std::vector<Eigen::Vector3f> positions;
+    std::vector<Eigen::Vector3f> normals;
+    std::vector<std::array<std::uint32_t, 3>> faces;
+    std::unordered_map<VertexKey, std::uint32_t, VertexHash> known;
+    faces.reserve(triangles.size());
+    constexpr std::size_t kMostKnown = 1U << 15U;  // what is shared was added together: the rest is forgotten
+    for (const auto& [a, b, c] : triangles) {
+        if (known.size() > kMostKnown) {
+            known.clear();
+        }
+        const Eigen::Vector3d ab = (b - a).cast<double>();
+        const Eigen::Vector3d ac = (c - a).cast<double>();
+        const Eigen::Vector3d cross(ab.y() * ac.z() - ab.z() * ac.y(), ab.z() * ac.x() - ab.x() * ac.z(),
+                                    ab.x() * ac.y() - ab.y() * ac.x());
+        const double length =
+            std::sqrt(cross.x() * cross.x() + cross.y() * cross.y() + cross.z() * cross.z());
+        constexpr double kThinnest = 1e-5;  // metres, the height of a triangle: none is left of thinner ones
+        const double longest =
+            std::sqrt(std::max({ab.squaredNorm(), ac.squaredNorm(), (ac - ab).squaredNorm()}));
+        if (!(length > kThinnest * longest)) {
+            continue;
+        }
+        // Rounded, so that coplanar faces share vertices.
+        Eigen::Vector3f normal;
+        for (Eigen::Index i = 0; i < 3; ++i) {
+            normal[i] = static_cast<float>(std::round(cross[i] / length * 4096.0) / 4096.0) + 0.0F;
+        }
+        std::array<std::uint32_t, 3> face{};
+        std::size_t at = 0;
+        for (const Eigen::Vector3f& p : {a, b, c}) {
+            const VertexKey key{
+                {p.x() + 0.0F, p.y() + 0.0F, p.z() + 0.0F, normal.x(), normal.y(), normal.z()}};
+            const auto [found, is_new] = known.try_emplace(key, static_cast<std::uint32_t>(positions.size()));
+            if (is_new) {
+                positions.push_back(p);
+                normals.push_back(normal / std::sqrt(normal.x() * normal.x() + normal.y() * normal.y() +
+                                                     normal.z() * normal.z()));
+            }
+            face[at++] = found->second;
+        }
+        faces.push_back(face);
+    }
+    mesh.positions = std::move(positions);
+    mesh.normals = std::move(normals);
+    mesh.triangles = std::move(faces);
+    return mesh;
+}
+
+}  // namespace
+
+void ObjectMesh::triangle(const Look& look, const Point3& a, const Point3& b, const Point3& c) {
+    parts_[look].push_back({world(a), world(b), world(c)});
+}
+
+void ObjectMesh::quad(const Look& look, const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+    triangle(look, a, b, c);
+    triangle(look, a, c, d);
+}
+
+void ObjectMesh::level(const Look& look, const Triangulation& area, double height) {
+    for (const auto& [a, b, c] : area.triangles) {
+        triangle(look, {area.points[a], height}, {area.points[b], height}, {area.points[c], height});
+    }
+}
+
+void ObjectMesh::ceiling(const Look& look, const Triangulation& area, double height) {
+    for (const auto& [a, b, c] : area.triangles) {
+        triangle(look, {area.points[a], height}, {area.points[c], height}, {area.points[b], height});
+    }
+}
+
+void ObjectMesh::wall(const Look& look, const Point& a, const Point& b, double bottom, double top) {
+    if (top > bottom) {
+        quad(look, {a, bottom}, {b, bottom}, {b, top}, {a, top});
+    }
+}
+
+void ObjectMesh::walls(const Look& look, const Polygons& polygons, double bottom, double top) {
+    const auto around = [&](const Ring& ring) {
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            wall(look, ring[i], ring[(i + 1) % ring.size()], bottom, top);
+        }
+    };
+    for (const Polygon& polygon : polygons) {
+        around(polygon.outer);
+        for (const Ring& hole : polygon.holes) {
+            around(hole);
+        }
+    }
+}
+
+void ObjectMesh::prism(const Look& look, const Polygon& polygon, const Triangulation& area, double bottom,
+                       double top) {
+    walls(look, {polygon}, bottom, top);
+    level(look, area, top);
+    ceiling(look, area, bottom);
+}
+
+void ObjectMesh::box(const Look& look, const Point& center, const Point& along, const Point& half_size,
+                     double bottom, double top) {
+    const Point u = half_size.x() * along;
+    const Point v = half_size.y() * Point(-along.y(), along.x());
+    const Ring ring = {center - u - v, center + u - v, center + u + v, center - u + v};
+    walls(look, {Polygon{ring, {}}}, bottom, top);
+    quad(look, {ring[0], top}, {ring[1], top}, {ring[2], top}, {ring[3], top});
+    quad(look, {ring[0], bottom}, {ring[3], bottom}, {ring[2], bottom}, {ring[1], bottom});
+}
+
+void ObjectMesh::cylinder(const Look& look, const Point& center, double bottom_radius, double top_radius,
+                          int sides, double bottom, double top) {
+    std::vector<Point> circle;
+    for (int i = 0; i < sides; ++i) {
+        const collision::SinCos angle = collision::sin_cos(2.0 * std::numbers::pi * i / sides);
+        circle.emplace_back(angle.cos, angle.sin);
+    }
+    for (std::size_t i = 0; i < circle.size(); ++i) {
+        const Point& a = circle[i];
+        const Point& b = circle[(i + 1) % circle.size()];
+        const Point3 low_a{center + bottom_radius * a, bottom};
+        const Point3 low_b{center + bottom_radius * b, bottom};
+        const Point3 high_a{center + top_radius * a, top};
+        const Point3 high_b{center + top_radius * b, top};
+        quad(look, low_a, low_b, high_b, high_a);
+        triangle(look, {center, top}, high_a, high_b);
+        triangle(look, {center, bottom}, low_b, low_a);
+    }
+}
+
+std::size_t ObjectMesh::triangles() const {
+    std::size_t count = 0;
+    for (const auto& [look, part] : parts_) {
+        count += part.size();
+    }
+    return count;
+}
+
+ObjectMesh& ModelBuilder::object(const std::string& name) {
+    const auto [known, is_new] = known_.try_emplace(name, objects_.size());
+    if (is_new) {
+        objects_.emplace_back(name, ObjectMesh());
+    }
+    return objects_[known->second].second;
+}
+
+std::size_t ModelBuilder::triangles() const {
+    std::size_t count = 0;
+    for (const auto& [name, mesh] : objects_) {
+        count += mesh.triangles();
+    }
+    return count;
+}
+
+MaterialIndex ModelBuilder::material(const Look& look, Model& model) {
+    const auto [known, is_new] =
+        materials_.try_emplace(look, static_cast<MaterialIndex>(model.materials.size()));
+    if (is_new) {
+        Material& material = model.materials.emplace_back();
+        material.name = hex(look);
+        material.base_color = {linear(look.color[0]), linear(look.color[1]), linear(look.color[2]),
+                               static_cast<float>(look.alpha) / 255.0F};
+        material.roughness = static_cast<float>(look.roughness) / 255.0F;
+        material.alpha_mode = look.alpha < 255 ? AlphaMode::blend : AlphaMode::opaque;
+    }
+    return known->second;
+}
+
+Model ModelBuilder::finish() {
+    Model model;
+    for (auto& [name, object] : objects_) {
+        Node node;
+        node.name = name;
+        for (auto& [look, triangles] : object.parts_) {
+            Mesh mesh = welded(triangles);
+            triangles = {};
+            if (mesh.triangles.empty()) {
+                continue;
+            }
+            mesh.name = name;
+            mesh.material = material(look, model);
+            node.meshes.push_back(static_cast<MeshIndex>(model.meshes.size()));
+            model.meshes.push_back(std::move(mesh));
+        }
+        if (!node.meshes.empty()) {
+            model.nodes.push_back(std::move(node));
+        }
+    }
+    return model;
+}
+
+}  // namespace campuswalk::scene::osm

@@ -1,0 +1,74 @@
+// Maps and heights, as the map helper reads them, and its response.
+
+#include <array>
+#include <string>
+
+#include "scene/base/binary_archive.h"
+#include "scene/base/diagnostic.h"
+#include "scene/osm/helper/map_protocol.h"
+#include "scene/osm/import_map.h"
+#include "tests/fuzz/targets/targets.h"
+#include "tests/support/temporary_folder.h"
+
+namespace campuswalk::fuzz {
+
+namespace {
+
+constexpr const char* kSquare =
+    "<osm version=\"0.6\"><bounds minlat=\"0\" minlon=\"0\" maxlat=\"0.0002\" maxlon=\"0.0002\"/>"
+    "<node id=\"1\" lat=\"0\" lon=\"0\"/><node id=\"2\" lat=\"0.0002\" lon=\"0.0002\"/>"
+    "<way id=\"3\"><nd ref=\"1\"/><nd ref=\"2\"/><tag k=\"highway\" v=\"footway\"/></way></osm>";
+
+std::string_view text_of(Bytes bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+void import(const std::string& map, const std::string& heights, const std::string& name,
+            std::string_view bytes) {
+    static const support::TemporaryFolder folder;
+    folder.write(name, bytes);
+    if (name != map) {
+        folder.write(map, kSquare);
+    }
+    scene::osm::MapRequest request;
+    request.file = folder.path() / map;
+    request.mark.file = map;
+    if (!heights.empty()) {
+        request.heights = folder.path() / heights;
+    }
+    try {
+        scene::osm::import_map(request);
+    } catch (const scene::InputError&) {
+    }
+}
+
+void read_osm(Bytes bytes) {
+    import("a.osm", "", "a.osm", text_of(bytes));
+}
+
+void read_pbf(Bytes bytes) {
+    import("b.pbf", "", "b.pbf", text_of(bytes));
+}
+
+void read_heights(Bytes bytes) {
+    import("c.osm", "c.asc", "c.asc", text_of(bytes));
+}
+
+void read_map_answer(Bytes bytes) {
+    try {
+        scene::osm::read_map_response(std::as_bytes(bytes));
+    } catch (const scene::DamagedFile&) {
+    } catch (const scene::InputError&) {
+    }
+}
+
+constexpr std::array kMapTargets = {Target{"osm", read_osm}, Target{"pbf", read_pbf},
+                                    Target{"heights", read_heights}, Target{"map-answer", read_map_answer}};
+
+}  // namespace
+
+std::span<const Target> map_targets() {
+    return kMapTargets;
+}
+
+}  // namespace campuswalk::fuzz

@@ -1,0 +1,101 @@
+#include "scene/osm/barriers.h"
+
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "scene/osm/gates.h"
+#include "tests/scene/osm/imported_map.h"
+
+namespace campuswalk::scene::osm {
+namespace {
+
+using test::MapText;
+
+class Barriers : public ImportMap {
+protected:
+    /// A fence through the middle in a direction, with a gate there, and a path across it if it has a width.
+    MapText fence_with_gate(double degrees, const MapText::Tags& gate, const char* path_width = nullptr) {
+        const double c = std::cos(degrees * std::numbers::pi / 180.0);
+        const double s = std::sin(degrees * std::numbers::pi / 180.0);
+        along_ = Eigen::Vector2d(c, s);
+        MapText map;
+        MapText::Tags tags = {{"barrier", "gate"}};
+        tags.insert(tags.end(), gate.begin(), gate.end());
+        const auto middle = map.node(0, 0, tags);
+        map.way_of({map.node(-30 * c, -30 * s), middle, map.node(30 * c, 30 * s)}, {{"barrier", "fence"}});
+        map.way({{-80, -80}, {80, -80}}, {{"highway", "footway"}});
+        if (path_width != nullptr) {
+            map.way_of({map.node(30 * s, -30 * c), middle, map.node(-30 * s, 30 * c)},
+                       {{"highway", "service"}, {"width", path_width}});
+        }
+        return map;
+    }
+    /// Metres along the fence between -4 and 4 where nothing stands.
+    double free_length(const Model& model) const {
+        double length = 0.0;
+        for (double at = -4.0; at < 4.0; at += 0.05) {
+            const Eigen::Vector2d p = at * along_;
+            length += top_at(model, p.x(), p.y()) > 0.5 ? 0.0 : 0.05;
+        }
+        return length;
+    }
+
+    Eigen::Vector2d along_ = {1, 0};
+};
+
+TEST_F(Barriers, AreClosedAtLockedGates) {
+    for (const double degrees : {0.0, 90.0, 45.0, -30.0}) {
+        for (const char* width : {static_cast<const char*>(nullptr), "4"}) {
+            for (const MapText::Tags& tags : {MapText::Tags{{"locked", "yes"}},
+                                              {{"access", "private"}},
+                                              {{"foot", "no"}, {"access", "yes"}}}) {
+                MapText map = fence_with_gate(degrees, tags, width);
+                EXPECT_LT(free_length(import(map.xml()).model), 0.11)
+                    << degrees << " " << tags.front().first << (width == nullptr ? "" : " with a path");
+            }
+        }
+    }
+}
+
+TEST_F(Barriers, AreOpenAtGatesForWalkers) {
+    for (const double degrees : {0.0, 90.0, 45.0}) {
+        for (const MapText::Tags& tags : {MapText::Tags{}, {{"access", "private"}, {"foot", "yes"}}}) {
+            MapText map = fence_with_gate(degrees, tags, "4");
+            EXPECT_NEAR(free_length(import(map.xml()).model), 4.0, 0.3) << degrees << ": as wide as the path";
+        }
+        MapText none = fence_with_gate(degrees, {});
+        EXPECT_NEAR(free_length(import(none.xml()).model), 1.8, 0.3) << degrees;
+    }
+}
+
+TEST_F(Barriers, ReachFarBeyondTheMap) {
+    MapText map;
+    map.way({{0, 0}, {0, 2'000'000}}, {{"barrier", "fence"}});
+    map.way({{-50, 0}, {50, 0}}, {{"highway", "footway"}});
+    const Model model = import(map.xml()).model;
+    EXPECT_LT(bounds_of(model, "fence/way-3").max.norm(), 500.0);
+}
+
+TEST_F(Barriers, LeaveRoomToStart) {
+    for (const auto& [key, value] : {std::pair{"amenity", "bench"}, {"barrier", "gate"}}) {
+        MapText map;
+        const auto middle = map.node(0.2, 0, {{key, value}, {"locked", "yes"}});
+        map.way_of({map.node(-40, 0), middle, map.node(40, 0)}, {{"highway", "footway"}});
+        const ImportedMap imported = import(map.xml());
+        const DraftSpawn& start = imported.draft.spawns.front();
+        ASSERT_EQ(start.name, "start");
+        EXPECT_GT(std::abs(start.at.x() - 0.2), 0.5) << value;
+        EXPECT_LT(std::abs(start.at.x()), 10.0) << "the next place on the path";
+    }
+    MapText closed;
+    closed.rectangle(-15, -15, 15, 15, {{"building", "yes"}});
+    const Eigen::Vector3d at = import(closed.xml()).draft.spawns.front().at;
+    EXPECT_GT(std::max(std::abs(at.x()), std::abs(at.z())), 15.5) << "outside, though there is no path";
+}
+
+}  // namespace
+}  // namespace campuswalk::scene::osm

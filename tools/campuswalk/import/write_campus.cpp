@@ -1,0 +1,172 @@
+#include "tools/campuswalk/import/write_campus.h"
+
+#include <algorithm>
+#include <cmath>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <unistd.h>
+
+#include "config/loader/yaml/source_text.h"
+#include "engine/simulation/run_walk.h"
+#include "scene/base/atomic_file.h"
+#include "tools/campuswalk/base/json_text.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
+#include "tools/campuswalk/loading/walk_loader.h"
+
+namespace campuswalk::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using scene::osm::DraftPlace;
+using scene::osm::MapFiles;
+
+constexpr std::size_t kMaxVisits = 3;
+constexpr double kFarthest = 200.0;  // metres from one visit to the next
+
+/// A folder beside the files to write, which goes away with everything in it.
+class Workshop {
+public:
+    explicit Workshop(const fs::path& folder)
+        : made_folder_(!fs::exists(folder)),
+          folder_(folder),
+          path_(folder / (".import-" + std::to_string(getpid()))) {
+        fs::create_directories(path_);
+    }
+    Workshop(const Workshop&) = delete;
+    Workshop& operator=(const Workshop&) = delete;
+    ~Workshop() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+        if (made_folder_) {
+            fs::remove(folder_, ignored);  // only if nothing is in it
+        }
+    }
+    const fs::path& path() const { return path_; }
+
+private:
+    bool made_folder_;
+    fs::path folder_;
+    fs::path path_;
+};
+
+std::string visit_yaml(const std::vector<const DraftPlace*>& visits, const std::string& campus_file) {
+    std::string steps = "  - spawn: start\n";
+    std::string expect = "  - never: \"avatar.fell *\"\n";
+    for (const DraftPlace* visit : visits) {
+        steps += "  - go_to: " + visit->name + "\n";
+        expect += "  - sequence: [" + json_text("trigger.enter " + visit->trigger) + "]\n";
+    }
+    return "# Visits doors near the start; by `campuswalk import osm`.\ncampus: " + json_text(campus_file) +
+           "\navatar: adult\nsteps:\n" + steps + (visits.empty() ? "  - wait: 1\n" : "") + "expect:\n" +
+           expect;
+}
+
+/// The places to visit from `here`, the most telling and nearest first.
+std::vector<const DraftPlace*> nearby(const std::vector<DraftPlace>& places, const Eigen::Vector3d& here) {
+    std::vector<std::pair<double, const DraftPlace*>> found;
+    for (const DraftPlace& place : places) {
+        const double distance = (place.at - here).norm();
+        if (!place.trigger.empty() && distance <= kFarthest) {
+            constexpr double kWorth = 25.0;  // metres of detour
+            found.emplace_back(distance - kWorth * place.importance, &place);
+        }
+    }
+    std::ranges::stable_sort(found, {}, &std::pair<double, const DraftPlace*>::first);
+    std::vector<const DraftPlace*> nearest;
+    for (const auto& [cost, place] : found) {
+        nearest.push_back(place);
+    }
+    return nearest;
+}
+
+bool passes(const fs::path& walk_file, WalkLoader& loader) {
+    const LoadedWalk loaded = loader.load_walk(walk_file);
+    return engine::run_walk(*loaded.campus, loaded.walk, {}, loaded.routes.get()).passed;
+}
+
+/// Adds visits one by one, each played with those before it.
+std::vector<const DraftPlace*> playable_visits(const MapFiles& contents, const CampusFiles& files,
+                                               WalkLoader& loader) {
+    constexpr std::size_t kMaxTries = 8;
+    std::vector<const DraftPlace*> visits;
+    Eigen::Vector3d here = Eigen::Vector3d::Zero();
+    for (const scene::osm::DraftSpawn& spawn : contents.spawns) {
+        here = spawn.name == "start" ? spawn.at : here;
+    }
+    std::size_t tries = 0;
+    while (visits.size() < kMaxVisits && tries < kMaxTries) {
+        const std::size_t before = visits.size();
+        for (const DraftPlace* place : nearby(contents.places, here)) {
+            if (std::ranges::find(visits, place) != visits.end()) {
+                continue;
+            }
+            visits.push_back(place);
+            scene::write_file_atomically(files.walk, visit_yaml(visits, files.campus.filename().string()));
+            ++tries;
+            if (passes(files.walk, loader)) {
+                here = place->at;
+                break;
+            }
+            visits.pop_back();
+            if (tries >= kMaxTries) {
+                break;
+            }
+        }
+        if (visits.size() == before) {
+            break;
+        }
+    }
+    return visits;
+}
+
+}  // namespace
+
+CampusFiles campus_files_in(const fs::path& folder, const std::string& name) {
+    return {folder / "campus.glb", folder / (name + ".campus.yaml"), folder / (name + ".walk.yaml"),
+            folder / "ATTRIBUTION.md"};
+}
+
+std::size_t write_campus_files(const MapFiles& contents, const CampusFiles& files, const fs::path& map) {
+    if (contents.campus_yaml.size() > config::kMaxSourceBytes) {
+        throw error_about(map, "too-large",
+                          "its names and doors make a campus file of " +
+                              std::to_string(contents.campus_yaml.size()) + " bytes, and the limit is " +
+                              std::to_string(config::kMaxSourceBytes) +
+                              "; choose a part of the map with --bbox or --center");
+    }
+    const Workshop workshop(files.campus.parent_path());
+    const auto inside = [&](const fs::path& file) { return workshop.path() / file.filename(); };
+    const CampusFiles drafts{inside(files.model), inside(files.campus), inside(files.walk),
+                             inside(files.attribution)};
+    scene::write_file_atomically(drafts.model, contents.glb);
+    scene::write_file_atomically(drafts.campus, contents.campus_yaml);
+    scene::write_file_atomically(drafts.attribution, contents.attribution);
+    config::SearchPaths search = search_paths();
+    search.roots.push_back(fs::absolute(workshop.path()));
+    WalkLoader loader([](const std::vector<scene::Diagnostic>&) {}, std::move(search));
+    std::size_t count = 0;
+    try {
+        const std::vector<const DraftPlace*> visits = playable_visits(contents, drafts, loader);
+        scene::write_file_atomically(drafts.walk, visit_yaml(visits, files.campus.filename().string()));
+        if (!passes(drafts.walk, loader)) {
+            throw std::runtime_error("the walk of the imported campus doesn't pass; please report this map");
+        }
+        count = visits.size();
+    } catch (const scene::InputError& error) {  // about files that the user has never seen
+        throw std::runtime_error("the imported campus isn't valid; please report this map: " +
+                                 std::string(error.what()));
+    }
+    for (const auto& [draft, file] : {std::pair(drafts.model, files.model),
+                                      {drafts.campus, files.campus},
+                                      {drafts.attribution, files.attribution},
+                                      {drafts.walk, files.walk}}) {
+        fs::rename(draft, file);
+    }
+    return count;
+}
+
+}  // namespace campuswalk::tools
