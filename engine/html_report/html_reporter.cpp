@@ -9,6 +9,7 @@
 
 #include "engine/html_report/report_images.h"
 #include "engine/html_report/walk_row.h"
+#include "engine/report/report_paths.h"
 #include "engine/report/result_json.h"
 
 namespace campuswalk::engine {
@@ -63,10 +64,11 @@ HtmlReporter::Details HtmlReporter::details_of(const WalkResult& result, const F
         placement.plan = plan_of(*details.path);
     }
     const std::string images = images_of(result, read_artifact, placement.thumbnail);
-    details.line = "{\"result\":" + to_json_line(result) +
+    const WalkResult shown = with_paths_in_repository(inputs_.start, result);
+    details.line = "{\"result\":" + to_json_line(shown) +
                    ",\"recording\":" + (details.path ? on_one_line(std::move(*recording)) : "null") +
                    ",\"pictures\":" + images + ",\"source\":" + source_of(result) + "}";
-    details.row = open_walk_row(result, placement);
+    details.row = open_walk_row(shown, placement);
     return details;
 }
 
@@ -103,7 +105,7 @@ std::string HtmlReporter::source_of(const WalkResult& result) const {
     Json source = Json::object();
     for (const std::string& file : files) {
         if (std::optional<std::string> text = inputs_.read_source(file); text && text->size() <= kMostBytes) {
-            source[file] = std::move(*text);
+            source[path_in_repository(inputs_.start, file)] = std::move(*text);
         }
     }
     return source.empty() ? "null" : dumped(source);
@@ -160,7 +162,8 @@ void HtmlReporter::add_unmatched() {
     std::ranges::sort(seen_);
     inputs_.against->for_each([this](const WalkResult& other) {
         if (!std::ranges::binary_search(seen_, std::hash<std::string>()(other.id))) {
-            against_rows_ += (against_rows_.empty() ? "" : ",\n") + open_walk_row(other, {}) +
+            against_rows_ += (against_rows_.empty() ? "" : ",\n") +
+                             open_walk_row(with_paths_in_repository(inputs_.start, other), {}) +
                              ",\"index\":-1,\"parts_at\":-1,\"chunk\":-1,\"line\":0}";
         }
     });

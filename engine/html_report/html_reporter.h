@@ -47,6 +47,7 @@ struct HtmlInputs {
     std::optional<ComparedRun> against;
     std::string findings;  ///< of explore: a JSON list, each with the name of its "campus"; empty: none
     std::vector<std::string> problems;  ///< why results may be missing
+    std::string start;  ///< where the run was started, as seen from the repository's root: see report_paths.h
 };
 
 /// Writes a report that shows walks in three dimensions, as one HTML file. Needs the walks' recordings

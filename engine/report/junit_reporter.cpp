@@ -9,6 +9,7 @@
 
 #include "engine/events/decimals.h"
 #include "engine/report/plain_text.h"
+#include "engine/report/report_paths.h"
 #include "engine/report/reporters.h"
 #include "engine/report/result_text.h"
 
@@ -84,16 +85,17 @@ void append_error(pugi::xml_node test, const WalkResult& result) {
                    result.diagnostics.empty() ? verdict : result.diagnostics.front(), details + verdict);
 }
 
-/// Files that Jenkins and GitLab show beside a case.
-std::string attachments_of(const WalkResult& result) {
+/// Files that Jenkins and GitLab show beside a case: as seen from the repository's root, the folder of both
+/// their jobs.
+std::string attachments_of(const WalkResult& result, const std::string& folder) {
     std::string text;
     for (const Artifact& artifact : result.artifacts) {
-        text += "[[ATTACHMENT|" + printable(artifact.path) + "]]\n";
+        text += "[[ATTACHMENT|" + printable(path_in_repository(folder, artifact.path)) + "]]\n";
     }
     return text;
 }
 
-void append_case(pugi::xml_node suite, const WalkResult& result) {
+void append_case(pugi::xml_node suite, const WalkResult& result, const std::string& folder) {
     pugi::xml_node test = suite.append_child("testcase");
     std::string name = result.name;
     name += result.project.empty() ? "" : " " + result.project;
@@ -113,7 +115,7 @@ void append_case(pugi::xml_node suite, const WalkResult& result) {
         default:
             append_error(test, result);
     }
-    append_text(test, "system-out", attachments_of(result));
+    append_text(test, "system-out", attachments_of(result, folder));
     std::string remarks =
         failed_as_expected(result) ? "failed as expected: " + printable(result.status_reason) : "";
     if (result.not_evaluated > 0) {
@@ -125,7 +127,7 @@ void append_case(pugi::xml_node suite, const WalkResult& result) {
 
 class JunitReporter final : public Reporter {
 public:
-    explicit JunitReporter(TextSink sink) : sink_(std::move(sink)) {}
+    JunitReporter(TextSink sink, std::string folder) : sink_(std::move(sink)), folder_(std::move(folder)) {}
 
     void result(const WalkResult&) override {}
 
@@ -142,7 +144,7 @@ public:
         set(root, "name", "campuswalk");
         set_counts(root, report.results.size(), all);
         for (const auto& [file, results] : by_file(report)) {
-            append_suite(root, file, results);
+            append_suite(root, file, results, folder_);
         }
         SinkWriter writer(sink_);
         document.save(writer, "  ", pugi::format_default, pugi::encoding_utf8);
@@ -166,7 +168,7 @@ private:
     }
 
     static void append_suite(pugi::xml_node root, const std::string& file,
-                             const std::vector<const WalkResult*>& results) {
+                             const std::vector<const WalkResult*>& results, const std::string& folder) {
         pugi::xml_node suite = root.append_child("testsuite");
         Tally tally;
         for (const WalkResult* result : results) {
@@ -176,17 +178,18 @@ private:
         set_counts(suite, results.size(), tally);
         set(suite, "skipped", std::to_string(tally.skipped));
         for (const WalkResult* result : results) {
-            append_case(suite, *result);
+            append_case(suite, *result, folder);
         }
     }
 
     TextSink sink_;
+    std::string folder_;  ///< the run's output folder
 };
 
 }  // namespace
 
-std::unique_ptr<Reporter> make_junit_reporter(TextSink sink, const ReportStyle& /*style*/) {
-    return std::make_unique<JunitReporter>(std::move(sink));
+std::unique_ptr<Reporter> make_junit_reporter(TextSink sink, const ReportStyle& style) {
+    return std::make_unique<JunitReporter>(std::move(sink), style.folder);
 }
 
 }  // namespace campuswalk::engine

@@ -3,9 +3,42 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/report/report_paths.h"
 #include "engine/report/reporters.h"
 
 namespace campuswalk::engine {
+
+namespace {
+
+/// Hands on what it gets with paths as seen from the repository's root.
+class RepositoryReporter final : public Reporter {
+public:
+    RepositoryReporter(std::string start, std::unique_ptr<Reporter> reporter)
+        : start_(std::move(start)), reporter_(std::move(reporter)) {}
+
+    void begin(const RunPlan& plan) override {
+        RunPlan placed = plan;
+        placed.start = start_;
+        reporter_->begin(placed);
+    }
+    void result(const WalkResult& result) override {
+        reporter_->result(with_paths_in_repository(start_, result));
+    }
+    void end(const RunReport& report) override {
+        RunReport placed;
+        placed.results.reserve(report.results.size());
+        for (const WalkResult& result : report.results) {
+            placed.results.push_back(with_paths_in_repository(start_, result));
+        }
+        reporter_->end(placed);
+    }
+
+private:
+    std::string start_;
+    std::unique_ptr<Reporter> reporter_;
+};
+
+}  // namespace
 
 std::span<const ReporterKind> reporter_kinds() {
     return kReporterKinds;
@@ -21,7 +54,13 @@ std::vector<std::string> reporter_names() {
 
 std::unique_ptr<Reporter> make_reporter(std::string_view name, TextSink sink, const ReportStyle& style) {
     const auto kind = std::ranges::find(kReporterKinds, name, &ReporterKind::name);
-    return kind == kReporterKinds.end() ? nullptr : kind->make(std::move(sink), style);
+    std::unique_ptr<Reporter> reporter =
+        kind == kReporterKinds.end() ? nullptr : kind->make(std::move(sink), style);
+    // html reads files where the run was started, and places what it shows itself.
+    if (!reporter || style.start.empty() || name == "html") {
+        return reporter;
+    }
+    return std::make_unique<RepositoryReporter>(style.start, std::move(reporter));
 }
 
 std::unique_ptr<Reporter> make_html_reporter(TextSink sink, const ReportStyle& style) {

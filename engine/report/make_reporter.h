@@ -14,11 +14,16 @@ namespace campuswalk::engine {
 /// Takes text including its line ends. Throws std::runtime_error if it can't be written.
 using TextSink = std::function<void(std::string_view text)>;
 
-/// How a report is written for its reader; only `list` and `dot`, which people read, and `html` use it.
+/// How a report is written for its reader.
 struct ReportStyle {
-    bool color = false;       ///< ANSI colours, for a terminal
-    bool quiet = false;       ///< only problems, and the last line
-    std::string folder = {};  ///< the run's output folder as the user wrote it, where images are
+    bool color = false;  ///< of `list` and `dot`: ANSI colours, for a terminal
+    bool quiet = false;  ///< of these two: only problems, and the last line
+    /// The run's output folder, where images are, as seen from the repository's root.
+    std::string folder = {};
+    /// Where the run was started, likewise: see report_paths.h.
+    std::string start = {};
+    /// Of `markdown`: where the repository's files can be seen; ends with a slash.
+    std::string images_url = {};
     /// Makes html reports, which contain more than results: the program knows where that comes from.
     std::function<std::unique_ptr<Reporter>(TextSink sink)> html = {};
 };

@@ -16,6 +16,7 @@ std::unique_ptr<Reporter> make_tap_reporter(TextSink sink, const ReportStyle& st
 std::unique_ptr<Reporter> make_json_reporter(TextSink sink, const ReportStyle& style);
 std::unique_ptr<Reporter> make_jsonl_reporter(TextSink sink, const ReportStyle& style);
 std::unique_ptr<Reporter> make_github_reporter(TextSink sink, const ReportStyle& style);
+std::unique_ptr<Reporter> make_markdown_reporter(TextSink sink, const ReportStyle& style);
 /// By the style's own maker; html/ is a layer of its own.
 std::unique_ptr<Reporter> make_html_reporter(TextSink sink, const ReportStyle& style);
 
@@ -33,6 +34,8 @@ inline constexpr std::array kReporterKinds = {
                  "one result per line, as soon as it is known: the input of merge-reports and replay",
                  make_jsonl_reporter},
     ReporterKind{"github", "annotations in GitHub's pull requests", make_github_reporter},
+    ReporterKind{"markdown", "a table of the walks, and what failed with its pictures: a summary of a CI job",
+                 make_markdown_reporter},
     ReporterKind{"html",
                  "one file to open in a browser: the walks in three dimensions, with time, log and pictures",
                  make_html_reporter}};

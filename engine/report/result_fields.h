@@ -85,6 +85,7 @@ void list_fields(Fields& fields, MaybeConst<RunPlan> auto& plan) {
     fields("all_cases", plan.all_cases);
     fields("contents", plan.contents);
     fields("division", plan.division);
+    fields("start", plan.start);
 }
 
 }  // namespace campuswalk::engine

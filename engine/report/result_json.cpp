@@ -25,7 +25,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kHeaderKey = "campuswalk_results";
-constexpr int kHeaderVersion = 2;
+constexpr int kHeaderVersion = 3;
 
 /// JSON has no such numbers; a reader of reports must not fail on a result because of them.
 constexpr std::array<std::pair<double, std::string_view>, 3> kNotFinite = {{

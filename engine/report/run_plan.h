@@ -14,6 +14,7 @@ struct RunPlan {
     std::size_t all_cases = 0;  ///< of all shards
     std::string contents = {};  ///< hash of all cases and of the YAML files that they name
     std::string division = {};  ///< hash of which case is in which shard
+    std::string start = {};     ///< where it was started, as seen from the repository's root
 };
 
 }  // namespace campuswalk::engine

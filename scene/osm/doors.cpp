@@ -101,9 +101,9 @@ public:
             for (std::size_t i = 0; i < ring.size(); ++i) {
                 const Point& a = ring[i];
                 const Point& b = ring[(i + 1) % ring.size()];
-                constexpr double kLeastWall = 2.0;
+                constexpr double kLeastDoorWall = 2.0;
                 const Point middle = 0.5 * (a + b);
-                if ((b - a).norm() < kLeastWall || !free_.at(middle + 1.0 * -left_of(unit(b - a)))) {
+                if ((b - a).norm() < kLeastDoorWall || !free_.at(middle + 1.0 * -left_of(unit(b - a)))) {
                     continue;
                 }
                 for (const std::size_t number : near) {

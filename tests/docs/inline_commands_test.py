@@ -58,17 +58,18 @@ class InlineCommands(unittest.TestCase):
         print("inline: %d commands" % count)
         self.assertGreater(count, 30)
 
-    def test_options_of_tools_run_in_ci_exist(self):
+    def test_options_of_runs_in_ci_exist(self):
+        """Those of Jenkins, whose file isn't run."""
         count = 0
         for page in snippets.pages(ROOT):
             with open(os.path.join(ROOT, page), encoding="utf-8") as file:
                 for line in file:
-                    call = re.search(r"tools/run( --.*)", line)
+                    call = re.search(r"^ +sh '.*campuswalk run( --.*)'", line)
                     if call:
                         count += 1
                         with self.subTest(page=page, line=line):
                             self.assertLessEqual(set(OPTION.findall(call[1])), self.options["run"])
-        self.assertGreater(count, 1)
+        self.assertGreater(count, 0)
 
     def test_the_ten_steps_run_as_written(self):
         with open(os.path.join(ROOT, "docs", "how-to", "your-own-campus.md"), encoding="utf-8") as file:

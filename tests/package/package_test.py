@@ -113,6 +113,55 @@ class WalksPackage(unittest.TestCase):
         self.assertEqual(failed.returncode, 1)
 
 
+class ProgramPackage(unittest.TestCase):
+    """The component that users run, wherever its folder is."""
+
+    def setUp(self):
+        # Others may have folders of these names above an installation: they are none of its business.
+        self.outer = os.path.join(Package.work, "installed program")
+        shutil.rmtree(self.outer, ignore_errors=True)
+        install = [Package.cmake, "--install", Package.build, "--prefix", os.path.join(self.outer, "first"), "--component",
+                   "program"]
+        Package.run_command(*install, *(["--config", Package.configuration] if Package.configuration else []))
+        os.makedirs(os.path.join(self.outer, "config", "avatars"))
+        with open(os.path.join(self.outer, "config", "avatars", "giant.avatar.yaml"), "w", encoding="utf-8") as file:
+            file.write("height: 2.5\n")
+        self.prefix = os.path.join(self.outer, "moved")
+        os.rename(os.path.join(self.outer, "first"), self.prefix)
+        self.program = os.path.join(self.prefix, "bin", "campuswalk")
+
+    def test_its_profiles_and_the_demo_are_found(self):
+        demo = os.path.join(self.prefix, "share", "campuswalk", "config", "walks", "child-visit.walk.yaml")
+        self.assertIn("ok: ", Package.run_command(self.program, "validate", demo))
+        school = os.path.join(Package.work, "school of the installed program")
+        shutil.rmtree(school, ignore_errors=True)
+        Package.run_command(self.program, "init", school)
+        shutil.rmtree(os.path.join(school, "avatars"))
+        Package.run_command(self.program, "validate", school)  # whose walks name the profile adult
+        walk = os.path.join(school, "walks", "visit.walk.yaml")
+        with open(walk, encoding="utf-8") as file:
+            text = file.read()
+        with open(walk, "w", encoding="utf-8") as file:
+            file.write(text.replace("avatar: adult", "avatar: giant"))
+        done = subprocess.run([self.program, "validate", walk], stderr=subprocess.PIPE, check=False, timeout=60)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn(b"there is no giant.avatar.yaml", done.stderr)
+        self.assertIn(b"child", done.stderr)
+
+    def test_completions_and_schemas_are_beside_it(self):
+        share = os.path.join(self.prefix, "share")
+        for shell, name in (("bash", "bash-completion/completions/campuswalk"), ("zsh", "zsh/vendor-completions/_campuswalk"),
+                            ("fish", "fish/vendor_completions.d/campuswalk.fish")):
+            with open(os.path.join(share, name), encoding="utf-8") as file:
+                self.assertEqual(file.read(), Package.run_command(self.program, "completion", shell))
+        self.assertIn("walk.schema.json", os.listdir(os.path.join(share, "campuswalk", "config", "schema")))
+        self.assertNotIn("expectations", os.listdir(os.path.join(share, "campuswalk", "config", "walks")))
+
+    def test_it_names_no_folder_of_the_build(self):
+        with open(self.program, "rb") as file:
+            self.assertNotIn(Package.build.encode(), file.read())
+
+
 if __name__ == "__main__":
     Package.build, Package.work, Package.cmake, Package.generator, Package.compiler = sys.argv[1:6]
     Package.configuration = sys.argv[6] if len(sys.argv) > 6 else ""

@@ -5,7 +5,7 @@ import os
 
 from program import WALK, CheckoutCase, ProgramCase, main
 
-KINDS = ("list", "dot", "junit", "tap", "json", "jsonl", "github", "log")
+KINDS = ("list", "dot", "junit", "tap", "json", "jsonl", "github", "markdown", "log")
 
 
 class ConfinedWrites(CheckoutCase):

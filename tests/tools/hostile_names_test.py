@@ -44,7 +44,7 @@ class HostileNames(ProgramCase):
     def test_reports(self):
         for name in HOSTILE:
             self.write_campus(name)
-            for reporter in ("list", "dot", "junit", "tap", "json", "jsonl", "github"):
+            for reporter in ("list", "dot", "junit", "tap", "json", "jsonl", "github", "markdown"):
                 self.check("run", "short.walk.yaml", "--rendering-backend", "none", "--reporter", reporter,
                            "--reporter", "jsonl=r.jsonl", "--jsonl", "log.jsonl", commands=reporter == "github")
             self.check("run", "short.walk.yaml", "--rendering-backend", "none")

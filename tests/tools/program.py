@@ -80,7 +80,7 @@ FILES = {
 SKIPPED = 77  # ctest's SKIP_RETURN_CODE
 
 # What changes which walks run, or what they may write; a test that is about one of these sets it itself.
-STEERING_VARIABLES = ("CI", "CAMPUSWALK_SHARD_INDEX", "CAMPUSWALK_SHARD_COUNT", "TEST_SHARD_INDEX", "TEST_TOTAL_SHARDS",
+STEERING_VARIABLES = ("CI", "CI_PROJECT_DIR", "GITHUB_WORKSPACE", "CAMPUSWALK_SHARD_INDEX", "CAMPUSWALK_SHARD_COUNT", "TEST_SHARD_INDEX", "TEST_TOTAL_SHARDS",
                       "SLURM_ARRAY_TASK_ID", "JOB_COMPLETION_INDEX")
 
 HEAD = re.compile(r"(?:\S.*?: )?(?:error|warning)(?: [a-z-]+)?: ?")

@@ -180,12 +180,12 @@ class Strict(ProgramCase):
 
     def test_images_that_nothing_draws_are_counted_and_fail(self):
         self.write("short.walk.yaml", self.SNAPSHOT)
-        names = ("json", "jsonl", "junit", "tap", "dot", "list", "github")
+        names = ("json", "jsonl", "junit", "tap", "dot", "list", "github", "markdown")
         reporters = [argument for name in names for argument in ("--reporter", f"{name}={name}")]
         self.assertEqual(self.run_walks(*reporters).code, 0)
         self.assertEqual(json.loads(self.read("json"))["summary"]["not_evaluated"], 1)
         self.assertEqual(json.loads(self.read("jsonl").splitlines()[1])["not_evaluated"], 1)
-        for name in ("junit", "tap", "dot", "list", "github"):
+        for name in ("junit", "tap", "dot", "list", "github", "markdown"):
             self.assertIn(b"1 expectation not evaluated", self.read(name), name)
         outcome = self.run_walks("--strict")
         self.assertEqual(outcome.code, 1)

@@ -11,7 +11,7 @@ FAILING = WALK.replace('never: "collision.enter hut/wall"', "never: popup.open h
 class Shards(ProgramCase):
     """Walks in two projects, some with mistakes: every report of the whole run, and of its merged parts."""
 
-    REPORTERS = ("json", "jsonl", "junit", "tap", "dot", "list", "github")
+    REPORTERS = ("json", "jsonl", "junit", "tap", "dot", "list", "github", "markdown")
 
     def setUp(self):
         super().setUp()

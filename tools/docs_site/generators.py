@@ -23,10 +23,10 @@ class Sources:
     def schema(self, name):
         return json.loads(self.text("config", "schema", name))
 
-    def initial(self, file):
-        """A file that `campuswalk init` writes."""
+    def initial(self, file, *options):
+        """A file that `campuswalk init` writes, with these options."""
         with tempfile.TemporaryDirectory(prefix="campuswalk-docs-") as folder:
-            subprocess.run([self.program, "init", folder], check=True, capture_output=True)
+            subprocess.run([self.program, "init", *options, folder], check=True, capture_output=True)
             with open(os.path.join(folder, file), encoding="utf-8") as opened:
                 return opened.read()
 
@@ -88,8 +88,8 @@ def json_keys(sources, argument):
 
 
 def initial_file(sources, argument):
-    language, file = argument.split(" ")
-    return "```%s\n%s```" % (language, sources.initial(file))
+    language, file, *options = argument.split(" ")
+    return "```%s\n%s```" % (language, sources.initial(file, *options))
 
 
 GENERATORS = {

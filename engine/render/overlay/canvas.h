@@ -28,7 +28,7 @@ struct Rgba {
 /// pixels everywhere. Greyscale anti-aliasing, no hinting.
 class Fonts {
 public:
-    /// The font folders of Debian, Ubuntu, Fedora, Arch and openSUSE.
+    /// The program's own, if it came with fonts, then those of Debian, Ubuntu, Fedora, Arch and openSUSE.
     static std::span<const std::filesystem::path> default_folders();
 
     /// Throws RenderError if a file is in none of the folders: substitutes would change images.

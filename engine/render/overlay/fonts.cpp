@@ -7,6 +7,7 @@
 
 #include "engine/render/gl/render_error.h"
 #include "engine/render/overlay/canvas.h"
+#include "scene/base/installation.h"
 
 namespace campuswalk::engine::render {
 namespace {
@@ -30,14 +31,11 @@ bool add_font(FcConfig* config, std::span<const fs::path> folders, const char* f
 }  // namespace
 
 std::span<const fs::path> Fonts::default_folders() {
-    static const std::array<fs::path, 7> folders = {
-        "/usr/share/fonts/truetype/dejavu",
-        "/usr/share/fonts/truetype/wqy",
-        "/usr/share/fonts/dejavu-sans-fonts",
-        "/usr/share/fonts/wqy-microhei-fonts",
-        "/usr/share/fonts/TTF",
-        "/usr/share/fonts/wenquanyi/wqy-microhei",
-        "/usr/share/fonts/truetype",
+    static const std::array<fs::path, 8> folders = {
+        scene::installed_data() / "fonts",         "/usr/share/fonts/truetype/dejavu",
+        "/usr/share/fonts/truetype/wqy",           "/usr/share/fonts/dejavu-sans-fonts",
+        "/usr/share/fonts/wqy-microhei-fonts",     "/usr/share/fonts/TTF",
+        "/usr/share/fonts/wenquanyi/wqy-microhei", "/usr/share/fonts/truetype",
     };
     return folders;
 }
@@ -53,6 +51,9 @@ Fonts::Fonts(std::span<const fs::path> folders) {
                 "fonts-wqy-microhei; Fedora: dnf install dejavu-sans-fonts wqy-microhei-fonts)");
         }
     }
+    // Pango would load the system's configuration, which isn't used, takes time, and is missing on some
+    // machines.
+    FcConfigSetCurrent(config);
     PangoFontMap* map = pango_cairo_font_map_new_for_font_type(CAIRO_FONT_TYPE_FT);
     pango_fc_font_map_set_config(PANGO_FC_FONT_MAP(map), config);
     FcConfigDestroy(config);  // the map holds its own reference

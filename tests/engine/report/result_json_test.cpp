@@ -197,8 +197,13 @@ TEST(ResultJson, RejectsAnyDepthOfNesting) {
 }
 
 TEST(ResultJson, RoundTripsAPlan) {
-    const RunPlan plan{
-        .cases = 4, .shard = 2, .shards = 3, .all_cases = 11, .contents = "0a", .division = "1b"};
+    const RunPlan plan{.cases = 4,
+                       .shard = 2,
+                       .shards = 3,
+                       .all_cases = 11,
+                       .contents = "0a",
+                       .division = "1b",
+                       .start = "campus"};
     const std::string line = to_header_line(plan);
     const std::optional<RunPlan> back = plan_from_header_line(line);
     ASSERT_TRUE(back);

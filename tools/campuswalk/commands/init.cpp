@@ -2,8 +2,10 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "scene/base/atomic_file.h"
@@ -12,6 +14,7 @@
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/commands/commands.h"
+#include "tools/campuswalk/init/ci_files.h"
 #include "tools/campuswalk/init/templates.h"
 
 namespace campuswalk::tools {
@@ -23,6 +26,7 @@ namespace {
 struct InitOptions {
     fs::path folder = ".";
     init::Template which = init::Template::minimal;
+    init::Service service = init::Service::github;
 };
 
 /// A new repository contains only this folder.
@@ -90,7 +94,10 @@ void write(const fs::path& path, const std::string& text, Undo& undo) {
 /// them. Overwrites nothing: a folder with files in it is refused. Returns the exit code.
 int make_project(const InitOptions& options) {
     check_folder(options.folder);
-    const std::vector<init::NewFile> files = init::files_of(options.which);
+    std::vector<init::NewFile> files = init::files_of(options.which);
+    if (std::optional<init::NewFile> file = init::ci_file(options.service)) {
+        files.push_back(std::move(*file));
+    }
     Undo undo;
     for (const init::NewFile& file : files) {
         write(options.folder / file.path, file.text, undo);
@@ -119,6 +126,10 @@ void add_init(Command program, CommandAction& chosen) {
         {.names = "--template",
          .help = "minimal (default): a library; stairs: with a gallery; campus: with two more halls"},
         templates, options->which);
+    const std::map<std::string, init::Service> services = {
+        {"github", init::Service::github}, {"gitlab", init::Service::gitlab}, {"none", init::Service::none}};
+    command.choice({.names = "--ci", .help = "Whose CI runs the walks: github (default), gitlab or none"},
+                   services, options->service);
     command.footer("Nothing is overwritten: a folder with files in it is refused.");
     command.choose(chosen, [options] { return make_project(*options); });
 }

@@ -6,8 +6,10 @@
 
 #include "config/loader/yaml/wording.h"
 #include "engine/report/make_reporter.h"
+#include "engine/report/report_paths.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/print.h"
+#include "tools/campuswalk/base/repository.h"
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/html/html_reports.h"
 #include "tools/campuswalk/run/plan/find_walks.h"
@@ -25,6 +27,7 @@ struct MergeOptions {
     std::vector<std::filesystem::path> inputs;  ///< jsonl reports, or folders to look for them in
     std::vector<std::string> reporters;         ///< NAME or NAME=FILE; `list` if there are none
     std::filesystem::path output = "out";       ///< folder of the images that reports name
+    std::string images_url;                     ///< where the repository's files can be seen; empty: nowhere
     ColorChoice color = ColorChoice::automatic;
 };
 
@@ -41,7 +44,15 @@ int merge_reports(const MergeOptions& options) {
     html.output = as_seen_from_here(options.output);
     html.title = title_of_inputs(options.inputs);
     html.problems = merged.problems();
-    engine::ReportStyle style{settings.color, false, html.output.generic_string()};
+    engine::ReportStyle style{settings.color};
+    style.start = merged.plan().start;
+    style.folder =
+        engine::path_in_repository(start_in_repository(environment_variable), html.output.generic_string());
+    style.images_url = options.images_url;
+    if (!style.images_url.empty() && !style.images_url.ends_with('/')) {
+        style.images_url += '/';
+    }
+    html.start = style.start;
     style.html = [&html](engine::TextSink sink) { return make_html_reporter(html, std::move(sink)); };
     Reports reports(settings.reports, style, false);
     reports.begin(merged.plan());
@@ -78,6 +89,15 @@ void add_merge_reports(Command program, CommandAction& chosen) {
                     .value = "DIR",
                     .show_default = true},
                    options->output);
+    command.option({.names = "--pictures-url",
+                    .help = "Where a service shows the job's files, for the pictures of markdown reports",
+                    .value = "URL",
+                    .check =
+                        [](const std::string& url) {
+                            const bool plain = url.find_first_of(" <>\"\\\n\r\t") == std::string::npos;
+                            return plain && url.starts_with("https://") ? "" : "it must begin with https://";
+                        }},
+                   options->images_url);
     add_color(command, options->color);
     command.footer(
         "Exit code: that of the whole run; 1 if a shard's report is missing, incomplete, there twice, or of "

@@ -63,6 +63,7 @@ int report(const Options& options) {
     request.output = as_seen_from_here(request.output);
     request.title = options.title.empty() ? title_of_inputs(options.inputs) : options.title;
     request.problems = merged.problems();
+    request.start = merged.plan().start;
     engine::ReportStyle style;
     style.html = [&request](engine::TextSink sink) { return make_html_reporter(request, std::move(sink)); };
     Reports reports(targets, style, false);

@@ -16,6 +16,7 @@
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
+#include "tools/campuswalk/base/repository.h"
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/loading/model_importer.h"
 #include "tools/campuswalk/loading/walk_loader.h"
@@ -190,7 +191,8 @@ int validate_files(const ValidateOptions& options) {
     const Findings& findings = validation.findings();
     if (options.format != nullptr) {
         const bool commands = options.format == as_github;
-        (commands ? print_commands : print_lines)(options.format(findings));
+        (commands ? print_commands : print_lines)(
+            options.format(with_paths_in_repository(start_in_repository(environment_variable), findings)));
     }
     const bool has_errors = std::ranges::any_of(findings.diagnostics, [](const Diagnostic& diagnostic) {
         return diagnostic.severity == scene::Severity::error;

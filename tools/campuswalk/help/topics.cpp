@@ -167,13 +167,13 @@ std::string reports() {
     std::string kinds;
     for (const engine::ReporterKind& kind : engine::reporter_kinds()) {
         std::string name(kind.name);
-        name.resize(9, ' ');
+        name.resize(10, ' ');
         kinds += "  " + name + std::string(kind.summary) + "\n";
     }
     return R"('campuswalk run --reporter NAME' or '--reporter NAME=FILE', repeatable; at most one without a file.
 
 )" + kinds +
-           R"(  log      the events, one per line; what a single walk prints without --reporter
+           R"(  log       the events, one per line; what a single walk prints without --reporter
 
 Reports don't depend on the number of workers, and contain no wall-clock time and no absolute path.
 

@@ -201,6 +201,7 @@ std::unique_ptr<engine::Reporter> make_html_reporter(const HtmlRequest& request,
     }
     inputs.findings = read_findings(request.findings);
     inputs.problems = request.problems;
+    inputs.start = request.start;
     return std::make_unique<engine::HtmlReporter>(std::move(sink), std::move(inputs));
 }
 

@@ -39,6 +39,7 @@ struct HtmlRequest {
     std::optional<std::filesystem::path> against_output;  ///< the other run's `output`; the same if not given
     std::vector<std::filesystem::path> findings;          ///< of explore --json
     std::vector<std::string> problems;                    ///< why results may be missing
+    std::string start;  ///< where the run was started, as seen from the repository's root
 };
 
 /// Throws scene::InputError for files that aren't what they should be.

@@ -89,37 +89,6 @@ expect:
   - not: {reaches: gallery}
 )";
 
-// The repository variable CAMPUSWALK, as OWNER/NAME, says where to get campuswalk's sources.
-constexpr const char* kWorkflow = R"(name: walks
-on: [push, pull_request]
-jobs:
-  walks:
-    runs-on: ubuntu-latest
-    container: debian:12
-    steps:
-      - run: apt-get update && apt-get install -y git
-      - uses: actions/checkout@v4
-      - name: Check where campuswalk comes from
-        if: ${{ vars.CAMPUSWALK == '' }}
-        run: |
-          echo "::error::set the repository variable CAMPUSWALK to OWNER/NAME of campuswalk's sources"
-          exit 1
-      - uses: actions/checkout@v4
-        with:
-          repository: ${{ vars.CAMPUSWALK }}
-          path: .campuswalk
-      - name: Walk
-        run: .campuswalk/tools/run --forbid-only --reporter github --reporter junit=out/junit.xml
-      - name: Annotate errors
-        if: failure()
-        run: .campuswalk/build/release/campuswalk validate --format github .
-      - uses: actions/upload-artifact@v4
-        if: always()
-        with:
-          name: results
-          path: out
-)";
-
 constexpr const char* kUpstairs = R"(# yaml-language-server: $schema=../schema/walk.schema.json
 # Up ten steps of 17 cm to the gallery.
 campus: ../school.campus.yaml
@@ -195,8 +164,7 @@ std::vector<NewFile> files_of(Template which) {
                                   {"walks/visit.walk.yaml", kVisit},
                                   {"walks/wall.walk.yaml", kWall},
                                   {"walks.config.yaml", kConfig},
-                                  {".gitignore", "out/\n.campuswalk/\n"},
-                                  {".github/workflows/walks.yml", kWorkflow}};
+                                  {".gitignore", "out/\n.campuswalk/\n"}};
     if (which != Template::minimal) {
         files.push_back({"avatars/robot.avatar.yaml", kRobot});
         files.push_back({"walks/upstairs.walk.yaml", kUpstairs});

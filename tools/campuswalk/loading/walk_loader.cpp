@@ -6,6 +6,7 @@
 #include "collision/world/bullet_broad_phase.h"
 #include "engine/simulation/check_go_to.h"
 #include "engine/simulation/check_walk.h"
+#include "scene/base/installation.h"
 #include "tools/campuswalk/loading/cache_choice.h"
 #include "tools/campuswalk/loading/campus_hash.h"
 #include "tools/campuswalk/loading/model_importer.h"
@@ -18,19 +19,27 @@ namespace {
 
 std::vector<fs::path> named_roots;
 
+/// Of an installed program its own; of one in SOURCES/build/PRESET those of the sources. Never both: above an
+/// installation others may have a folder of that name.
+fs::path profiles_folder(const fs::path& installed) {
+    std::error_code ignored;
+    if (fs::path own = installed / "config"; fs::is_directory(own, ignored)) {
+        return own;
+    }
+    const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+    return program.parent_path().parent_path().parent_path() / "config";
+}
+
 }  // namespace
 
 config::SearchPaths search_paths() {
-    std::error_code ignored;
-    const fs::path folder = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+    const fs::path installed = scene::installed_data();
     config::SearchPaths paths;
     paths.roots = named_roots;
-    paths.roots.push_back(folder.parent_path() / "share" / "campuswalk");
-    for (const fs::path& config : {folder.parent_path().parent_path() / "config",
-                                   folder.parent_path() / "share" / "campuswalk" / "config"}) {
-        paths.avatars.push_back(config / "avatars");
-        paths.lights.push_back(config / "lights");
-    }
+    paths.roots.push_back(installed);
+    const fs::path config = profiles_folder(installed);
+    paths.avatars.push_back(config / "avatars");
+    paths.lights.push_back(config / "lights");
     return paths;
 }
 

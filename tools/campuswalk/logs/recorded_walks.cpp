@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "config/loader/load_run.h"
+#include "engine/report/report_paths.h"
 #include "engine/report/result_json.h"
 #include "engine/report/walk_result.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
@@ -52,11 +53,13 @@ std::optional<engine::RunPlan> plan_of(const fs::path& source, const std::string
     }
 }
 
-std::vector<RecordedWalk> walks_of_report(const fs::path& source, const std::vector<std::string>& lines) {
+std::vector<RecordedWalk> walks_of_report(const fs::path& source, const std::string& start,
+                                          const std::vector<std::string>& lines) {
     std::vector<RecordedWalk> walks;
     for (std::size_t i = 1; i < lines.size(); ++i) {
         try {
-            const engine::WalkResult result = engine::result_from_json_line(lines[i]);
+            const engine::WalkResult result =
+                engine::with_paths_in_run(start, engine::result_from_json_line(lines[i]));
             const bool ended =
                 result.outcome == engine::Outcome::passed || result.outcome == engine::Outcome::failed;
             walks.push_back({result.id, result.name, result.project, result.config, result.file,
@@ -108,7 +111,7 @@ Recording recorded_walks(const fs::path& source, const std::vector<std::string>&
     if (!walk_files.empty()) {
         throw error_about("--walk", "bad-value", "a report names its walks itself");
     }
-    std::vector<RecordedWalk> walks = walks_of_report(source, lines);
+    std::vector<RecordedWalk> walks = walks_of_report(source, plan->start, lines);
     std::set<std::string> ids;
     for (const RecordedWalk& walk : walks) {
         ids.insert(walk.id);

@@ -10,12 +10,14 @@
 #include <string>
 #include <utility>
 
+#include "engine/report/report_paths.h"
 #include "scene/lint/wording.h"
 #include "tools/campuswalk/base/canonical_paths.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
+#include "tools/campuswalk/base/repository.h"
 #include "tools/campuswalk/base/text.h"
 #include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/html/html_reports.h"
@@ -23,6 +25,7 @@
 #include "tools/campuswalk/logs/golden_log.h"
 #include "tools/campuswalk/run/cases/records.h"
 #include "tools/campuswalk/run/cases/run_fingerprint.h"
+#include "tools/campuswalk/run/plan/find_walks.h"
 #include "tools/campuswalk/run/plan/plan.h"
 #include "tools/campuswalk/run/plan/run_settings.h"
 #include "tools/campuswalk/run/results/background_reporter.h"
@@ -379,8 +382,12 @@ private:
     }
 
     engine::ReportStyle report_style(const Plan& plan) const {
-        engine::ReportStyle style{settings_.color, options_.quiet, settings_.output.generic_string()};
+        engine::ReportStyle style{settings_.color, options_.quiet};
+        style.start = start_in_repository(environment_variable);
+        style.folder =
+            engine::path_in_repository(style.start, as_seen_from_here(settings_.output).generic_string());
         HtmlRequest request;
+        request.start = style.start;
         request.output = settings_.output;
         request.geometry = options_.report_geometry;
         request.campuses = campuses_of(plan);

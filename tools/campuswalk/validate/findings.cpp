@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "engine/report/plain_text.h"
+#include "engine/report/report_paths.h"
 #include "tools/campuswalk/base/json_text.h"
+#include "tools/campuswalk/run/plan/find_walks.h"
 
 namespace campuswalk::tools {
 
@@ -61,6 +63,19 @@ std::vector<std::string> codes_of(const Findings& findings) {
 }
 
 }  // namespace
+
+Findings with_paths_in_repository(const std::string& start, Findings findings) {
+    const auto placed = [&](const std::string& path) {
+        return engine::path_in_repository(start, as_seen_from_here(path).generic_string());
+    };
+    for (CheckedFile& checked : findings.files) {
+        checked.file = placed(checked.file);
+    }
+    for (Diagnostic& diagnostic : findings.diagnostics) {
+        diagnostic.mark.file = placed(diagnostic.mark.file);
+    }
+    return findings;
+}
 
 std::string as_json(const Findings& findings) {
     Json files = Json::array();

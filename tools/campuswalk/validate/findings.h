@@ -20,6 +20,9 @@ struct Findings {
     std::vector<scene::Diagnostic> diagnostics;
 };
 
+/// The same with paths as seen from the repository's root, which services know; `start` as in report_paths.h.
+Findings with_paths_in_repository(const std::string& start, Findings findings);
+
 // The findings as text for different readers, ending with a line end.
 
 std::string as_json(const Findings& findings);

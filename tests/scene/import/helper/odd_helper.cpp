@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "scene/import/helper/helper_streams.h"
+#include "scene/import/helper/import_protocol.h"
 #include "scene/import/helper/sandbox.h"
 #include "scene/import/helper/serve_import.h"
 #include "scene/import/source/scene_folder.h"

@@ -47,7 +47,8 @@ void MergedRun::add(const ResultFile& file) {
     const std::size_t results = file.for_each([](WalkResult&&) {});
     const RunPlan& plan = file.plan();
     const bool same_run = plan.shards == run_.shards && plan.all_cases == run_.all_cases &&
-                          plan.contents == run_.contents && plan.division == run_.division;
+                          plan.contents == run_.contents && plan.division == run_.division &&
+                          plan.start == run_.start;
     const std::string shard = "shard " + std::to_string(plan.shard);
     if (!same_run || plan.shard < 1 || plan.shard > plan.shards) {
         note(file.file(), "other-plan",

@@ -1,10 +1,12 @@
 #include "tools/campuswalk/run/results/reports.h"
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 #include "tools/campuswalk/base/report_diagnostics.h"
@@ -37,6 +39,7 @@ bool begins_like(std::string_view kind, const fs::path& file) {
         {"json", {"{\"campuswalk_report\":"}},
         {"jsonl", {"{\"campuswalk_results\":"}},
         {"github", {"::error ", "::notice title=campuswalk::"}},
+        {"markdown", {"## campuswalk: "}},
         {"html",
          {"<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\">\n"
           "<meta http-equiv=\"Content-Security-Policy\""}},
@@ -80,7 +83,8 @@ void check_target(const ReportTarget& target) {
 /// Whether a reader needs the report's end to make sense of it. Devices and pipes are streams, and so is a
 /// file whose folder can't be changed.
 bool is_whole(const ReportTarget& target) {
-    if (target.name != "junit" && target.name != "json" && target.name != "html") {
+    constexpr std::array<std::string_view, 4> kWhole = {"junit", "json", "html", "markdown"};
+    if (std::ranges::find(kWhole, target.name) == kWhole.end()) {
         return false;
     }
     std::error_code ignored;

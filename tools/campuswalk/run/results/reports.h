@@ -21,8 +21,9 @@ void check_targets(const std::vector<ReportTarget>& reports);
 class Reports {
 public:
     /// Opens the files, with the folders that they need. Streams are truncated; files that make sense only as
-    /// a whole (junit, json, html) are removed by begin(), written beside their place and renamed at the end,
-    /// so that what is there is neither half a report nor another run's. Leaves "log" out unless `with_logs`.
+    /// a whole (junit, json, html, markdown) are removed by begin(), written beside their place and renamed
+    /// at the end, so that what is there is neither half a report nor another run's. Leaves "log" out unless
+    /// `with_logs`.
     Reports(const std::vector<ReportTarget>& targets, const engine::ReportStyle& style, bool with_logs);
 
     bool has_log() const { return !logs_.empty(); }

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "engine/report/report_paths.h"
 #include "engine/report/result_json.h"
 #include "scene/base/diagnostic.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
@@ -90,7 +91,7 @@ engine::WalkResult ResultFile::read_at(std::streamoff offset) const {
     std::string line;
     stream.seekg(offset);
     next_line(stream, line);
-    return engine::result_from_json_line(line);
+    return engine::with_paths_in_run(plan_.start, engine::result_from_json_line(line));
 }
 
 std::size_t ResultFile::for_each_located(
@@ -104,7 +105,7 @@ std::size_t ResultFile::for_each_located(
          ++number, ++count, offset += static_cast<std::streamoff>(line.size()) + 1) {
         std::optional<engine::WalkResult> result;
         try {
-            result = engine::result_from_json_line(line);
+            result = engine::with_paths_in_run(plan_.start, engine::result_from_json_line(line));
         } catch (const std::runtime_error& error) {
             throw about_line(file_, number, error);
         }

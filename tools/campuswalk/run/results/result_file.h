@@ -15,7 +15,8 @@ namespace campuswalk::tools {
 
 using ResultVisitor = std::function<void(engine::WalkResult&& result)>;
 
-/// What `--reporter jsonl=FILE` wrote, read a line at a time: its results need no memory.
+/// What `--reporter jsonl=FILE` wrote, read a line at a time: its results need no memory. Their paths are
+/// again as seen from the folder where the run was started.
 class ResultFile {
 public:
     /// nullopt if the file isn't such a report. Throws scene::InputError: missing-file; bad-report for a

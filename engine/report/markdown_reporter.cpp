@@ -1,0 +1,180 @@
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "engine/events/decimals.h"
+#include "engine/report/plain_text.h"
+#include "engine/report/report_paths.h"
+#include "engine/report/reporters.h"
+#include "engine/report/result_text.h"
+
+namespace campuswalk::engine {
+
+namespace {
+
+// GitHub takes a megabyte for a step's summary, and nobody reads that much.
+constexpr std::size_t kMostRows = 500;
+constexpr std::size_t kMostDetails = 30;
+
+/// Text that Markdown shows as it is. What makes a link of an address or a name is escaped, too: names come
+/// from strangers' files.
+std::string markdown_text(std::string_view text) {
+    constexpr std::string_view kMarkup = "\\`*_{}[]()<>#+!|~@:&$";
+    std::string escaped;
+    for (const char c : printable(text)) {
+        if (kMarkup.find(c) != std::string_view::npos) {
+            escaped += '\\';
+        }
+        escaped += c;
+    }
+    return escaped;
+}
+
+/// As part of an address, between `<` and `>`.
+std::string percent_encoded(std::string_view path) {
+    constexpr std::string_view kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~/";
+    constexpr std::string_view kDigits = "0123456789ABCDEF";
+    std::string encoded;
+    for (const char c : path) {
+        if (kPlain.find(c) != std::string_view::npos) {
+            encoded += c;
+        } else {
+            const auto byte = static_cast<unsigned char>(c);
+            encoded += {'%', kDigits[byte / 16U], kDigits[byte % 16U]};
+        }
+    }
+    return encoded;
+}
+
+const char* symbol_of(const WalkResult& result) {
+    switch (result.outcome) {
+        case Outcome::passed:
+            return result.expected_to_fail ? "✅ xfail" : "✅";
+        case Outcome::skipped:
+            return "⏭️ skipped";
+        case Outcome::failed:
+            return "❌";
+        case Outcome::interrupted:
+            return "⏹️ interrupted";
+        default:
+            return "💥 error";
+    }
+}
+
+/// What the table says of a walk: why it isn't simply passed.
+std::string remark_of(const WalkResult& result) {
+    if (!result.failures.empty() && result.outcome == Outcome::failed) {
+        return result.failures.front().message;
+    }
+    if (!result.diagnostics.empty()) {
+        return result.diagnostics.front();
+    }
+    const std::string verdict = verdict_in_words(result);
+    return verdict.empty() ? result.status_reason : verdict;
+}
+
+bool is_problem(const WalkResult& result) {
+    return result.outcome != Outcome::passed && result.outcome != Outcome::skipped;
+}
+
+/// Problems first, as the table may be cut.
+std::vector<const WalkResult*> problems_first(const RunReport& report) {
+    std::vector<const WalkResult*> results;
+    for (const WalkResult& result : report.results) {
+        results.push_back(&result);
+    }
+    std::ranges::stable_partition(results, [](const WalkResult* result) { return is_problem(*result); });
+    return results;
+}
+
+class MarkdownReporter final : public Reporter {
+public:
+    MarkdownReporter(TextSink sink, const ReportStyle& style)
+        : sink_(std::move(sink)), folder_(style.folder), images_url_(style.images_url) {}
+
+    void result(const WalkResult&) override {}
+
+    void end(const RunReport& report) override {
+        Tally tally;
+        for (const WalkResult& result : report.results) {
+            tally.add(result);
+        }
+        write("## campuswalk: " + markdown_text(summary_of(tally)) + "\n");
+        const std::vector<const WalkResult*> results = problems_first(report);
+        write_table(results);
+        for (std::size_t i = 0; i < results.size() && is_problem(*results[i]); ++i) {
+            if (i == kMostDetails) {
+                write("… and more, which the other reports have.\n");
+                break;
+            }
+            write_details(*results[i]);
+        }
+    }
+
+private:
+    void write(const std::string& line) { sink_(line + "\n"); }
+
+    void write_table(const std::vector<const WalkResult*>& results) {
+        if (results.empty()) {
+            return;
+        }
+        write("| | walk | time | distance | |");
+        write("|---|---|--:|--:|---|");
+        for (std::size_t i = 0; i < std::min(results.size(), kMostRows); ++i) {
+            const WalkResult& result = *results[i];
+            write(std::string("| ") + symbol_of(result) + " | " + markdown_text(title_of(result)) + " | " +
+                  fixed(seconds_of(result), 1) + " s | " + fixed(result.distance, 1) + " m | " +
+                  markdown_text(remark_of(result)) + " |");
+        }
+        if (results.size() > kMostRows) {
+            write("\n… and " + std::to_string(results.size() - kMostRows) + " more.");
+        }
+        write("");
+    }
+
+    void write_details(const WalkResult& result) {
+        write("### " + markdown_text(title_of(result)) + "\n");
+        for (const std::string& diagnostic : result.diagnostics) {
+            write("- " + markdown_text(diagnostic));
+        }
+        if (const std::string verdict = verdict_in_words(result); !verdict.empty()) {
+            write("- " + markdown_text(verdict));
+        }
+        for (const Failure& failure : result.failures) {
+            write("- " + markdown_text(headline_of(failure)));
+            if (const std::string place = place_of(failure.scene); !place.empty()) {
+                write("  " + markdown_text(place));
+            }
+        }
+        write("");
+        for (const Artifact& artifact : result.artifacts) {
+            if (artifact.media_type.starts_with("image/")) {
+                write_image(artifact);
+            }
+        }
+    }
+
+    /// Without an address where it can be seen, its place among the job's artifacts.
+    void write_image(const Artifact& artifact) {
+        const std::string path = path_in_repository(folder_, artifact.path);
+        if (images_url_.empty()) {
+            write("- " + markdown_text(artifact.name) + ": " + markdown_text(path));
+        } else {
+            write("![" + markdown_text(artifact.name) + "](<" + images_url_ + percent_encoded(path) + ">)\n");
+        }
+    }
+
+    TextSink sink_;
+    std::string folder_;
+    std::string images_url_;
+};
+
+}  // namespace
+
+std::unique_ptr<Reporter> make_markdown_reporter(TextSink sink, const ReportStyle& style) {
+    return std::make_unique<MarkdownReporter>(std::move(sink), style);
+}
+
+}  // namespace campuswalk::engine

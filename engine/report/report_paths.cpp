@@ -1,0 +1,68 @@
+#include "engine/report/report_paths.h"
+
+#include <filesystem>
+#include <functional>
+#include <string_view>
+#include <utility>
+
+namespace campuswalk::engine {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+using PathChange = std::function<std::string(const std::string& path)>;
+
+std::string path_in_run(const std::string& start, const std::string& path) {
+    return fs::path(path).lexically_relative(start).generic_string();
+}
+
+/// The place in `file:line:col: error CODE: message`. Numbers at the end of a path don't matter to the
+/// change; options such as --grep are no paths.
+void change_place(std::string& diagnostic, const PathChange& change) {
+    const std::size_t end = diagnostic.find(": error ");
+    if (end != std::string::npos && !diagnostic.starts_with("--")) {
+        diagnostic = change(diagnostic.substr(0, end)) + diagnostic.substr(end);
+    }
+}
+
+WalkResult with_changed_paths(WalkResult result, const PathChange& change) {
+    if (result.id.starts_with(result.file)) {
+        result.id = change(result.file) + result.id.substr(result.file.size());
+    }
+    result.file = change(result.file);
+    if (!result.config.empty()) {
+        result.config = change(result.config);
+    }
+    for (Failure& failure : result.failures) {
+        if (!failure.mark.file.empty()) {
+            failure.mark.file = change(failure.mark.file);
+        }
+    }
+    for (std::string& diagnostic : result.diagnostics) {
+        change_place(diagnostic, change);
+    }
+    return result;
+}
+
+}  // namespace
+
+std::string path_in_repository(const std::string& start, const std::string& path) {
+    return start.empty() ? path : (fs::path(start) / path).lexically_normal().generic_string();
+}
+
+WalkResult with_paths_in_repository(const std::string& start, WalkResult result) {
+    return start.empty() ? std::move(result)
+                         : with_changed_paths(std::move(result), [&](const std::string& path) {
+                               return path_in_repository(start, path);
+                           });
+}
+
+WalkResult with_paths_in_run(const std::string& start, WalkResult result) {
+    return start.empty() ? std::move(result)
+                         : with_changed_paths(std::move(result), [&](const std::string& path) {
+                               return path_in_run(start, path);
+                           });
+}
+
+}  // namespace campuswalk::engine

@@ -1,0 +1,290 @@
+#!/usr/bin/env python3
+"""action.yml's steps, run as GitHub's runner runs them, with actions of others in name only."""
+
+import glob
+import hashlib
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tarfile
+
+import yaml
+
+from program import ProgramCase, main
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+NARROW = re.compile(r"(?m)^v (-?)1 ([03]) -6")
+
+
+class Runner:
+    """A job on a machine of its own: the steps of a composite action, one after the other."""
+
+    def __init__(self, folder, action_repository=""):
+        self.folder = folder
+        self.action_repository = action_repository
+        self.workspace = os.path.join(folder, "workspace")
+        self.temp = os.path.join(folder, "temp")
+        os.makedirs(self.temp, exist_ok=True)
+        os.makedirs(self.workspace, exist_ok=True)
+        with open(os.path.join(ROOT, "action.yml"), encoding="utf-8") as file:
+            self.action = yaml.safe_load(file)
+        self.path = os.environ["PATH"]
+        self.output = ""
+        self.summary = ""
+        self.uploads = {}
+
+    def evaluate(self, expression, inputs, failed=False):
+        """The expressions that action.yml uses."""
+        def value(match):
+            name = match[0]
+            if name == "always()":
+                return "True"
+            if name.startswith("inputs."):
+                return repr(inputs[name[len("inputs."):]])
+            if name.startswith("steps."):
+                _, step, _, output = name.split(".")
+                return repr(self.outputs.get(step, {}).get(output, ""))
+            if name == "github.action_repository":
+                return repr(self.action_repository)
+            if name.startswith("hashFiles("):
+                return "'hash'"
+            return name
+        python = re.sub(r"hashFiles\([^)]*\)|always\(\)|[a-z]+\.[a-z0-9_.-]+|'[^']*'", value, expression)
+        python = python.replace("&&", " and ").replace("||", " or ")
+        if failed and "always()" not in expression:
+            return False
+        return eval(python, {"__builtins__": {}})  # pylint: disable=eval-used
+
+    def filled(self, text, inputs):
+        return re.sub(r"\$\{\{\s*(.*?)\s*\}\}", lambda match: str(self.evaluate(match[1], inputs)), str(text))
+
+    def run(self, **given):
+        """Returns the exit code of the first step that failed, or 0."""
+        inputs = {name: each.get("default", "") for name, each in self.action["inputs"].items()}
+        unknown = set(name.replace("_", "-") for name in given) - set(inputs)
+        assert not unknown, unknown
+        inputs.update({name.replace("_", "-"): text for name, text in given.items()})
+        self.outputs = {}
+        failed = 0
+        for number, step in enumerate(self.action["runs"]["steps"]):
+            if not self.evaluate(step.get("if", "True"), inputs, failed != 0):
+                continue
+            if failed and "if" not in step:
+                continue
+            if "uses" in step:
+                self.use(step, inputs)
+            else:
+                failed = self.shell(step, inputs, number) or failed
+        return failed
+
+    def use(self, step, inputs):
+        settings = {name: self.filled(text, inputs) for name, text in step["with"].items()}
+        if "upload-artifact" in step["uses"]:
+            self.uploads[settings["name"]] = settings["path"]
+            self.outputs[step["id"]] = {"artifact-url": "https://github.example/artifacts/7"}
+        else:
+            assert "actions/cache" in step["uses"]
+            self.cache = settings
+
+    def shell(self, step, inputs, number):
+        assert step["shell"] == "bash"
+        files = {name: os.path.join(self.temp, f"{name}-{number}") for name in ("GITHUB_OUTPUT", "GITHUB_PATH",
+                                                                             "GITHUB_ENV", "GITHUB_STEP_SUMMARY")}
+        for name in files.values():
+            open(name, "w", encoding="utf-8").close()
+        script = os.path.join(self.temp, f"script-{number}.sh")
+        with open(script, "w", encoding="utf-8") as file:
+            file.write(self.filled(step["run"], inputs))
+        done = subprocess.run(
+            ["bash", "--noprofile", "--norc", "-e", "-o", "pipefail", script],
+            cwd=os.path.join(self.workspace, self.filled(step.get("working-directory", "."), inputs)),
+            env={**os.environ, **files, **{name: self.filled(text, inputs) for name, text in step.get("env", {}).items()},
+                 "PATH": self.path, "CI": "true", "GITHUB_ACTIONS": "true", "GITHUB_ACTION_PATH": ROOT,
+                 "GITHUB_WORKSPACE": self.workspace, "RUNNER_TEMP": self.temp},
+            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=300, check=False)
+        self.output += done.stdout.decode()
+        with open(files["GITHUB_OUTPUT"], encoding="utf-8") as file:
+            self.outputs[step.get("id", str(number))] = dict(line.rstrip("\n").split("=", 1) for line in file)
+        with open(files["GITHUB_PATH"], encoding="utf-8") as file:
+            for line in file:
+                self.path = line.strip() + ":" + self.path
+        with open(files["GITHUB_STEP_SUMMARY"], encoding="utf-8") as file:
+            self.summary += file.read()
+        return done.returncode
+
+
+class Action(ProgramCase):
+    with_html = False
+
+    def setUp(self):
+        super().setUp()
+        self.package = self.path("campuswalk-9.9.9-linux-x86_64.tar.xz")
+        self.write("package/campuswalk-9.9.9/bin/campuswalk", '#!/bin/sh\nexec "%s" "$@"\n' % self.program)
+        os.chmod(self.path("package/campuswalk-9.9.9/bin/campuswalk"), 0o755)
+        with tarfile.open(self.package, "w:xz") as archive:
+            archive.add(self.path("package/campuswalk-9.9.9"), "campuswalk-9.9.9")
+
+    def runner(self, name="job", **options):
+        runner = Runner(self.path(name), **options)
+        self.passes("init", "--template", "stairs", runner.workspace + "/campus")
+        os.makedirs(runner.workspace + "/.git")
+        return runner
+
+    def narrow_the_door(self, runner):
+        model = os.path.join(runner.workspace, "campus/school.obj")
+        with open(model, encoding="utf-8") as file:
+            text = NARROW.sub(r"v \g<1>0.25 \2 -6", file.read())
+        with open(model, "w", encoding="utf-8") as file:
+            file.write(text)
+
+    def run_action(self, runner, **inputs):
+        inputs.setdefault("package", self.package)
+        inputs.setdefault("html", "false")
+        return runner.run(working_directory="campus", **inputs)
+
+    def assert_nothing_of_this_machine(self, runner):
+        texts = [runner.summary]
+        for name in glob.glob(runner.workspace + "/campus/out/*.*"):
+            with open(name, encoding="utf-8") as file:
+                texts.append(file.read())
+        self.assertGreater(len(texts), 2)
+        for text in texts:
+            self.assertNotIn(self.folder, text)
+
+    def test_a_run_that_passes(self):
+        runner = self.runner()
+        self.assertEqual(self.run_action(runner), 0, runner.output)
+        self.assertEqual(runner.uploads, {"campuswalk": "campus/out"})
+        self.assertIn("::notice title=campuswalk::4 passed", runner.output)
+        self.assertIn("## campuswalk: 4 passed", runner.summary)
+        self.assertIn("| ✅ | campus/walks/visit.walk.yaml |", runner.summary)
+        self.assertIn("(https://github.example/artifacts/7)", runner.summary)
+        self.assertEqual(runner.outputs["run"]["exit-code"], "0")
+        self.assertTrue(os.listdir(runner.cache["path"]))  # the imported model
+        self.assertRegex(runner.cache["key"], r"^campuswalk-[0-9a-f]{16}-hash$")
+        self.assert_nothing_of_this_machine(runner)
+
+    def test_a_failure_is_shown_with_its_pictures(self):
+        runner = self.runner()
+        self.narrow_the_door(runner)
+        self.assertEqual(self.run_action(runner), 1, runner.output)
+        self.assertIn("::error file=campus/walks/visit.walk.yaml,line=7,col=14,", runner.output)
+        self.assertIn("| ❌ | campus/walks/visit.walk.yaml |", runner.summary)
+        pictures = re.findall(r"(?m)^- failure.*: (campus/out/.*png)$", runner.summary.replace("\\", ""))
+        self.assertEqual(len(pictures), 6, runner.summary)
+        for picture in pictures:
+            self.assertTrue(os.path.isfile(os.path.join(runner.workspace, picture)), picture)
+        self.assertEqual(runner.uploads, {"campuswalk": "campus/out"})
+        self.assertEqual(runner.outputs["run"]["exit-code"], "1")
+        self.assert_nothing_of_this_machine(runner)
+
+    def test_pictures_that_have_an_address_are_shown(self):
+        runner = self.runner()
+        self.narrow_the_door(runner)
+        self.run_action(runner, pictures_url="https://pictures.example/42", paths="walks/visit.walk.yaml\n")
+        self.assertRegex(runner.summary, r"!\[failure.*\]\(<https://pictures\.example/42/campus/out/visit/failure-.*\.png>\)")
+
+    def test_bad_input_is_annotated(self):
+        runner = self.runner()
+        with open(runner.workspace + "/campus/walks/visit.walk.yaml", "a", encoding="utf-8") as file:
+            file.write("  - reaches: nowhere\n")
+        self.assertEqual(self.run_action(runner), 2, runner.output)
+        self.assertIn("::error file=campus/walks/visit.walk.yaml,line=14,", runner.output)
+        self.assertIn("| 💥 error | campus/walks/visit.walk.yaml |", runner.summary)
+
+    def test_what_may_not_pass_in_ci(self):
+        runner = self.runner()
+        with open(runner.workspace + "/campus/walks/visit.walk.yaml", "a", encoding="utf-8") as file:
+            file.write("status: only\n")
+        self.assertEqual(self.run_action(runner), 2, runner.output)
+
+    def test_shards_and_their_merged_report(self):
+        whole = self.runner("whole")
+        self.narrow_the_door(whole)
+        self.assertEqual(self.run_action(whole), 1, whole.output)
+        for i in (1, 2):
+            shard = self.runner(f"shard-{i}")
+            self.narrow_the_door(shard)
+            code = self.run_action(shard, shard=f"{i}/2", artifact=f"campuswalk-{i}")
+            self.assertIn(code, (0, 1), shard.output)
+            self.assertIn("## campuswalk: ", shard.summary)
+            shutil.copytree(os.path.join(shard.workspace, shard.uploads[f"campuswalk-{i}"]), self.path("downloaded"),
+                            dirs_exist_ok=True)
+        merging = self.runner("merge")
+        shutil.copytree(self.path("downloaded"), os.path.join(merging.workspace, "campus/shards"))
+        self.assertEqual(self.run_action(merging, merge="shards"), 1, merging.output)
+        self.assertEqual(merging.summary, whole.summary)
+        for name in ("junit.xml", "results.jsonl"):
+            self.assertEqual(self.read(f"merge/workspace/campus/out/{name}"), self.read(f"whole/workspace/campus/out/{name}"))
+        os.remove(os.path.join(merging.workspace, "campus/shards/results-2.jsonl"))
+        shutil.rmtree(os.path.join(merging.workspace, "campus/out"))
+        self.assertEqual(self.run_action(merging, merge="shards"), 1)
+        self.assertIn("missing-shard", merging.output)
+
+    def test_a_report_in_html(self):
+        if not self.with_html:
+            self.skipTest("this build has no HTML reports")
+        runner = self.runner()
+        self.assertEqual(self.run_action(runner, html="true"), 0, runner.output)
+        self.assertTrue(os.path.isfile(runner.workspace + "/campus/out/report.html"))
+
+    def test_inputs_are_words_not_commands(self):
+        runner = self.runner()
+        code = self.run_action(runner, paths="$(touch pwned)\n`touch pwned`\n; touch pwned",
+                               arguments="--grep=a b; touch pwned")
+        self.assertEqual(code, 5, runner.output)  # no walk is called so
+        self.assertEqual([name for name in self.contents() if "pwned" in name], [])
+        options = self.runner("options")
+        self.assertEqual(self.run_action(options, arguments="  --grep=visit|up stairs\n\n  --min-cases=1\n"), 0, options.output)
+        self.assertIn("1 passed", options.summary)
+
+    def test_where_releases_come_from(self):
+        bin_folder = self.path("bin")
+        os.makedirs(bin_folder)
+        self.write("bin/curl", '#!/bin/sh\nfor last; do :; done\nprintf "%%s\\n" "$last" >>"%s"\n'
+                   'while [ "$1" != --output ]; do shift; done\ncp "%s" "$2"\n' % (self.path("urls"), self.package))
+        os.chmod(self.path("bin/curl"), 0o755)
+        with open(os.path.join(ROOT, "CMakeLists.txt"), encoding="utf-8") as file:
+            own = re.search(r"campuswalk VERSION ([0-9.]+)", file.read())[1]
+        for number, (inputs, expected) in enumerate((({}, f"https://github.com/o/n/releases/download/v{own}/campuswalk-{own}-linux-x86_64.tar.xz"),
+                                 ({"version": "1.2.3", "repository": "a/b"},
+                                  "https://github.com/a/b/releases/download/v1.2.3/campuswalk-1.2.3-linux-x86_64.tar.xz"),
+                                 ({"package": "https://files.example/c.tar.xz"}, "https://files.example/c.tar.xz"))):
+            runner = self.runner(f"job-{number}", action_repository="o/n")
+            runner.path = bin_folder + ":" + runner.path
+            self.assertEqual(runner.run(working_directory="campus", html="false", paths="walks/visit.walk.yaml", **inputs), 0,
+                             runner.output)
+            self.assertEqual(self.read("urls").decode().splitlines()[-1], expected)
+        unknown = self.runner("unknown")
+        self.assertEqual(unknown.run(working_directory="campus"), 2)
+        self.assertIn("::error title=campuswalk::say where releases", unknown.output)
+
+    def test_a_package_must_be_the_one_that_was_named(self):
+        with open(self.package, "rb") as file:
+            digest = hashlib.sha256(file.read()).hexdigest()
+        self.assertEqual(self.run_action(self.runner("right"), sha256=digest), 0)
+        wrong = self.runner("wrong")
+        self.assertEqual(self.run_action(wrong, sha256="0" * 64), 2)
+        self.assertIn("doesn't have the SHA-256", wrong.output)
+        self.assertNotIn("passed", wrong.output)
+        for package in ("nothing.tar.xz", self.path("room.obj")):
+            refused = self.runner("refused-" + package[:3].strip("/"))
+            self.assertEqual(self.run_action(refused, package=package), 2)
+
+    def test_what_others_do_in_it_is_pinned(self):
+        with open(os.path.join(ROOT, "action.yml"), encoding="utf-8") as file:
+            text = file.read()
+        uses = re.findall(r"uses: (.*)", text)
+        self.assertEqual(len(uses), 2)
+        for each in uses:
+            self.assertRegex(each, r"^[a-z]+/[a-z-]+@[0-9a-f]{40} # v[0-9.]+$")
+        for step in yaml.safe_load(text)["runs"]["steps"]:
+            self.assertNotIn("${{", step.get("run", ""))  # values go through the environment
+
+
+if __name__ == "__main__":
+    Action.with_html = "--with-html" in sys.argv
+    sys.argv = [argument for argument in sys.argv if argument != "--with-html"]
+    main()
