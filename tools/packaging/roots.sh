@@ -40,7 +40,7 @@ make_root() {
     printf '%s' "$wanted" >"$archive.wanted"
 }
 
-# in_root NAME FOLDER COMMAND…: runs a command as root in a fresh copy of a root, with FOLDER as /work.
+# in_root NAME FOLDER COMMAND…: runs a command as root in a fresh copy of a root, with FOLDER as /exchange.
 in_root() {
     local name=$1 folder=$2 namespaces=(--mount --pid --fork --kill-child) scratch failed=0
     shift 2
@@ -53,10 +53,10 @@ in_root() {
         shift 3
         chmod 755 "$scratch"
         tar -C "$scratch" --exclude=./dev -xf "$archive"
-        mkdir -p "$scratch/dev" "$scratch/work"
+        mkdir -p "$scratch/dev" "$scratch/exchange"
         mount --rbind /dev "$scratch/dev"
         mount -t proc proc "$scratch/proc"
-        mount --bind "$folder" "$scratch/work"
+        mount --bind "$folder" "$scratch/exchange"
         cp -L /etc/resolv.conf /etc/hosts "$scratch/etc/"
         exec chroot "$scratch" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 \
             DEBIAN_FRONTEND=noninteractive "$@"
