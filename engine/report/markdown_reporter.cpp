@@ -85,7 +85,8 @@ std::vector<const WalkResult*> problems_first(const RunReport& report) {
     for (const WalkResult& result : report.results) {
         results.push_back(&result);
     }
-    std::ranges::stable_partition(results, [](const WalkResult* result) { return is_problem(*result); });
+    std::stable_partition(results.begin(), results.end(),
+                          [](const WalkResult* result) { return is_problem(*result); });
     return results;
 }
 

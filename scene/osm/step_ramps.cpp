@@ -108,7 +108,7 @@ void add_strip(const RampLine& line, double top, const Terrain& terrain, ObjectM
 
 void add_step_ramps(const Path& path, const FlightShape& shape, const FreeGround& free,
                     Composition& composition) {
-    constexpr double kGentle = 12.0;  // metres of run for each of rise
+    constexpr double kGentleRun = 12.0;  // metres of run for each of rise
     constexpr double kSteepest = 6.0;
     const Tags& tags = path.way->tags;
     std::vector<RampKind> kinds;
@@ -125,7 +125,7 @@ void add_step_ramps(const Path& path, const FlightShape& shape, const FreeGround
         const double right = shape.reversed ? 1.0 : -1.0;  // as drawn
         RampLine line = beside(shape, right, offset, kind.width);
         if (kind.gentle && !path.hangs()) {
-            extend(line, kGentle * rise - line.length(), shape.foot, free, composition);
+            extend(line, kGentleRun * rise - line.length(), shape.foot, free, composition);
         }
         if (kind.gentle && line.length() < kSteepest * rise) {
             composition.warn("steep-ramp", "way " + std::to_string(path.way->id) + " has " + kind.key +

@@ -10,6 +10,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 import unittest
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -133,8 +134,9 @@ class ProgramPackage(unittest.TestCase):
     def test_its_profiles_and_the_demo_are_found(self):
         demo = os.path.join(self.prefix, "share", "campuswalk", "config", "walks", "child-visit.walk.yaml")
         self.assertIn("ok: ", Package.run_command(self.program, "validate", demo))
-        school = os.path.join(Package.work, "school of the installed program")
-        shutil.rmtree(school, ignore_errors=True)
+        outside = tempfile.mkdtemp(prefix="campuswalk-")  # profiles are looked for above a walk: not in these sources
+        self.addCleanup(shutil.rmtree, outside, ignore_errors=True)
+        school = os.path.join(outside, "school")
         Package.run_command(self.program, "init", school)
         shutil.rmtree(os.path.join(school, "avatars"))
         Package.run_command(self.program, "validate", school)  # whose walks name the profile adult

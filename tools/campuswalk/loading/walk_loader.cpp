@@ -78,12 +78,13 @@ LoadedWalk WalkLoader::ready(config::SharedRun run) {
     loaded.walk = std::move(run.walk);
     loaded.walk.origin = loaded.campus->origin;
     std::vector<scene::Diagnostic> found = engine::check_walk(*loaded.campus, loaded.walk);
-    const auto errors = std::ranges::stable_partition(
-        found, [](const scene::Diagnostic& each) { return each.severity == scene::Severity::warning; });
-    warnings.insert(warnings.end(), found.begin(), errors.begin());
+    const auto errors = std::stable_partition(found.begin(), found.end(), [](const scene::Diagnostic& each) {
+        return each.severity == scene::Severity::warning;
+    });
+    warnings.insert(warnings.end(), found.begin(), errors);
     warn_(warnings);
-    if (!errors.empty()) {
-        throw scene::InputError(std::vector<scene::Diagnostic>(errors.begin(), errors.end()));
+    if (errors != found.end()) {
+        throw scene::InputError(std::vector<scene::Diagnostic>(errors, found.end()));
     }
     return loaded;
 }
