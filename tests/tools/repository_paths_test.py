@@ -90,6 +90,17 @@ class RepositoryPaths(CheckoutCase):
         again = self.run_program("run", "--last-failed", "--list", cwd=self.path("campus"))
         self.assertEqual(again.lines, ["failing.walk.yaml"])
 
+    def test_pictures_are_shown_where_they_are_published(self):
+        self.run_program("run", "failing.walk.yaml", "--reporter", "jsonl=run.jsonl", cwd=self.path("campus"))
+        artifacts = json.loads(self.read("campus/run.jsonl").splitlines()[1])["artifacts"]
+        pictures = [each["path"] for each in artifacts if each["media_type"] == "image/png"]
+        if not pictures:
+            self.skipTest("this program draws none")
+        self.run_program("merge-reports", "campus/run.jsonl", "--output", "campus/out", "--pictures-url",
+                         "https://pictures.example/42", "--reporter", "markdown=summary.md")
+        shown = re.findall(r"!\[.*\]\(<https://pictures\.example/42/(.*)>\)", self.read("summary.md").decode())
+        self.assertEqual(shown, ["campus/out/" + picture for picture in pictures])
+
     def test_validation_for_services(self):
         for name, place in (("github", "file=campus/broken.walk.yaml,"), ("sarif", '"campus/broken.walk.yaml"'),
                             ("json", '"campus/broken.walk.yaml"')):
