@@ -368,10 +368,9 @@ void warn_of_depths(const Map& map, const std::vector<Path>& paths, const Source
 
 }  // namespace
 
-double deck_height(const Path& path, const Point& p) {
+double height_along(const std::vector<Point>& line, const std::vector<double>& heights, const Point& p) {
     double nearest = 1e300;
-    double height = 0.0;
-    const std::vector<Point>& line = path.way->points;
+    double height = heights.empty() ? 0.0 : heights.front();
     for (std::size_t i = 1; i < line.size(); ++i) {
         const Point d = line[i] - line[i - 1];
         const double length2 = d.x() * d.x() + d.y() * d.y();
@@ -382,10 +381,14 @@ double deck_height(const Path& path, const Point& p) {
         const double distance = off.x() * off.x() + off.y() * off.y();
         if (distance < nearest) {
             nearest = distance;
-            height = path.deck[i - 1] + t * (path.deck[i] - path.deck[i - 1]);
+            height = heights[i - 1] + t * (heights[i] - heights[i - 1]);
         }
     }
     return height;
+}
+
+double deck_height(const Path& path, const Point& p) {
+    return height_along(path.way->points, path.deck, p);
 }
 
 BridgePlan plan_bridges(const Map& map, const std::vector<MapArea>& areas, const Terrain& base,

@@ -40,6 +40,10 @@ struct BridgePlan {
 BridgePlan plan_bridges(const Map& map, const std::vector<MapArea>& areas, const Terrain& base,
                         const SourceMark& mark, std::vector<Path>& paths, DiagnosticList& warnings);
 
+/// The height of a line at its point nearest to another one on the plan, metres; `heights` are those of its
+/// points.
+double height_along(const std::vector<Point>& line, const std::vector<double>& heights, const Point& p);
+
 /// How high a deck is at a point of the plan nearest to its line, metres.
 double deck_height(const Path& path, const Point& p);
 

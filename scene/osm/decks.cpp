@@ -22,22 +22,7 @@ double length_between(const Point& a, const Point& b) {
 }
 
 double height_at(const DeckPart& part, const Point& p) {
-    double nearest = 1e300;
-    double height = part.heights.front();
-    for (std::size_t i = 1; i < part.line.size(); ++i) {
-        const Point d = part.line[i] - part.line[i - 1];
-        const double length2 = d.x() * d.x() + d.y() * d.y();
-        const Point from = p - part.line[i - 1];
-        const double t =
-            length2 > 0.0 ? std::clamp((from.x() * d.x() + from.y() * d.y()) / length2, 0.0, 1.0) : 0.0;
-        const Point off = from - t * d;
-        const double distance = off.x() * off.x() + off.y() * off.y();
-        if (distance < nearest) {
-            nearest = distance;
-            height = part.heights[i - 1] + t * (part.heights[i] - part.heights[i - 1]);
-        }
-    }
-    return height;
+    return height_along(part.line, part.heights, p);
 }
 
 /// The line of a path from one of its nodes, forwards or backwards; of one point at its end.
