@@ -12,6 +12,7 @@
 #include "scene/campus/collider_shapes.h"
 #include "scene/campus/node_selection.h"
 #include "scene/campus/object_names.h"
+#include "scene/campus/open_doors.h"
 #include "scene/import/source/parallel_for.h"
 #include "scene/model/model_limits.h"
 #include "scene/model/node_frame.h"
@@ -267,6 +268,7 @@ Campus load_campus(CampusDescription description, std::unique_ptr<collision::Bro
     }
     diagnostics.throw_if_errors();
     meshes.keep();
+    remove_open_doors(campus);
     return campus;
 }
 

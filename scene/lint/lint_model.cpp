@@ -166,16 +166,6 @@ void check_outliers(const Model& model, const ModelReport& report, std::vector<M
     }
 }
 
-void check_doors(const Model& model, std::vector<ModelLint>& out) {
-    std::vector<ModelLint::Place> doors;
-    for (const ClosedDoor& door : find_closed_doors(model)) {
-        doors.push_back({model.nodes[door.node].name, door.foot});
-    }
-    if (!doors.empty()) {
-        out.push_back(solid_doors(std::move(doors)));
-    }
-}
-
 }  // namespace
 
 ModelLint solid_doors(std::vector<ModelLint::Place> doors) {
@@ -207,14 +197,13 @@ std::vector<ModelLint> find_lints(const Model& model, const ModelReport& report)
         std::ranges::any_of(lints, [](const ModelLint& lint) { return lint.code == "z-up"; });
     const std::vector<ModelLint> size_lints = lint_named_sizes(model, report.nodes, lies_flat ? 2 : 1);
     lints.insert(lints.end(), size_lints.begin(), size_lints.end());
-    // With a wrong axis or unit these would only report its consequences.
-    const bool upright = std::ranges::none_of(lints, [](const ModelLint& lint) {
+    return lints;
+}
+
+bool has_wrong_frame(const ModelReport& report) {
+    return std::ranges::any_of(report.warnings, [](const ModelLint& lint) {
         return lint.code == "z-up" || lint.code == "odd-scale" || lint.code == "door-size";
     });
-    if (upright) {
-        check_doors(model, lints);
-    }
-    return lints;
 }
 
 }  // namespace campuswalk::scene

@@ -1,5 +1,8 @@
 #include "scene/lint/model_report.h"
 
+#include <set>
+#include <utility>
+
 #include "scene/model/world_triangles.h"
 
 namespace campuswalk::scene {
@@ -12,9 +15,13 @@ std::vector<NodeReport> report_nodes(const Model& model) {
         report.name = node.name;
         report.parent = node.parent;
         report.depth = node.parent < 0 ? 0 : reports[static_cast<std::size_t>(node.parent)].depth + 1;
+        std::set<std::size_t> materials;
         for (const MeshIndex index : node.meshes) {
-            report.triangles += model.meshes[index_of(index)].triangles.size();
+            const Mesh& mesh = model.meshes[index_of(index)];
+            report.triangles += mesh.triangles.size();
+            materials.insert(index_of(mesh.material));
         }
+        report.materials.assign(materials.begin(), materials.end());
         for_each_vertex(model, node, [&](const Eigen::Vector3d& p) { report.bounds.extend(p); });
         reports.push_back(report);
     }
@@ -47,6 +54,19 @@ std::vector<MaterialReport> report_materials(const Model& model) {
     return reports;
 }
 
+void report_doors(const Model& model, ModelReport& report) {
+    std::vector<ModelLint::Place> closed;
+    report.doors = find_doors(model);
+    for (const Door& door : report.doors) {
+        if (door.is_closed) {
+            closed.push_back({model.nodes[door.node].name, door.foot});
+        }
+    }
+    if (!closed.empty()) {
+        report.warnings.push_back(solid_doors(std::move(closed)));
+    }
+}
+
 }  // namespace
 
 ModelReport report(const Model& model) {
@@ -70,6 +90,10 @@ ModelReport report(const Model& model) {
         result.textures.push_back({texture.name, texture.width, texture.height});
     }
     result.warnings = find_lints(model, result);
+    if (!has_wrong_frame(result)) {
+        report_doors(model, result);
+        result.flights = find_flights(model);
+    }
     return result;
 }
 

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "scene/lint/doors.h"
+#include "scene/lint/flights.h"
 #include "scene/model/model.h"
 
 namespace campuswalk::scene {
@@ -13,7 +15,9 @@ struct NodeReport {
     int parent = -1;            ///< index into ModelReport::nodes
     int depth = 0;              ///< 0 at the root
     std::size_t triangles = 0;  ///< of its own meshes
-    Bounds bounds;              ///< world, of the subtree
+    std::vector<std::size_t>
+        materials;  ///< of its own meshes, indices into ModelReport::materials, ascending
+    Bounds bounds;  ///< world, of the subtree
 };
 
 struct MaterialReport {
@@ -68,13 +72,19 @@ struct ModelReport {
     std::vector<NodeReport> nodes;
     std::vector<MaterialReport> materials;
     std::vector<TextureReport> textures;
+    std::vector<Door> doors;      ///< none if has_wrong_frame
+    std::vector<Flight> flights;  ///< of stairs; none if has_wrong_frame
     std::vector<ModelLint> warnings;
 };
 
 ModelReport report(const Model& model);
 
-/// `report`: all but its warnings are filled in.
+/// Of all but the doors in doorways. `report`: all but the warnings, doors and flights are filled in.
 std::vector<ModelLint> find_lints(const Model& model, const ModelReport& report);
+
+/// Whether the model seems to lie on its side or to be in another unit, as its warnings say. Measures of
+/// parts would only tell of that.
+bool has_wrong_frame(const ModelReport& report);
 
 /// The lint `solid-door`; `doors` is not empty.
 ModelLint solid_doors(std::vector<ModelLint::Place> doors);

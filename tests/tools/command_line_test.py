@@ -190,7 +190,7 @@ class Info(ProgramCase):
     def test_text(self):
         outcome = self.passes("info", "room.obj")
         self.assertIn("triangles  14", outcome.lines)
-        self.assertIn("bounds     -10.000,0.000,-10.000 to 10.000,3.000,10.000 m (20.000 x 3.000 x 20.000 m)",
+        self.assertIn("size       20.000 x 3.000 x 20.000 m, from -10.000,0.000,-10.000 to 10.000,3.000,10.000",
                       outcome.lines)
         self.assertIn("warnings   0", outcome.lines)
 

@@ -77,7 +77,7 @@ class Info(ProgramCase):
         jsonschema.Draft7Validator.check_schema(SCHEMA)
         self.write("house.obj", HOUSE)
         found = self.info("house.obj")
-        for path in ((), ("nodes", 0), ("materials", 0), ("warnings", 0), ("bounds",), ("ground",), ("warnings", 0, "places", 0)):
+        for path in ((), ("nodes", 0), ("materials", 0), ("warnings", 0), ("doors", 0), ("bounds",), ("ground",), ("warnings", 0, "places", 0)):
             other = copy.deepcopy(found)
             part = other
             for key in path:
@@ -165,12 +165,48 @@ class Info(ProgramCase):
         self.assertIn("    and 3 more: see --json\n", text)
 
     def test_long_lists_of_nodes_are_cut_in_the_text(self):
-        self.write("town.obj", "".join(box("house_%d" % i, 1 + 8 * i, 9 * i, 0, 0, 9 * i + 5, 4, 5) for i in range(250)))
+        def word(i):
+            return "house-" + "".join(chr(ord("a") + i // 26 ** k % 26) for k in range(3))
+
+        def house(i):  # the later, the larger
+            return box(word(i), 1 + 8 * i, 9 * i, 0, 0, 9 * i + 5, 4 + i / 100, 5)
+        self.write("town.obj", "".join(house(i) for i in range(250)))
         self.assertEqual(len(self.info("town.obj")["nodes"]), 251)  # with the root
         text = self.passes("info", "town.obj").out
-        self.assertEqual(text.count("    house_"), 199)
-        self.assertIn("\nnodes      251\n", text)
+        nodes = text[text.index("\nnodes      251\n"):]
+        self.assertEqual(nodes.count("    house-"), 199)
+        self.assertIn("    %s  5.0 x 6.5 x 5.0 m  12 triangles  " % word(249), nodes)
+        self.assertNotIn(word(0), nodes)
         self.assertIn("\n  and 51 more: see --json\nwarnings ", text)
+
+    def test_numbered_siblings_are_one_line(self):
+        trees = "".join(box("tree_%03d" % i, 1 + 8 * i, 9 * i, 0, 0, 9 * i + 1, 4 + i % 3, 1) for i in range(250))
+        self.write("wood.obj", trees + box("hut", 2001, 0, 0, 9, 3, 3, 12))
+        text = self.passes("info", "wood.obj").out
+        nodes = text[text.index("\nnodes      252\n"):text.index("\nwarnings ")]
+        self.assertEqual(len(nodes.splitlines()), 5)
+        self.assertRegex(nodes, r"    tree_\* \(250 nodes\)  1\.0 x 6\.0 x 1\.0 m  3000 triangles  ")
+        self.assertRegex(nodes, r"    hut  3\.0 x 3\.0 x 3\.0 m  12 triangles  ")
+
+    def test_buildings_doors_and_stairs_come_first(self):
+        steps = "".join(box("step_%d" % i, 49 + 8 * i, 6, 0, 0.3 * i, 7.2, 0.17 * (i + 1), 0.3 * (i + 1)) for i in range(6))
+        self.write("house.obj", HOUSE + steps + box("Bibliothek", 97, 20, 0, 0, 30, 8, 12) + box("lawn", 105, -20, -0.3, -20, 40, -0.01, 20))
+        found = self.info("house.obj")
+        library, = [building for building in found["buildings"] if building["title"] == "Bibliothek"]
+        self.assertEqual((library["size"], library["center"]), ([10, 8, 12], [25, 4, 6]))
+        door, = found["doors"]
+        self.assertEqual((found["nodes"][door["node"]]["name"], door["closed"]), ("Haustür", True))
+        self.assertAlmostEqual(door["width"], 0.96, 6)
+        flight, = found["flights"]
+        self.assertEqual(len(flight["risers"]), 6)
+        for first, riser in enumerate(flight["risers"]):
+            self.assertAlmostEqual(riser, 0.17 if first else 0.18, 6)  # from the lawn
+        text = self.passes("info", "house.obj").out
+        self.assertRegex(text, r"\n  Bibliothek +10\.0 x 12\.0 m, 8\.0 m high, at 25\.000,0\.000,6\.000\n")
+        self.assertRegex(text, r"\ndoors      1, 1 closed\n  Haustür +0\.96 m wide, 2\.08 m high, closed, at 0\.000,0\.000,0\.000\n")
+        self.assertRegex(text, r"\nstairs     1\n  step_0 +6 risers of 0\.170 m, treads of 0\.30 m, 1\.20 m wide, from 6\.600,0\.170,0\.150\n")
+        order = [text.index("\n" + word + " ") for word in ("size", "ground", "buildings", "doors", "stairs", "meshes", "materials", "nodes", "warnings")]
+        self.assertEqual(order, sorted(order))
 
     def test_the_map_of_a_model_on_its_side_is_drawn_upright(self):
         self.write("town.obj", box("town", 1, 0, 0, 0, 80, 60, 4))

@@ -151,6 +151,21 @@ class Suggest(ProgramCase):
         self.assertRegex(campus, r"start: \{at: \[-?[0-9.]+, 0\.000, ")
         self.assertIn("avatar.arrive", log)
 
+    def test_ground_that_is_missing_is_made_at_the_height_of_the_doors(self):
+        def part(name, number, *bounds):
+            return "o %s\n" % name + re.sub("[1-8]", lambda m: str(8 * number + int(m[0])),
+                                            "\n".join(line for line in box(*bounds) if line[0] == "f"))
+        solids = (("Hut_1", (-2, -1, -8, 2, 3, -4)), ("Front_Door", (-0.5, 0.4, -4.02, 0.5, 2.5, -3.96)))
+        vertices = "\n".join(line for _, bounds in solids for line in box(*bounds) if line[0] == "v")
+        self.write("hut.obj", vertices + "\n" + "\n".join(part(name, i, *b) for i, (name, b) in enumerate(solids)) + "\n")
+        campus, log = self.suggest("hut.obj")
+        self.assertRegex(campus, r"\{id: ground, shape: box, center: \[0\.000, 0\.150, -5\.980\]")  # its top is at 0.4
+        self.assertIn("\n# The visitor walks on the box `ground` of that file: the model has no ground.\n",
+                      self.read("new.walk.yaml").decode())
+        self.assertIn("avatar.arrive", log)
+        self.assertIn(", played, on a box: the model has no ground\n",
+                      self.passes("info", "hut.obj", "--suggest", "new.campus.yaml", "--overwrite").out)
+
     def test_an_only_building_without_a_name_is_called_like_its_file(self):
         guid = "b31bcc29d-00ba-11e6-b420-2bdcc4ab5d7f"
         self.write("hut.obj", HUT.replace("Hut_1", guid))

@@ -159,8 +159,11 @@ std::string walk_yaml(const SuggestedCampus& campus, const std::string& campus_f
             expect += "  - sequence: [" + quoted("trigger.enter " + campus.visits[v].trigger) + "]\n";
         }
     }
-    return "# Beside " + campus_file + ", by `campuswalk info --suggest`.\ncampus: " + quoted(campus_file) +
-           "\navatar: adult\nsteps:\n" + steps + (visits == 0 ? "  - wait: 1\n" : "") + "expect:\n" + expect;
+    return "# Beside " + campus_file + ", by `campuswalk info --suggest`.\n" +
+           (campus.ground ? "# The visitor walks on the box `ground` of that file: the model has no ground.\n"
+                          : "") +
+           "campus: " + quoted(campus_file) + "\navatar: adult\nsteps:\n" + steps +
+           (visits == 0 ? "  - wait: 1\n" : "") + "expect:\n" + expect;
 }
 
 }  // namespace campuswalk::tools

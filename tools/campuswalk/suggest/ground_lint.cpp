@@ -39,18 +39,12 @@ collision::World world_of(const scene::Model& model, const Vector3d& origin) {
     return world;
 }
 
-bool has_wrong_frame(const scene::ModelReport& report) {
-    return std::ranges::any_of(report.warnings, [](const scene::ModelLint& lint) {
-        return lint.code == "z-up" || lint.code == "odd-scale" || lint.code == "door-size";
-    });
-}
-
 }  // namespace
 
 std::optional<engine::GroundCover> ground_of(const scene::Model& model, const scene::ModelReport& report) {
     constexpr double kRoom = 3.0;  // metres; smaller models are furniture
     const Vector3d size = report.bounds.max - report.bounds.min;
-    if (report.bounds.empty() || std::min(size.x(), size.z()) < kRoom || has_wrong_frame(report)) {
+    if (report.bounds.empty() || std::min(size.x(), size.z()) < kRoom || scene::has_wrong_frame(report)) {
         return std::nullopt;
     }
     const Vector3d middle = report.bounds.center().array().round();  // cells are numbered from the origin on

@@ -70,16 +70,30 @@ const scene::SuggestedBuilding* nearest_building(const std::vector<scene::Sugges
     return nearest == buildings.end() ? nullptr : &*nearest;
 }
 
-/// A box below the whole model and its surroundings. Its top is at the median of the buildings' bottoms, as
-/// the missing ground may be a slope.
-scene::Bounds substitute_ground(const scene::Bounds& model,
+/// The height of the lowest of a building's doors, or of its bottom if it has none.
+double threshold_of(const scene::SuggestedBuilding& building, const std::vector<scene::Door>& doors) {
+    constexpr double kBeside = 0.5;    // metres from a door to the walls of its building
+    constexpr double kLeafGap = 0.05;  // metres below a leaf
+    const double bottom = building.box.center.y() - 0.5 * building.box.size.y();
+    double lowest = 1e300;
+    for (const scene::Door& door : doors) {
+        const bool is_its = building.box.depth_of(door.foot + kWaist * Vector3d::UnitY()) >= -kBeside;
+        lowest = is_its ? std::min(lowest, door.foot.y()) : lowest;
+    }
+    return lowest > bottom + kLeafGap && lowest < 1e300 ? lowest : bottom;
+}
+
+/// A box below the whole model and its surroundings. Its top is at the median of the buildings' thresholds,
+/// as the missing ground may be a slope.
+scene::Bounds substitute_ground(const scene::ModelReport& report,
                                 const std::vector<scene::SuggestedBuilding>& buildings) {
     constexpr double kMargin = 20.0;    // metres
     constexpr double kThickness = 0.5;  // metres
+    const scene::Bounds& model = report.bounds;
     std::vector<double> bottoms;
     bottoms.reserve(buildings.size());
     for (const scene::SuggestedBuilding& building : buildings) {
-        bottoms.push_back(building.box.center.y() - 0.5 * building.box.size.y());
+        bottoms.push_back(threshold_of(building, report.doors));
     }
     std::sort(bottoms.begin(), bottoms.end());
     const Vector3d around(kMargin, 0.0, kMargin);
@@ -202,7 +216,7 @@ void write_campus(const UprightModel& model, const fs::path& campus_file, Sugges
     }
     if (!placed && !tiny) {
         loader = quiet_loader(model);  // without the campus that lacks the ground
-        campus.ground = substitute_ground(model.report.bounds, campus.buildings);
+        campus.ground = substitute_ground(model.report, campus.buildings);
         scene::write_file_atomically(campus_file, campus_yaml(campus));
         placed = place_visitor(model, *loader.load_campus(campus_file), campus);
     }
@@ -299,7 +313,8 @@ int suggest_campus(const scene::SceneFile& model, const fs::path& campus_file, b
     scene::write_file_atomically(walk_file, walk_yaml(campus, campus_file.filename().string(), visits));
     print_line("%s: %s", campus_file.string().c_str(),
                scene::plural(campus.buildings.size(), "building").c_str());
-    print_line("%s: %s, played", walk_file.string().c_str(), scene::plural(visits, "visit").c_str());
+    print_line("%s: %s, played%s", walk_file.string().c_str(), scene::plural(visits, "visit").c_str(),
+               campus.ground ? ", on a box: the model has no ground" : "");
     if (!config::read_roots(campus_file, search_paths()).why_unreadable(model.path).empty()) {
         print_line("the model isn't in the project: run the walk with --root %s",
                    model.path.parent_path().string().c_str());

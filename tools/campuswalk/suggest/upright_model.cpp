@@ -45,12 +45,11 @@ UprightModel load_upright(const scene::SceneFile& file) {
 
 std::vector<std::string> closed_door_names(const scene::ModelReport& report) {
     std::vector<std::string> names;
-    for (const scene::ModelLint& lint : report.warnings) {
-        for (const scene::ModelLint::Place& place : lint.places) {
-            const bool is_new = std::ranges::find(names, place.node) == names.end();
-            if (lint.code == "solid-door" && scene::is_door_name(place.node) && is_new) {
-                names.push_back(place.node);
-            }
+    for (const scene::Door& door : report.doors) {
+        const std::string& name = report.nodes[door.node].name;
+        const bool is_new = std::ranges::find(names, name) == names.end();
+        if (door.is_closed && scene::is_door_name(name) && is_new) {
+            names.push_back(name);
         }
     }
     return names;

@@ -1,0 +1,160 @@
+#include <algorithm>
+#include <cstdio>
+#include <string>
+
+#include "engine/events/decimals.h"
+#include "tools/campuswalk/base/print.h"
+#include "tools/campuswalk/info/model_info.h"
+#include "tools/campuswalk/info/node_list.h"
+#include "tools/campuswalk/suggest/ground_lint.h"
+#include "tools/campuswalk/suggest/lint_text.h"
+
+namespace campuswalk::tools {
+
+using engine::fixed;
+
+namespace {
+
+constexpr std::size_t kMaxLines = 50;       // of a list: nobody reads more, and the warnings come below
+constexpr std::size_t kMaxNodeLines = 200;  // of the tree
+
+std::string size_text(const Eigen::Vector3d& size, int digits) {
+    return fixed(size.x(), digits) + " x " + fixed(size.y(), digits) + " x " + fixed(size.z(), digits) + " m";
+}
+
+std::string place_text(const scene::GeographicPlace& place) {
+    constexpr int kDigits = 8;  // a millimetre
+    return "latitude " + fixed(place.latitude_deg, kDigits) + ", longitude " +
+           fixed(place.longitude_deg, kDigits) + ", height " + fixed(place.height, 3) + " m, at " +
+           fixed(place.at);
+}
+
+void print_omitted(std::size_t count, std::size_t shown) {
+    if (count > shown) {
+        print_line("  and %zu more: see --json", count - shown);
+    }
+}
+
+/// The first of `parts`, each in a line of its own.
+template <typename Part, typename Print>
+void print_list(const std::vector<Part>& parts, const Print& print) {
+    for (std::size_t i = 0; i < std::min(parts.size(), kMaxLines); ++i) {
+        print(parts[i]);
+    }
+    print_omitted(parts.size(), kMaxLines);
+}
+
+void print_extent(const scene::ModelReport& report) {
+    if (report.triangles > 0) {
+        print_line("size       %s, from %s to %s",
+                   size_text(report.bounds.max - report.bounds.min, 3).c_str(),
+                   fixed(report.bounds.min).c_str(), fixed(report.bounds.max).c_str());
+    }
+    if (const Eigen::Vector3d origin = scene::origin_near(report.bounds); !origin.isZero(0.0)) {
+        print_line("origin     %s m, with `origin: {at: near}`", fixed(origin).c_str());
+    }
+    if (report.geographic) {
+        print_line("on Earth   %s", place_text(*report.geographic).c_str());
+    }
+}
+
+void print_buildings(const std::vector<scene::SuggestedBuilding>& buildings) {
+    print_line("buildings  %zu", buildings.size());
+    print_list(buildings, [](const scene::SuggestedBuilding& building) {
+        Eigen::Vector3d foot = building.box.center;
+        foot.y() -= 0.5 * building.box.size.y();
+        print_line("  %-28s %s x %s m, %s m high, at %s", building.title.c_str(),
+                   fixed(building.box.size.x(), 1).c_str(), fixed(building.box.size.z(), 1).c_str(),
+                   fixed(building.box.size.y(), 1).c_str(), fixed(foot).c_str());
+    });
+}
+
+void print_doors(const scene::ModelReport& report) {
+    const auto closed = std::ranges::count_if(report.doors, &scene::Door::is_closed);
+    print_line("doors      %zu%s", report.doors.size(),
+               closed > 0 ? (", " + std::to_string(closed) + " closed").c_str() : "");
+    print_list(report.doors, [&](const scene::Door& door) {
+        print_line("  %-28s %s m wide, %s m high%s, at %s", report.nodes[door.node].name.c_str(),
+                   fixed(door.width, 2).c_str(), fixed(door.height, 2).c_str(),
+                   door.is_closed ? ", closed" : "", fixed(door.foot).c_str());
+    });
+}
+
+/// "16 risers of 0.160 m (the first 0.450 m)"
+std::string risers_text(const scene::Flight& flight) {
+    constexpr double kNoticed = 0.01;  // metres
+    const double usual = scene::usual_riser(flight);
+    const auto odd = std::ranges::max_element(
+        flight.risers, {}, [&](double riser) { return std::abs(riser - usual); });
+    std::string text = std::to_string(flight.risers.size()) + " risers of " + fixed(usual, 3) + " m";
+    if (std::abs(*odd - usual) > kNoticed) {
+        const auto number = odd - flight.risers.begin() + 1;
+        text += " (number " + std::to_string(number) + " from below " + fixed(*odd, 3) + " m)";
+    }
+    return text;
+}
+
+void print_flights(const scene::ModelReport& report) {
+    print_line("stairs     %zu", report.flights.size());
+    print_list(report.flights, [&](const scene::Flight& flight) {
+        print_line("  %-28s %s, treads of %s m, %s m wide, from %s",
+                   report.nodes[flight.node].name.c_str(), risers_text(flight).c_str(),
+                   fixed(flight.tread_depth, 2).c_str(), fixed(flight.width, 2).c_str(),
+                   fixed(flight.foot).c_str());
+    });
+}
+
+void print_materials(const scene::ModelReport& report) {
+    print_line("materials  %zu", report.materials.size());
+    print_list(report.materials, [](const scene::MaterialReport& material) {
+        print_line("  %-28s %8zu triangles  %s", material.name.c_str(), material.triangles,
+                   material.texture.empty() ? "no texture" : material.texture.c_str());
+    });
+}
+
+std::string materials_text(const scene::ModelReport& report, const std::vector<std::size_t>& materials) {
+    constexpr std::size_t kMaxNames = 3;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(materials.size(), kMaxNames); ++i) {
+        text += (i == 0 ? "  " : ", ") + report.materials[materials[i]].name;
+    }
+    return materials.size() > kMaxNames ? text + ", …" : text;
+}
+
+void print_nodes(const scene::ModelReport& report) {
+    const NodeList list = list_nodes(report.nodes, kMaxNodeLines);
+    print_line("nodes      %zu", report.nodes.size());
+    for (const NodeLine& line : list.lines) {
+        const std::string several = line.nodes > 1 ? " (" + std::to_string(line.nodes) + " nodes)" : "";
+        const std::string size = line.size.isZero(0.0) ? "" : "  " + size_text(line.size, 1);
+        const std::string triangles =
+            line.triangles == 0 ? "" : "  " + std::to_string(line.triangles) + " triangles";
+        print_line("  %*s%s%s%s%s%s", 2 * line.depth, "", line.name.c_str(), several.c_str(), size.c_str(),
+                   triangles.c_str(), materials_text(report, line.materials).c_str());
+    }
+    print_omitted(list.omitted_nodes, 0);
+}
+
+}  // namespace
+
+void print_text(const ModelInfo& info) {
+    const scene::ModelReport& report = info.report;
+    print_line("%s", report.file.c_str());
+    print_extent(report);
+    if (info.ground) {
+        print_line("ground     %s", ground_text(*info.ground).c_str());
+    }
+    if (!scene::has_wrong_frame(report)) {
+        print_buildings(info.buildings);
+        print_doors(report);
+        print_flights(report);
+    }
+    print_line("meshes     %zu, placed %zu times", report.meshes, report.placements);
+    print_line("triangles  %zu", report.triangles);
+    print_materials(report);
+    print_nodes(report);
+    print_line("warnings   %zu", report.warnings.size());
+    print_lints(report.warnings);
+}
+
+}  // namespace campuswalk::tools

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/walkspace/ground_cover.h"
+#include "scene/lint/model_report.h"
+#include "scene/suggest/suggested_buildings.h"
+#include "tools/campuswalk/base/json_text.h"
+
+namespace campuswalk::tools {
+
+/// What `campuswalk info` says about a model.
+struct ModelInfo {
+    scene::ModelReport report;  ///< with the repairs of the import before its warnings
+    std::optional<engine::GroundCover> ground;
+    std::vector<scene::SuggestedBuilding> buildings;
+};
+
+/// As config/schema/info.schema.json says.
+Json json_of(const ModelInfo& info);
+
+/// Prints what matters to visitors first: size, ground, buildings, doors and stairs; then what it is made of.
+void print_text(const ModelInfo& info);
+
+}  // namespace campuswalk::tools
