@@ -48,6 +48,11 @@ void add_selection(Command& command, const Options& options) {
                             "indexed jobs are used, and CAMPUSWALK_SHARD_INDEX (from 0) and _COUNT",
                     .value = "I/N"},
                    options->shard);
+    command.option({.names = "--shard-times",
+                    .help = "Balance the shards by the times that cases took in a run, from its "
+                            "last-run.jsonl; all shards need the same file",
+                    .value = "FILE"},
+                   options->shard_times);
     command.flag({.names = "--last-failed", .help = "Only walks that didn't pass in the last run"},
                  options->last_failed);
     command.flag({.names = "--list", .help = "List what would be run"}, options->list);
@@ -96,7 +101,10 @@ void add_running(Command& command, const Options& options) {
                     .help = "Seconds of wall clock after which a walk is stopped, with exit code 3 (3600)",
                     .value = "SECONDS"},
                    options->kill_after, kSeconds);
-    command.flag({.names = "--resume", .help = "Continue a run that was killed"}, options->resume);
+    command.choice_flag({.names = "--resume",
+                         .help = "Continue a run that was killed; with auto, start anew where none was"},
+                        "required",
+                        {{"required", Resume::required}, {"auto", Resume::automatic}}, options->resume);
     command.flag({.names = "--watch", .help = "Whenever a file changes, run the walks that use it"},
                  options->watch);
 }
@@ -146,6 +154,11 @@ void add_output(Command& command, const Options& options) {
                             "--resume need [out]",
                     .value = "DIR"},
                    options->output);
+    command.option({.names = "--save",
+                    .help = "Where results are saved for --last-failed, --resume and --shard-times "
+                            "[DIR/last-run.jsonl]",
+                    .value = "FILE"},
+                   options->save);
     command.option(
         {.names = "--reporter",
          .help = config::listed(engine::reporter_names()) +

@@ -14,6 +14,9 @@ namespace campuswalk::tools {
 
 enum class ColorChoice { automatic, always, never };
 
+/// Whether a run must find saved results to continue from, or may start anew without.
+enum class Resume { required, automatic };
+
 /// How much of a campus an html report shows.
 enum class ReportGeometry {
     exact,       ///< every triangle
@@ -32,6 +35,7 @@ struct RunOptions {
     std::vector<std::string> tags;      ///< a walk needs at least one of them
     std::vector<std::string> projects;  ///< names; all projects if empty
     std::optional<std::string> shard;   ///< "i/n"
+    std::optional<std::filesystem::path> shard_times;  ///< by which the shards are balanced
     bool last_failed = false;
     bool forbid_only = false;
     bool strict = false;
@@ -49,10 +53,11 @@ struct RunOptions {
     std::optional<collision::TreeKind> tree;
     std::optional<double> timeout;     ///< simulated seconds
     std::optional<double> kill_after;  ///< seconds of wall clock
-    bool resume = false;
+    std::optional<Resume> resume;
     std::optional<UpdateSnapshots> update;
 
     std::optional<std::filesystem::path> output;
+    std::optional<std::filesystem::path> save;  ///< instead of OUTPUT/last-run.jsonl
     std::vector<std::string> reporters;  ///< NAME or NAME=FILE
     std::vector<std::string> records;    ///< names of record_kinds()
     ReportGeometry report_geometry = ReportGeometry::simplified;
