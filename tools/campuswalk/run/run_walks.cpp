@@ -127,14 +127,6 @@ CampusesByFile campuses_of(const Plan& plan) {
     return campuses;
 }
 
-/// In quotes only where a shell would take it for something else.
-std::string shell_word(const std::string& text) {
-    const bool plain = text.find_first_not_of(
-                           "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
-                           "._/-+=:,@%") == std::string::npos;
-    return plain && !text.empty() ? text : shell_quoted(text);
-}
-
 /// A run, from the options to the exit code.
 class Run {
 public:

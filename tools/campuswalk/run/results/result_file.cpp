@@ -114,6 +114,53 @@ std::size_t ResultFile::for_each_located(
     return count;
 }
 
+std::optional<engine::WalkResult> ResultBlocks::next() {
+    std::optional<std::string_view> line = next_line();
+    if (line && line_ == 1) {  // the header
+        line = next_line();
+    }
+    if (!line) {
+        block_ = std::string();
+        used_ = 0;
+        return std::nullopt;
+    }
+    try {
+        return engine::with_paths_in_run(file_->plan().start, engine::result_from_json_line(*line));
+    } catch (const std::runtime_error& error) {
+        throw about_line(file_->file(), line_, error);
+    }
+}
+
+std::optional<std::string_view> ResultBlocks::next_line() {
+    std::size_t searched = used_;
+    while (true) {
+        const std::size_t end = block_.find('\n', searched);
+        if (end != std::string::npos) {
+            const std::string_view line = std::string_view(block_).substr(used_, end - used_);
+            used_ = end + 1;
+            ++line_;
+            return line;
+        }
+        block_.erase(0, used_);
+        used_ = 0;
+        searched = block_.size();
+        if (!read_block()) {
+            return std::nullopt;
+        }
+    }
+}
+
+bool ResultBlocks::read_block() {
+    std::ifstream stream = open_stream(file_->file());
+    stream.seekg(offset_);
+    const std::size_t kept = block_.size();
+    block_.resize(kept + block_bytes_);
+    stream.read(block_.data() + kept, static_cast<std::streamsize>(block_bytes_));
+    block_.resize(kept + static_cast<std::size_t>(stream.gcount()));
+    offset_ += stream.gcount();
+    return stream.gcount() > 0;
+}
+
 std::vector<ResultFile> open_result_files(const std::vector<fs::path>& inputs) {
     std::vector<ResultFile> files;
     for (const fs::path& input : inputs) {
