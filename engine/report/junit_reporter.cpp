@@ -132,7 +132,8 @@ public:
         tally_.add(result);
     }
 
-    /// A suite at a time, which fits into memory where the run doesn't: the cases of a file follow each other.
+    /// A suite at a time, which fits into memory where the run doesn't: the cases of a file follow each
+    /// other.
     void end(const ResultSequence& results) override {
         sink_("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + opening_of_root());
         std::vector<WalkResult> suite;

@@ -88,9 +88,9 @@ public:
     void result(const WalkResult& result) override {
         tally_.add(result);
         ++cases_;
-        std::vector<WalkResult>& kept = is_problem(result) ? problems_ : good_;
-        if (kept.size() < kMostRows) {
-            kept.push_back(result);
+        std::vector<WalkResult>& shown = is_problem(result) ? problems_ : good_;
+        if (shown.size() < kMostRows) {
+            shown.push_back(result);
         }
     }
 

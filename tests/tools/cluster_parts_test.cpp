@@ -84,9 +84,10 @@ TEST(Balance, IsWithinGrahamsBound) {
 
 TEST(CaseTimes, AreReadFromResultsAndWrittenAsLines) {
     support::TemporaryFolder folder;
-    folder.write("last-run.jsonl",
-                 "{\"code\":\"x\",\"campuswalk_last_run\":\"y\"}\n{\"microseconds\":12,\"id\":\"a\"}\n{\"id\":\"b\"}\n"
-                 "{\"microseconds\":15,\"id\":\"a\"}\n{\"microseconds\":-3,\"id\":\"c\"}\n{\"id\":\"cut");
+    folder.write(
+        "last-run.jsonl",
+        "{\"code\":\"x\",\"campuswalk_last_run\":\"y\"}\n{\"microseconds\":12,\"id\":\"a\"}\n{\"id\":\"b\"}\n"
+        "{\"microseconds\":15,\"id\":\"a\"}\n{\"microseconds\":-3,\"id\":\"c\"}\n{\"id\":\"cut");
     CaseTimes times;
     add_case_times(folder.path() / "last-run.jsonl", times);
     EXPECT_THAT(times, ElementsAre(Pair("a", 15U)));
@@ -109,19 +110,20 @@ TEST(SlurmTasks, AreListedAsSlurmListsThem) {
 
 // As slurm-wlm 22.05 prints them.
 TEST(SlurmTasks, HaveStates) {
-    EXPECT_THAT(states_from_accounting("12_1|COMPLETED\n12_2|CANCELLED by 1000\n12_[3-4]|PENDING\n13|FAILED\n"),
-                ElementsAre(Pair(1, "COMPLETED"), Pair(2, "CANCELLED"), Pair(3, "PENDING"), Pair(4, "PENDING")));
     EXPECT_THAT(
-        states_from_controller("JobId=8 ArrayJobId=1 ArrayTaskId=7 JobName=a.sh JobState=TIMEOUT Reason=None\n"
-                               "JobId=1 ArrayJobId=1 ArrayTaskId=8-9 JobName=a.sh JobState=PENDING\n"
-                               "JobId=5 JobName=b JobState=FAILED\n"),
-        ElementsAre(Pair(7, "TIMEOUT"), Pair(8, "PENDING"), Pair(9, "PENDING")));
+        states_from_accounting("12_1|COMPLETED\n12_2|CANCELLED by 1000\n12_[3-4]|PENDING\n13|FAILED\n"),
+        ElementsAre(Pair(1, "COMPLETED"), Pair(2, "CANCELLED"), Pair(3, "PENDING"), Pair(4, "PENDING")));
+    EXPECT_THAT(states_from_controller(
+                    "JobId=8 ArrayJobId=1 ArrayTaskId=7 JobName=a.sh JobState=TIMEOUT Reason=None\n"
+                    "JobId=1 ArrayJobId=1 ArrayTaskId=8-9 JobName=a.sh JobState=PENDING\n"
+                    "JobId=5 JobName=b JobState=FAILED\n"),
+                ElementsAre(Pair(7, "TIMEOUT"), Pair(8, "PENDING"), Pair(9, "PENDING")));
     EXPECT_THAT(states_from_accounting("Slurm accounting storage is disabled\n"), IsEmpty());
 }
 
 TEST(SlurmJob, IsFoundInTheQueue) {
-    const QueueState queue =
-        queue_state({"12", "13"}, "12_1|RUNNING\n12_2|COMPLETING\n12_[3-6]|PENDING\n13|PENDING\n112_1|RUNNING\n");
+    const QueueState queue = queue_state(
+        {"12", "13"}, "12_1|RUNNING\n12_2|COMPLETING\n12_[3-6]|PENDING\n13|PENDING\n112_1|RUNNING\n");
     EXPECT_EQ(queue.running, 2);
     EXPECT_EQ(queue.waiting, 4);
     EXPECT_TRUE(queue.merging);
@@ -165,7 +167,8 @@ TEST(TaskProblems, NameTasksWhoseResultsDoNotFitTheirEnd) {
     EXPECT_THAT(only_problem({{1, 0}}, {}, {{1, "COMPLETED"}}), HasSubstr("error task-failed: "));
     EXPECT_THAT(only_problem({{1, 0}}, {{1, {false, 0}}}, {}), HasSubstr("error task-failed: "));
     EXPECT_THAT(only_problem({{1, 3}}, {{1, {true, 0}}}, {}), HasSubstr("exit code 3"));
-    EXPECT_THAT(only_problem({{1, 0}}, {{1, {true, 0}}}, {{1, "CANCELLED"}}), HasSubstr("error task-cancelled: "));
+    EXPECT_THAT(only_problem({{1, 0}}, {{1, {true, 0}}}, {{1, "CANCELLED"}}),
+                HasSubstr("error task-cancelled: "));
 }
 
 // ---- scripts ----------------------------------------------------------------------------------------------

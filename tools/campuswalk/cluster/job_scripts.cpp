@@ -71,9 +71,10 @@ std::vector<std::string> sbatch_options(const SlurmOptions& options) {
 void check_name_for_scripts(const fs::path& folder) {
     const std::string name = folder.generic_string();
     if (has_control_character(name) || name.find_first_of("\"'\\%#") != std::string::npos) {
-        throw error_about(folder, "bad-value",
-                          "sbatch can't write to a folder with a quote, a backslash, % or # in its name; choose another "
-                          "--output");
+        throw error_about(
+            folder, "bad-value",
+            "sbatch can't write to a folder with a quote, a backslash, % or # in its name; choose another "
+            "--output");
     }
 }
 
@@ -98,14 +99,15 @@ std::string shard_script(const ArrayJob& job) {
            " ]; then\n"
            "    scontrol requeue \"${SLURM_ARRAY_JOB_ID}_$task\" && sleep 300  # Slurm ends this script\n"
            "fi\n" +
-           "if [ \"$code\" -lt 128 ]; then\n    " + write_code("\"$folder/ended/$task\"") + "fi\nexit \"$code\"\n";
+           "if [ \"$code\" -lt 128 ]; then\n    " + write_code("\"$folder/ended/$task\"") +
+           "fi\nexit \"$code\"\n";
 }
 
 std::string merge_script(const ArrayJob& job) {
     return "#!/bin/bash\n" + directive("--job-name=campuswalk-merge") + directive("--requeue") +
            quoted_directive("--output", job.folder.merge_output()) +
-           quoted_directive("--error", job.folder.merge_errors()) + common_directives(job) + "folder=" +
-           shell_word(job.folder.root.generic_string()) +
+           quoted_directive("--error", job.folder.merge_errors()) + common_directives(job) +
+           "folder=" + shell_word(job.folder.root.generic_string()) +
            "\n"
            "job=${1:?the number of the array job}\n"
            "code=0\n" +

@@ -12,7 +12,7 @@ namespace campuswalk::tools {
 struct ArrayJob {
     JobFolder folder;
     int tasks = 1;
-    int cpus = 1;                     ///< of each task
+    int cpus = 1;  ///< of each task
     // Command lines of words as a shell reads them (see shell_word): variables are the script's.
     std::vector<std::string> task;    ///< with $folder, $task and $cpus
     std::vector<std::string> merge;   ///< with $folder and $job, the array's number
@@ -26,8 +26,8 @@ std::vector<std::string> sbatch_options(const SlurmOptions& options);
 /// Throws scene::InputError (bad-value) for a folder whose name sbatch wouldn't take as it is.
 void check_name_for_scripts(const std::filesystem::path& folder);
 
-/// The script of the array's tasks: a task that was killed is handed to Slurm again, and one that ended says so in
-/// its file of JobFolder::ended.
+/// The script of the array's tasks: a task that was killed is handed to Slurm again, and one that ended says
+/// so in its file of JobFolder::ended.
 std::string shard_script(const ArrayJob& job);
 
 /// The script of the job after them, whose argument is the array's number.

@@ -51,7 +51,8 @@ void check_options(const RunOptions& options, const RunSettings& settings) {
     if (options.shard || options.shard_times || options.save) {
         refuse("--slurm", "it divides the run itself: leave out --shard, --shard-times and --save");
     }
-    const bool logs = std::ranges::find(settings.reports, "log", &ReportTarget::name) != settings.reports.end();
+    const bool logs =
+        std::ranges::find(settings.reports, "log", &ReportTarget::name) != settings.reports.end();
     if (settings.single) {
         refuse("--slurm", "a run of one walk needs no cluster; name a folder");
     }
@@ -74,7 +75,8 @@ void refuse_if_busy(const JobFolder& folder) {
     const QueueState queue = ask_queue(*earlier);
     if (queue.waiting + queue.running > 0 || queue.merging) {
         throw error_about(folder.root, "job-unfinished",
-                          "job " + earlier->array + " still uses this folder; wait for it, or end it with: scancel " +
+                          "job " + earlier->array +
+                              " still uses this folder; wait for it, or end it with: scancel " +
                               earlier->array + " " + earlier->merge);
     }
 }
@@ -86,7 +88,8 @@ CaseTimes last_times(const fs::path& last_run, const JobFolder& folder) {
     if (fs::is_regular_file(last_run, error)) {
         add_case_times(last_run, times);
     }
-    for (fs::directory_iterator entry(folder.saved(), error), end; !error && entry != end; entry.increment(error)) {
+    for (fs::directory_iterator entry(folder.saved(), error), end; !error && entry != end;
+         entry.increment(error)) {
         add_case_times(entry->path(), times);
     }
     return times;
@@ -160,9 +163,10 @@ private:
         }
         const engine::RunPlan plan = summary(before->shards);
         if (plan.contents != before->contents || plan.division != before->division) {
-            throw error_about(folder_.root, "other-run",
-                              "the last job ran different walks or files, so it can't be continued; run without "
-                              "--resume");
+            throw error_about(
+                folder_.root, "other-run",
+                "the last job ran different walks or files, so it can't be continued; run without "
+                "--resume");
         }
         return plan;
     }
@@ -190,8 +194,8 @@ private:
     }
 
     void clear_folder() const {
-        for (const fs::path& part : {folder_.ended(), folder_.logs(), folder_.merged(), folder_.merge_output(),
-                                     folder_.merge_errors(), folder_.job()}) {
+        for (const fs::path& part : {folder_.ended(), folder_.logs(), folder_.merged(),
+                                     folder_.merge_output(), folder_.merge_errors(), folder_.job()}) {
             fs::remove_all(part);
         }
         for (const fs::path& part : {folder_.results(), folder_.saved(), folder_.ended(), folder_.logs()}) {
@@ -214,7 +218,8 @@ private:
                     "--shard-times=\"$folder\"/times.jsonl",
                     "--save=\"$folder\"/saved/\"$task\".jsonl",
                     "--reporter=jsonl=\"$folder\"/results/\"$task\".jsonl"};
-        for (const std::string& record : settings_.records) {  // an html report needs one that nobody asked for
+        for (const std::string& record :
+             settings_.records) {  // an html report needs one that nobody asked for
             if (std::ranges::find(options_.records, record) == options_.records.end()) {
                 job.task.push_back("--record=" + record);
             }
@@ -227,13 +232,15 @@ private:
     }
 
     std::vector<std::string> merge_command() const {
-        std::vector<std::string> words = {shell_word(program()), "merge-reports", "\"$folder\"", "--slurm=\"$job\"",
+        std::vector<std::string> words = {shell_word(program()), "merge-reports", "\"$folder\"",
+                                          "--slurm=\"$job\"",
                                           shell_word("--output=" + settings_.output.generic_string())};
         for (const ReportTarget& target : settings_.reports) {
             words.push_back(shell_word("--reporter=" + target.name +
                                        (target.file ? "=" + target.file->generic_string() : "")));
         }
-        const bool prints = std::ranges::any_of(settings_.reports, [](const ReportTarget& target) { return !target.file; });
+        const bool prints =
+            std::ranges::any_of(settings_.reports, [](const ReportTarget& target) { return !target.file; });
         if (!prints && !settings_.reports.empty()) {
             words.emplace_back("--reporter=list");
         }
@@ -245,7 +252,8 @@ private:
     }
 
     void print_commands() const {
-        print_line("job=$(sbatch --parsable %s)", shell_word(folder_.shard_script().generic_string()).c_str());
+        print_line("job=$(sbatch --parsable %s)",
+                   shell_word(folder_.shard_script().generic_string()).c_str());
         print_line("sbatch --dependency=afterany:\"$job\" %s \"$job\"",
                    shell_word(folder_.merge_script().generic_string()).c_str());
     }
@@ -259,7 +267,8 @@ private:
         }
         const std::string purpose = "slurm";
         return {name + "=" +
-                to_string(scene::keyed_hash_of(std::as_bytes(std::span(purpose)), std::as_bytes(std::span(own))))};
+                to_string(
+                    scene::keyed_hash_of(std::as_bytes(std::span(purpose)), std::as_bytes(std::span(own))))};
     }
 
     int submit_and_wait(const engine::RunPlan& plan) const {
@@ -267,8 +276,8 @@ private:
         const SlurmJob job = submit(folder_, shared_key());
         if (!options_.quiet) {
             print_error_line("job " + job.array + ": " + scene::plural(plan.all_cases, "walk") + " in " +
-                             scene::plural(static_cast<std::size_t>(plan.shards), "shard") + "; job " + job.merge +
-                             " merges their reports");
+                             scene::plural(static_cast<std::size_t>(plan.shards), "shard") + "; job " +
+                             job.merge + " merges their reports");
         }
         std::optional<int> code;
         try {
@@ -321,9 +330,9 @@ private:
 
 const std::vector<std::string>& options_of_submission() {
     static const std::vector<std::string> names = {
-        "--slurm",  "--shards", "--partition", "--account", "--time",    "--mem",   "--sbatch",
-        "--shard",  "--resume", "--reporter",  "--quiet",   "--verbose", "--color", "--workers",
-        "--log",    "--jsonl",  "--save",      "--shard-times"};
+        "--slurm",  "--shards",  "--partition", "--account",  "--time",  "--mem",
+        "--sbatch", "--shard",   "--resume",    "--reporter", "--quiet", "--verbose",
+        "--color",  "--workers", "--log",       "--jsonl",    "--save",  "--shard-times"};
     return names;
 }
 

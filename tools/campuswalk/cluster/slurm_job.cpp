@@ -30,11 +30,12 @@ namespace {
 
 constexpr milliseconds kFirstInterval{500};  // between questions to Slurm
 constexpr milliseconds kLastInterval{10'000};
-constexpr milliseconds kTick{100};        // between looks at Ctrl-C
-constexpr seconds kFileDelay{60};         // until a file of another machine can be seen here, on NFS
-constexpr seconds kLineEvery{30};         // where there is no terminal
+constexpr milliseconds kTick{100};  // between looks at Ctrl-C
+constexpr seconds kFileDelay{60};   // until a file of another machine can be seen here, on NFS
+constexpr seconds kLineEvery{30};   // where there is no terminal
 
-/// "Submitted batch job 12", "12" or, in a federation, "12;cluster": the last line, as warnings may come first.
+/// "Submitted batch job 12", "12" or, in a federation, "12;cluster": the last line, as warnings may come
+/// first.
 std::string job_number(const SlurmAnswer& answer) {
     std::string number;
     for (const std::string_view line : split(answer.text, '\n')) {
@@ -69,8 +70,8 @@ std::optional<int> code_in(const fs::path& file) {
 
 std::string words_of(const SlurmJob& job, const QueueState& queue, int tasks) {
     const int done = std::max(0, tasks - queue.waiting - queue.running);
-    std::string text = std::to_string(done) + " of " +
-                       scene::plural(static_cast<std::size_t>(tasks), "shard") + " done";
+    std::string text =
+        std::to_string(done) + " of " + scene::plural(static_cast<std::size_t>(tasks), "shard") + " done";
     text += queue.running > 0 ? ", " + std::to_string(queue.running) + " running" : "";
     text += queue.waiting > 0 ? ", " + std::to_string(queue.waiting) + " waiting" : "";
     text += queue.waiting + queue.running == 0 && queue.merging ? ", merging" : "";
@@ -81,7 +82,11 @@ std::string words_of(const SlurmJob& job, const QueueState& queue, int tasks) {
 class JobProgress {
 public:
     JobProgress(const SlurmJob& job, int tasks, bool quiet)
-        : job_(job), tasks_(tasks), terminal_(isatty(STDERR_FILENO) == 1), quiet_(quiet), line_(!quiet && terminal_) {}
+        : job_(job),
+          tasks_(tasks),
+          terminal_(isatty(STDERR_FILENO) == 1),
+          quiet_(quiet),
+          line_(!quiet && terminal_) {}
 
     void show(const QueueState& queue) {
         const std::string text = words_of(job_, queue, tasks_);
@@ -129,8 +134,9 @@ SlurmJob submit(const JobFolder& folder, const std::vector<std::string>& variabl
     SlurmJob job;
     job.array = sbatch({"--parsable", folder.shard_script().string()}, variables);
     try {
-        job.merge = sbatch({"--parsable", "--dependency=afterany:" + job.array, folder.merge_script().string(), job.array},
-                           variables);
+        job.merge = sbatch(
+            {"--parsable", "--dependency=afterany:" + job.array, folder.merge_script().string(), job.array},
+            variables);
     } catch (...) {
         ask_slurm("scancel", {job.array});
         throw;

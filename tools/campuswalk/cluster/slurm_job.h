@@ -28,9 +28,9 @@ std::optional<SlurmJob> noted_job(const JobFolder& folder);
 /// How many tasks of a job are where, as far as Slurm's queue shows.
 struct QueueState {
     int waiting = 0;
-    int running = 0;         ///< or just starting or ending
-    bool merging = false;    ///< the job that merges waits or runs
-    bool answered = true;    ///< false: Slurm can't be asked just now
+    int running = 0;       ///< or just starting or ending
+    bool merging = false;  ///< the job that merges waits or runs
+    bool answered = true;  ///< false: Slurm can't be asked just now
 };
 /// From the lines of `squeue --array --noheader --format=%i|%T`.
 QueueState queue_state(const SlurmJob& job, std::string_view text);

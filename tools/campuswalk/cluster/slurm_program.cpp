@@ -33,8 +33,8 @@ SlurmAnswer ask_slurm(const std::string& program, const std::vector<std::string>
                                                             .detached = true});
         pipe.writing.close();
         std::array<char, 4096> buffer{};
-        while (const std::size_t count = scene::read_some(pipe.reading.number(),
-                                                          std::as_writable_bytes(std::span(buffer)))) {
+        while (const std::size_t count =
+                   scene::read_some(pipe.reading.number(), std::as_writable_bytes(std::span(buffer)))) {
             answer.text.append(buffer.data(), count);
         }
         const scene::ExitStatus end = process.wait();

@@ -16,8 +16,8 @@ std::optional<int> task_number(std::string_view text) {
     int number = 0;
     const char* end = text.data() + text.size();
     const auto parsed = std::from_chars(text.data(), end, number);
-    const bool valid = parsed.ec == std::errc() && parsed.ptr == end && !text.empty() && number >= 0 &&
-                       number <= kMostTasks;
+    const bool valid =
+        parsed.ec == std::errc() && parsed.ptr == end && !text.empty() && number >= 0 && number <= kMostTasks;
     return valid ? std::optional(number) : std::nullopt;
 }
 
@@ -51,7 +51,8 @@ std::vector<int> tasks_in(std::string_view text) {
         part = part.substr(0, colon);
         const std::size_t dash = part.find('-');
         const std::optional<int> first = task_number(part.substr(0, dash));
-        const std::optional<int> last = dash == std::string_view::npos ? first : task_number(part.substr(dash + 1));
+        const std::optional<int> last =
+            dash == std::string_view::npos ? first : task_number(part.substr(dash + 1));
         for (int task = first.value_or(1); first && last && step > 0 && task <= *last; task += step) {
             tasks.push_back(task);
         }
@@ -84,8 +85,8 @@ TaskStates states_from_controller(std::string_view text) {
 }
 
 TaskStates ask_task_states(const std::string& job) {
-    const SlurmAnswer accounts =
-        ask_slurm("sacct", {"--allocations", "--noheader", "--parsable2", "--jobs=" + job, "--format=JobID,State"});
+    const SlurmAnswer accounts = ask_slurm(
+        "sacct", {"--allocations", "--noheader", "--parsable2", "--jobs=" + job, "--format=JobID,State"});
     if (accounts.good()) {
         if (TaskStates states = states_from_accounting(accounts.text); !states.empty()) {
             return states;

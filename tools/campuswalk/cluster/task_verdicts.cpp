@@ -66,7 +66,8 @@ std::vector<std::string> task_problems(const std::string& job, int tasks, const 
         const auto state = states.find(task);
         const bool whole = left != results.end() && left->second.whole;
         std::optional<Problem> problem;
-        const bool stopped = state != states.end() && state->second != "COMPLETED" && state->second != "FAILED";
+        const bool stopped =
+            state != states.end() && state->second != "COMPLETED" && state->second != "FAILED";
         if (code == ended.end() || stopped) {
             problem = without_end(state == states.end() ? std::nullopt : std::optional(state->second));
         } else if (!whole || code->second != left->second.exit_code) {

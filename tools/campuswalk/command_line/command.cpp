@@ -101,7 +101,7 @@ std::vector<std::string> Command::given_except(const std::vector<std::string>& n
     std::vector<std::string> positional;
     for (const CLI::Option* option : app_->get_options()) {
         const bool is_named = !option->get_lnames().empty() || !option->get_snames().empty();
-        const std::string name = !is_named                       ? ""
+        const std::string name = !is_named                      ? ""
                                  : option->get_lnames().empty() ? "-" + option->get_snames().front()
                                                                 : "--" + option->get_lnames().front();
         if (option->count() == 0 || std::ranges::find(names, name) != names.end()) {

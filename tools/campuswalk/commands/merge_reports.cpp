@@ -31,7 +31,7 @@ struct MergeOptions {
     std::vector<std::string> reporters;         ///< NAME or NAME=FILE; `list` if there are none
     std::filesystem::path output = "out";       ///< folder of the images that reports name
     std::string images_url;                     ///< where the repository's files can be seen; empty: nowhere
-    std::optional<std::string> slurm_job;  ///< the array whose tasks wrote the reports
+    std::optional<std::string> slurm_job;       ///< the array whose tasks wrote the reports
     bool quiet = false;
     ColorChoice color = ColorChoice::automatic;
 };
@@ -118,12 +118,13 @@ void add_merge_reports(Command program, CommandAction& chosen) {
                             return plain && url.starts_with("https://") ? "" : "it must begin with https://";
                         }},
                    options->images_url);
-    command.option({.names = "--slurm",
-                    .help = "What run --slurm uses: PATH is its folder, DIR/slurm, and the tasks of this array "
-                            "job that didn't come to their end are errors",
-                    .value = "JOB",
-                    .check = [](const std::string& job) { return is_number(job) ? "" : "it must be a job's number"; }},
-                   options->slurm_job);
+    command.option(
+        {.names = "--slurm",
+         .help = "What run --slurm uses: PATH is its folder, DIR/slurm, and the tasks of this array "
+                 "job that didn't come to their end are errors",
+         .value = "JOB",
+         .check = [](const std::string& job) { return is_number(job) ? "" : "it must be a job's number"; }},
+        options->slurm_job);
     command.flag({.names = "-q,--quiet", .help = "Print only what failed, and the counts"}, options->quiet);
     add_color(command, options->color);
     command.footer(

@@ -104,10 +104,9 @@ void add_running(Command& command, const Options& options) {
                     .help = "Seconds of wall clock after which a walk is stopped, with exit code 3 (3600)",
                     .value = "SECONDS"},
                    options->kill_after, kSeconds);
-    command.choice_flag({.names = "--resume",
-                         .help = "Continue a run that was killed; with auto, start anew where none was"},
-                        "required",
-                        {{"required", Resume::required}, {"auto", Resume::automatic}}, options->resume);
+    command.choice_flag(
+        {.names = "--resume", .help = "Continue a run that was killed; with auto, start anew where none was"},
+        "required", {{"required", Resume::required}, {"auto", Resume::automatic}}, options->resume);
     command.flag({.names = "--watch", .help = "Whenever a file changes, run the walks that use it"},
                  options->watch);
 }
@@ -197,10 +196,11 @@ void add_output(Command& command, const Options& options) {
 }
 
 void add_slurm(Command& command, const std::shared_ptr<SlurmOptions>& options) {
-    command.choice_flag({.names = "--slurm",
-                         .help = "Run as an array of Slurm jobs and wait for the merged report; with script, only "
-                                 "write DIR/slurm/shard.sh and merge.sh, to be edited, and print how to submit them"},
-                        "submit", {{"submit", SlurmMode::submit}, {"script", SlurmMode::script}}, options->mode);
+    command.choice_flag(
+        {.names = "--slurm",
+         .help = "Run as an array of Slurm jobs and wait for the merged report; with script, only "
+                 "write DIR/slurm/shard.sh and merge.sh, to be edited, and print how to submit them"},
+        "submit", {{"submit", SlurmMode::submit}, {"script", SlurmMode::script}}, options->mode);
     command.option(
         {.names = "--shards", .help = "With --slurm: into how many [64, at most one a walk]", .value = "N"},
         options->shards, kShards);
@@ -208,14 +208,17 @@ void add_slurm(Command& command, const std::shared_ptr<SlurmOptions>& options) {
                    options->partition);
     command.option({.names = "--account", .help = "With --slurm: sbatch's option", .value = "NAME"},
                    options->account);
-    command.option({.names = "--time", .help = "With --slurm: sbatch's option, the limit of a shard", .value = "TIME"},
-                   options->time);
-    command.option({.names = "--mem", .help = "With --slurm: sbatch's option, the memory of a shard", .value = "SIZE"},
-                   options->mem);
-    command.option({.names = "--sbatch",
-                    .help = "With --slurm: another option of sbatch, as in --sbatch=--qos=long; may be repeated",
-                    .value = "OPTION"},
-                   options->sbatch);
+    command.option(
+        {.names = "--time", .help = "With --slurm: sbatch's option, the limit of a shard", .value = "TIME"},
+        options->time);
+    command.option(
+        {.names = "--mem", .help = "With --slurm: sbatch's option, the memory of a shard", .value = "SIZE"},
+        options->mem);
+    command.option(
+        {.names = "--sbatch",
+         .help = "With --slurm: another option of sbatch, as in --sbatch=--qos=long; may be repeated",
+         .value = "OPTION"},
+        options->sbatch);
 }
 
 /// Options that mean nothing without --slurm.

@@ -21,12 +21,14 @@ void add_case_times(const fs::path& file, CaseTimes& times) {
         throw error_about(file, "missing-file", "no such file, or it can't be read; check the path");
     }
     std::string line;
-    for (int number = 1; std::getline(stream, line) && !stream.eof(); ++number) {  // the last may be cut short
+    for (int number = 1; std::getline(stream, line) && !stream.eof();
+         ++number) {  // the last may be cut short
         const nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
         if (!json.is_object()) {
-            throw scene::InputError({file.generic_string(), number, 1}, "bad-times",
-                                    "this isn't a line of JSON with a case's id and microseconds; name a run's "
-                                    "last-run.jsonl");
+            throw scene::InputError(
+                {file.generic_string(), number, 1}, "bad-times",
+                "this isn't a line of JSON with a case's id and microseconds; name a run's "
+                "last-run.jsonl");
         }
         const auto id = json.find("id");
         const auto taken = json.find(kMicroseconds);

@@ -243,13 +243,13 @@ private:
     }
 
     void keep_shard() {
-        std::vector<Candidate> kept;
+        std::vector<Candidate> own;
         for (std::size_t i = 0; i < candidates_.size(); ++i) {
             if (shard_of_[i] == settings_.shard.value_or(Shard()).index) {
-                kept.push_back(std::move(candidates_[i]));
+                own.push_back(std::move(candidates_[i]));
             }
         }
-        candidates_ = std::move(kept);
+        candidates_ = std::move(own);
     }
 
     void add_cases(Candidate& candidate, std::vector<Case>& cases) {

@@ -32,9 +32,9 @@ struct RunOptions {
 
     std::optional<std::string> grep;
     std::optional<std::string> grep_invert;
-    std::vector<std::string> tags;      ///< a walk needs at least one of them
-    std::vector<std::string> projects;  ///< names; all projects if empty
-    std::optional<std::string> shard;   ///< "i/n"
+    std::vector<std::string> tags;                     ///< a walk needs at least one of them
+    std::vector<std::string> projects;                 ///< names; all projects if empty
+    std::optional<std::string> shard;                  ///< "i/n"
     std::optional<std::filesystem::path> shard_times;  ///< by which the shards are balanced
     bool last_failed = false;
     bool forbid_only = false;
@@ -58,8 +58,8 @@ struct RunOptions {
 
     std::optional<std::filesystem::path> output;
     std::optional<std::filesystem::path> save;  ///< instead of OUTPUT/last-run.jsonl
-    std::vector<std::string> reporters;  ///< NAME or NAME=FILE
-    std::vector<std::string> records;    ///< names of record_kinds()
+    std::vector<std::string> reporters;         ///< NAME or NAME=FILE
+    std::vector<std::string> records;           ///< names of record_kinds()
     ReportGeometry report_geometry = ReportGeometry::simplified;
     SequenceRequest sequence;
     std::optional<std::filesystem::path> log;    ///< the text log, also in a file

@@ -29,8 +29,8 @@ bool comes_before(const WalkResult& a, const WalkResult& b) {
 }
 
 void for_each_merged(const std::vector<const ResultFile*>& files, const ResultVisitor& visit) {
-    const std::size_t block = std::clamp(kBytesOfAllBlocks / std::max<std::size_t>(1, files.size()),
-                                         kLeastBlock, kMostBlock);
+    const std::size_t block =
+        std::clamp(kBytesOfAllBlocks / std::max<std::size_t>(1, files.size()), kLeastBlock, kMostBlock);
     std::vector<Source> sources;
     sources.reserve(files.size());
     const auto later = [&](std::size_t a, std::size_t b) {

@@ -66,7 +66,8 @@ void MergedRun::add(const ResultFile& file) {
     const auto [there, is_new] = shards_.try_emplace(plan.shard, file);
     if (!is_new) {
         note(file.file(), "duplicate-shard",
-             there->second.file().generic_string() + " is a report of shard " + std::to_string(plan.shard) + ", too");
+             there->second.file().generic_string() + " is a report of shard " + std::to_string(plan.shard) +
+                 ", too");
     }
 }
 

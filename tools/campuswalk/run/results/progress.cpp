@@ -42,8 +42,8 @@ std::string Progress::line() const {
     if (total_ == 1) {
         return (share_ ? progress_bar(*share_) : "") + walk_;
     }
-    return progress_bar(static_cast<double>(done_) / static_cast<double>(total_)) + std::to_string(done_) + "/" +
-           std::to_string(total_) + (failed_ > 0 ? ", " + std::to_string(failed_) + " failed" : "") +
+    return progress_bar(static_cast<double>(done_) / static_cast<double>(total_)) + std::to_string(done_) +
+           "/" + std::to_string(total_) + (failed_ > 0 ? ", " + std::to_string(failed_) + " failed" : "") +
            (walk_.empty() ? "" : ", ") + walk_;
 }
 

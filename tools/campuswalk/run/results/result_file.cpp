@@ -153,10 +153,10 @@ std::optional<std::string_view> ResultBlocks::next_line() {
 bool ResultBlocks::read_block() {
     std::ifstream stream = open_stream(file_->file());
     stream.seekg(offset_);
-    const std::size_t kept = block_.size();
-    block_.resize(kept + block_bytes_);
-    stream.read(block_.data() + kept, static_cast<std::streamsize>(block_bytes_));
-    block_.resize(kept + static_cast<std::size_t>(stream.gcount()));
+    const std::size_t before = block_.size();
+    block_.resize(before + block_bytes_);
+    stream.read(block_.data() + before, static_cast<std::streamsize>(block_bytes_));
+    block_.resize(before + static_cast<std::size_t>(stream.gcount()));
     offset_ += stream.gcount();
     return stream.gcount() > 0;
 }
