@@ -184,7 +184,7 @@ class Scripts(ProgramCase):
         self.assertFalse(os.path.exists(self.path("out/slurm/saved/1.jsonl")))
 
     def test_what_does_not_go_together_is_refused(self):
-        for arguments, error in ((("--shards=3",), "--slurm: error bad-value: --shards"),
+        for arguments, error in ((("--shards=3",), "--shards: error bad-value: --slurm"), (("--mem=1G",), "--slurm: error bad-value: --mem"),
                                  (("--slurm", "--log", "a.log"), "--slurm: error bad-value: --log"),
                                  (("--slurm", "--shard=1/2"), "--slurm: error bad-value: --shard"),
                                  (("--slurm", "--last-failed"), "--last-failed: error bad-value: --slurm"),

@@ -121,7 +121,7 @@ class Slurm(ProgramCase):
             self.assertEqual(code, 2, err)
             self.assert_merged_as_whole()
             self.assertRegex(err, r"(?m)^job \d+: 300 walks|^job \d+: 600")
-            self.assertRegex(err, rf"(?m)^job \d+: \d+ of {shards} shards done")
+            self.assertRegex(err, rf"(?m)^job \d+: \d+ of {shards} tasks done")
         # Without a file, the report is printed as one machine prints it.
         printed = self.end(subprocess.Popen(self.command("--slurm", "--shards=3", "--color=never"), cwd=self.folder,
                                             env=cluster.environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE,

@@ -2,18 +2,14 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <span>
 #include <system_error>
 #include <utility>
 
 #include "engine/report/result_json.h"
 #include "scene/base/atomic_file.h"
-#include "scene/cache/content_hash.h"
 #include "scene/lint/wording.h"
 #include "tools/campuswalk/base/exit_codes.h"
-#include "tools/campuswalk/base/log_output.h"
 #include "tools/campuswalk/base/print.h"
-#include "tools/campuswalk/base/read_lines.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/repository.h"
 #include "tools/campuswalk/base/text.h"
@@ -21,13 +17,12 @@
 #include "tools/campuswalk/cluster/job_folder.h"
 #include "tools/campuswalk/cluster/job_scripts.h"
 #include "tools/campuswalk/cluster/slurm_job.h"
+#include "tools/campuswalk/cluster/submission.h"
 #include "tools/campuswalk/run/plan/case_times.h"
 #include "tools/campuswalk/run/plan/plan.h"
 #include "tools/campuswalk/run/plan/run_settings.h"
 #include "tools/campuswalk/run/results/reports.h"
 #include "tools/campuswalk/run/results/result_file.h"
-#include "tools/campuswalk/run/results/run_key.h"
-#include "tools/campuswalk/run/workers/interrupt.h"
 
 namespace campuswalk::tools {
 
@@ -58,26 +53,6 @@ void check_options(const RunOptions& options, const RunSettings& settings) {
     }
     if (options.jsonl || logs) {
         refuse("--slurm", "the logs of shards aren't merged; leave out --log, --jsonl and --reporter log");
-    }
-}
-
-std::string program() {
-    std::error_code ignored;
-    return fs::read_symlink("/proc/self/exe", ignored).string();
-}
-
-/// Of one of its own jobs, if it is still there.
-void refuse_if_busy(const JobFolder& folder) {
-    const std::optional<SlurmJob> earlier = noted_job(folder);
-    if (!earlier) {
-        return;
-    }
-    const QueueState queue = ask_queue(*earlier);
-    if (queue.waiting + queue.running > 0 || queue.merging) {
-        throw error_about(folder.root, "job-unfinished",
-                          "job " + earlier->array +
-                              " still uses this folder; wait for it, or end it with: scancel " +
-                              earlier->array + " " + earlier->merge);
     }
 }
 
@@ -126,14 +101,23 @@ public:
             print_error_line("no walk is selected; see --list");
             return options_.pass_with_no_tests ? kPass : kNothingSelected;
         }
-        clear_folder();
+        clear_job(folder_);
+        fs::create_directories(folder_.saved());
         scene::write_file_atomically(folder_.plan(), engine::to_header_line(plan) + "\n");
-        write_scripts(array_job(plan, sbatch));
+        const ArrayJob job = array_job(plan, sbatch);
+        write_scripts(job);
         if (slurm_.mode == SlurmMode::script) {
-            print_commands();
+            print_submission(folder_);
             return kPass;
         }
-        return submit_and_wait(plan);
+        const bool commands = std::ranges::any_of(settings_.reports, [](const ReportTarget& target) {
+            return !target.file && target.name == "github";
+        });
+        return submit_and_wait(job, {.what = scene::plural(plan.all_cases, "walk") + " in " +
+                                             scene::plural(static_cast<std::size_t>(plan.shards), "shard"),
+                                     .go_on = "the same command with --resume continues",
+                                     .quiet = options_.quiet,
+                                     .commands = commands});
     }
 
 private:
@@ -193,23 +177,13 @@ private:
         return summary;
     }
 
-    void clear_folder() const {
-        for (const fs::path& part : {folder_.ended(), folder_.logs(), folder_.merged(),
-                                     folder_.merge_output(), folder_.merge_errors(), folder_.job()}) {
-            fs::remove_all(part);
-        }
-        for (const fs::path& part : {folder_.results(), folder_.saved(), folder_.ended(), folder_.logs()}) {
-            fs::create_directories(part);
-        }
-    }
-
     ArrayJob array_job(const engine::RunPlan& plan, const std::vector<std::string>& sbatch) const {
         ArrayJob job;
         job.folder = folder_;
         job.tasks = plan.shards;
         job.cpus = options_.workers.value_or(1);  // of a node that others use, too
         job.sbatch = sbatch;
-        job.task = {shell_word(program()),
+        job.task = {this_program(),
                     "run",
                     "--quiet",
                     "--shard=\"$task\"/" + std::to_string(plan.shards),
@@ -232,8 +206,7 @@ private:
     }
 
     std::vector<std::string> merge_command() const {
-        std::vector<std::string> words = {shell_word(program()), "merge-reports", "\"$folder\"",
-                                          "--slurm=\"$job\"",
+        std::vector<std::string> words = {this_program(), "merge-reports", "\"$folder\"", "--slurm=\"$job\"",
                                           shell_word("--output=" + settings_.output.generic_string())};
         for (const ReportTarget& target : settings_.reports) {
             words.push_back(shell_word("--reporter=" + target.name +
@@ -249,74 +222,6 @@ private:
         }
         words.push_back(std::string("--color=") + (settings_.color ? "always" : "never"));
         return words;
-    }
-
-    void print_commands() const {
-        print_line("job=$(sbatch --parsable %s)",
-                   shell_word(folder_.shard_script().generic_string()).c_str());
-        print_line("sbatch --dependency=afterany:\"$job\" %s \"$job\"",
-                   shell_word(folder_.merge_script().generic_string()).c_str());
-    }
-
-    /// Machines that continue each other's shards need the same key; it doesn't go into a script.
-    static std::vector<std::string> shared_key() {
-        const std::string name = "CAMPUSWALK_RUN_KEY";
-        const std::string own = run_key(environment_variable);
-        if (environment_variable(name) || own.empty()) {
-            return {};
-        }
-        const std::string purpose = "slurm";
-        return {name + "=" +
-                to_string(
-                    scene::keyed_hash_of(std::as_bytes(std::span(purpose)), std::as_bytes(std::span(own))))};
-    }
-
-    int submit_and_wait(const engine::RunPlan& plan) const {
-        watch_for_interrupts();
-        const SlurmJob job = submit(folder_, shared_key());
-        if (!options_.quiet) {
-            print_error_line("job " + job.array + ": " + scene::plural(plan.all_cases, "walk") + " in " +
-                             scene::plural(static_cast<std::size_t>(plan.shards), "shard") + "; job " +
-                             job.merge + " merges their reports");
-        }
-        std::optional<int> code;
-        try {
-            code = wait_for_merge(folder_, job, plan.shards, options_.quiet);
-        } catch (const Interrupted&) {
-            cancel(job);
-            print_error_line("interrupted: jobs " + job.array + " and " + job.merge +
-                             " are cancelled; the same command with --resume continues");
-            return kInterrupted;
-        }
-        if (!code) {
-            print_error_line(scene::to_string(
-                {scene::Severity::error,
-                 {"job " + job.merge, 0, 0},
-                 "task-lost",
-                 "the job that merges the reports didn't come to its end; run: bash " +
-                     shell_word(folder_.merge_script().generic_string()) + " " + job.array}));
-            return kRunFailed;
-        }
-        show_merge();
-        return *code;
-    }
-
-    /// What the merge has printed, as if this process had.
-    void show_merge() const {
-        std::error_code ignored;
-        if (fs::exists(folder_.merge_output(), ignored)) {
-            const bool commands = std::ranges::any_of(settings_.reports, [](const ReportTarget& target) {
-                return !target.file && target.name == "github";
-            });
-            LogOutput output(true, std::nullopt, commands);
-            output.write(read_bytes(folder_.merge_output()));
-            output.flush();
-        }
-        if (fs::exists(folder_.merge_errors(), ignored)) {
-            for (const std::string& line : read_lines(folder_.merge_errors())) {
-                print_error_line(line);
-            }
-        }
     }
 
     const RunOptions& options_;

@@ -71,7 +71,7 @@ std::optional<int> code_in(const fs::path& file) {
 std::string words_of(const SlurmJob& job, const QueueState& queue, int tasks) {
     const int done = std::max(0, tasks - queue.waiting - queue.running);
     std::string text =
-        std::to_string(done) + " of " + scene::plural(static_cast<std::size_t>(tasks), "shard") + " done";
+        std::to_string(done) + " of " + scene::plural(static_cast<std::size_t>(tasks), "task") + " done";
     text += queue.running > 0 ? ", " + std::to_string(queue.running) + " running" : "";
     text += queue.waiting > 0 ? ", " + std::to_string(queue.waiting) + " waiting" : "";
     text += queue.waiting + queue.running == 0 && queue.merging ? ", merging" : "";

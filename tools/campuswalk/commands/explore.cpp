@@ -13,9 +13,12 @@
 #include "engine/walkspace/walk_report.h"
 #include "scene/base/atomic_file.h"
 #include "scene/base/glob.h"
+#include "scene/lint/wording.h"
 #include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/status_line.h"
 #include "tools/campuswalk/base/writable_path.h"
+#include "tools/campuswalk/cluster/explore_on_slurm.h"
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/explore/avatar_text.h"
 #include "tools/campuswalk/explore/cached_report.h"
@@ -37,6 +40,7 @@ namespace campuswalk::tools {
 
 namespace {
 
+/// How to explore a campus.
 struct ExploreOptions {
     std::filesystem::path campus;
     std::string avatar = "adult";                ///< as a walk says it
@@ -53,6 +57,17 @@ struct ExploreOptions {
     std::optional<double> fail_under;               ///< percent of the ground
     double min_width = 0.0;                         ///< metres
     std::optional<int> workers;
+};
+
+/// Which campuses, and where.
+struct ExploreCommand {
+    ExploreOptions options;  ///< without campus and avatar
+    std::vector<std::filesystem::path> campuses;
+    std::vector<std::string> avatars;
+    std::filesystem::path output = "out";
+    SlurmOptions slurm;
+    std::optional<int> only;           ///< the number of a campus with an avatar, from 1
+    std::optional<std::string> merge;  ///< the array job whose reports are to be merged
 };
 
 const char* const kFromOption = "--from";
@@ -210,7 +225,8 @@ void write_walks(const ExploreOptions& options, const scene::Campus& walked,
     }
 }
 
-int explore_campus(const ExploreOptions& options) {
+/// `json` becomes the report for programs, if it isn't null.
+int explore_campus(const ExploreOptions& options, std::string* json) {
     check_options(options);
     WalkLoader loader;
     const std::shared_ptr<const scene::Campus> campus = loader.load_campus(options.campus);
@@ -241,9 +257,14 @@ int explore_campus(const ExploreOptions& options) {
         coverage = explore::measure_coverage(*campus, report, walks);
         explore::print_coverage(report, *coverage);
     }
-    if (options.json) {
-        scene::write_file_atomically(
-            *options.json, explore::report_json(*campus, report, findings, coverage ? &*coverage : nullptr));
+    if (options.json || json != nullptr) {
+        const std::string text =
+            explore::report_json(*campus, report, findings, coverage ? &*coverage : nullptr);
+        if (json != nullptr) {
+            *json = text;
+        } else {
+            scene::write_file_atomically(*options.json, text);
+        }
     }
     if (options.geojson) {
         scene::write_file_atomically(*options.geojson, explore::report_geojson(*campus, report, findings));
@@ -258,19 +279,66 @@ int explore_campus(const ExploreOptions& options) {
     return is_accepted(options, report, findings) && covered ? kPass : kExpectationFailed;
 }
 
+void check_several(const ExploreOptions& options) {
+    const bool files = options.map || options.walks || options.geojson || !options.covered_by.empty();
+    if (files) {
+        throw error_about("explore", "bad-value",
+                          "--map, --write-walks, --geojson and --walks are about one campus and one avatar");
+    }
+}
+
+int explore_campuses(const ExploreCommand& command, const std::vector<std::string>& arguments) {
+    ExplorationRequest request{
+        explorations_of(command.campuses,
+                        command.avatars.empty() ? std::vector<std::string>{kUsualAvatar} : command.avatars),
+        command.options.json, command.output, command.options.workers.value_or(1)};
+    const auto explore = [&](const Exploration& each, std::string* json) {
+        ExploreOptions options = command.options;
+        options.campus = each.campus;
+        options.avatar = each.avatar;
+        return explore_campus(options, json);
+    };
+    if (command.only) {
+        if (static_cast<std::size_t>(*command.only) > request.all.size()) {
+            throw error_about("--only", "bad-value",
+                              "there are only " + scene::plural(request.all.size(), "exploration"));
+        }
+        return explore(request.all[static_cast<std::size_t>(*command.only) - 1], nullptr);
+    }
+    if (!command.merge && !command.slurm.mode && request.all.size() == 1) {
+        return explore(request.all.front(), nullptr);
+    }
+    check_several(command.options);
+    if (command.options.json) {
+        require_writable_file(*command.options.json, "the report can't be written here");
+    }
+    if (command.merge) {
+        return merge_explorations(request, *command.merge);
+    }
+    if (command.slurm.mode) {
+        return explore_on_slurm(request, command.slurm, arguments);
+    }
+    return explore_all(request,
+                       [&](const Exploration& each, std::string& json) { return explore(each, &json); });
+}
+
 }  // namespace
 
 void add_explore(Command program, CommandAction& chosen) {
-    const auto options = std::make_shared<ExploreOptions>();
+    const auto all = std::make_shared<ExploreCommand>();
+    ExploreOptions* const options = &all->options;
     Command command =
         program.add("explore", "Walk everywhere: find out where a visitor gets to, and why not elsewhere");
-    command.option({.names = "CAMPUS", .help = "NAME.campus.yaml", .value = "FILE", .required = true},
-                   options->campus);
+    command.option({.names = "CAMPUS",
+                    .help = "NAME.campus.yaml; each of several is explored with each avatar",
+                    .value = "FILE",
+                    .required = true},
+                   all->campuses);
     command.option({.names = "--avatar",
-                    .help = "A profile, or as in a walk: '{profile: adult, step_height: 0.4}'",
-                    .value = "AVATAR",
-                    .show_default = true},
-                   options->avatar);
+                    .help = "A profile, or as in a walk: '{profile: adult, step_height: 0.4}'; may be "
+                            "repeated [adult]",
+                    .value = "AVATAR"},
+                   all->avatars);
     command.option(
         {.names = kFromOption, .help = "Start at this spawn only; may be repeated", .value = "SPAWN"},
         options->from);
@@ -312,9 +380,27 @@ void add_explore(Command program, CommandAction& chosen) {
         options->geojson);
     command.option({.names = "-j,--workers", .help = "Threads; all cores by default"}, options->workers,
                    Limits<int>{1, 256});
+    add_slurm(command, all->slurm);
+    command.option({.names = "--output",
+                    .help = "With --slurm: folder of the job's files, DIR/slurm-explore",
+                    .value = "DIR",
+                    .show_default = true},
+                   all->output);
+    command.option({.names = "--only",
+                    .help = "Of the campuses with their avatars only the N-th, as tasks of --slurm do",
+                    .value = "N"},
+                   all->only, Limits<int>{1, 1'000'000});
+    command.option({.names = "--merge",
+                    .help = "Merge the reports of this array job's tasks, as --slurm does",
+                    .value = "JOB",
+                    .check = why_no_job_number},
+                   all->merge);
     add_import_options(command);
     add_root_option(command);
-    command.choose(chosen, [options] { return explore_campus(*options); });
+    command.choose(chosen, [all, command] {
+        check_slurm(all->slurm);
+        return explore_campuses(*all, command.given_except(options_of_exploration()));
+    });
 }
 
 }  // namespace campuswalk::tools

@@ -36,10 +36,6 @@ struct MergeOptions {
     ColorChoice color = ColorChoice::automatic;
 };
 
-bool is_number(const std::string& text) {
-    return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-}
-
 /// Merges the reports of a run's shards. Returns the exit code that the whole run would have had, but none
 /// that means success if something is missing.
 int merge_reports(const MergeOptions& options) {
@@ -123,7 +119,7 @@ void add_merge_reports(Command program, CommandAction& chosen) {
          .help = "What run --slurm uses: PATH is its folder, DIR/slurm, and the tasks of this array "
                  "job that didn't come to their end are errors",
          .value = "JOB",
-         .check = [](const std::string& job) { return is_number(job) ? "" : "it must be a job's number"; }},
+         .check = why_no_job_number},
         options->slurm_job);
     command.flag({.names = "-q,--quiet", .help = "Print only what failed, and the counts"}, options->quiet);
     add_color(command, options->color);

@@ -195,41 +195,6 @@ void add_output(Command& command, const Options& options) {
                  options->print_config);
 }
 
-void add_slurm(Command& command, const std::shared_ptr<SlurmOptions>& options) {
-    command.choice_flag(
-        {.names = "--slurm",
-         .help = "Run as an array of Slurm jobs and wait for the merged report; with script, only "
-                 "write DIR/slurm/shard.sh and merge.sh, to be edited, and print how to submit them"},
-        "submit", {{"submit", SlurmMode::submit}, {"script", SlurmMode::script}}, options->mode);
-    command.option(
-        {.names = "--shards", .help = "With --slurm: into how many [64, at most one a walk]", .value = "N"},
-        options->shards, kShards);
-    command.option({.names = "--partition", .help = "With --slurm: sbatch's option", .value = "NAME"},
-                   options->partition);
-    command.option({.names = "--account", .help = "With --slurm: sbatch's option", .value = "NAME"},
-                   options->account);
-    command.option(
-        {.names = "--time", .help = "With --slurm: sbatch's option, the limit of a shard", .value = "TIME"},
-        options->time);
-    command.option(
-        {.names = "--mem", .help = "With --slurm: sbatch's option, the memory of a shard", .value = "SIZE"},
-        options->mem);
-    command.option(
-        {.names = "--sbatch",
-         .help = "With --slurm: another option of sbatch, as in --sbatch=--qos=long; may be repeated",
-         .value = "OPTION"},
-        options->sbatch);
-}
-
-/// Options that mean nothing without --slurm.
-void check_slurm(const SlurmOptions& options) {
-    if (!options.mode && (options.shards || options.partition || options.account || options.time ||
-                          options.mem || !options.sbatch.empty())) {
-        throw error_about("--slurm", "bad-value",
-                          "--shards, --partition, --account, --time, --mem and --sbatch need it");
-    }
-}
-
 }  // namespace
 
 void add_run(Command program, CommandAction& chosen) {
@@ -239,7 +204,10 @@ void add_run(Command program, CommandAction& chosen) {
     add_selection(command, options);
     add_running(command, options);
     add_output(command, options);
-    add_slurm(command, slurm);
+    add_slurm(command, *slurm);
+    command.option(
+        {.names = "--shards", .help = "With --slurm: into how many [64, at most one a walk]", .value = "N"},
+        slurm->shards, kShards);
     add_import_options(command);
     add_root_option(command);
     command.footer(
@@ -248,6 +216,9 @@ void add_run(Command program, CommandAction& chosen) {
         "3 something failed while running, 5 nothing selected, 130 interrupted.");
     command.choose(chosen, [options, slurm, command] {
         check_slurm(*slurm);
+        if (!slurm->mode && slurm->shards) {
+            throw error_about("--shards", "bad-value", "it needs --slurm");
+        }
         return slurm->mode && !options->list && !options->print_config
                    ? run_on_slurm(*options, *slurm, command.given_except(options_of_submission()))
                    : run_walks(*options);
