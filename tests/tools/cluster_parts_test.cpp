@@ -1,4 +1,6 @@
-#include <numeric>
+#include <algorithm>
+#include <limits>
+#include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -21,7 +21,7 @@ def reports(folder):
     return [argument for name in REPORTERS for argument in ("--reporter", f"{name}={folder}/{name}")]
 
 
-class Scripts(ProgramCase):
+class SlurmCase(ProgramCase):
     def setUp(self):
         super().setUp()
         os.remove(self.path("short.walk.yaml"))
@@ -65,6 +65,8 @@ class Scripts(ProgramCase):
         for name in REPORTERS:
             self.assertEqual(self.read(f"merged/{name}"), self.read(f"whole/{name}"), name)
 
+
+class Scripts(SlurmCase):
     def test_scripts_are_complete(self):
         self.write_scripts("--partition=long", "--account", "campus", "--time=10", "--mem=2G", "--sbatch=--qos=low",
                            "-j3", "-g", "w [0-9]'\"$x")
@@ -201,6 +203,70 @@ class Scripts(ProgramCase):
         outcome = self.run_walks("--slurm")
         self.assertEqual(outcome.code, 3)
         self.assertIn("sbatch: No such file or directory", outcome.err)
+
+
+class Explorations(SlurmCase):
+    """Campuses with avatars: one after the other, and as tasks."""
+
+    def setUp(self):
+        super().setUp()
+        self.write("avatars/child.avatar.yaml", "height: 1.2\nradius: 0.2\n")
+        self.write("other.campus.yaml", self.read("small.campus.yaml").replace(b"[0, 0, -2]", b"[0, 0, -8]"))
+        self.arguments = ("small.campus.yaml", "other.campus.yaml", "--avatar=adult", "--avatar", "child")
+
+    def explore(self, *arguments):
+        return self.run_program("explore", *self.arguments, *arguments, env=self.no_slurm)
+
+    def alone(self, campus, avatar, *arguments):
+        outcome = self.run_program("explore", campus, "--avatar", avatar, "--json", "alone.json", *arguments)
+        return outcome.code, outcome.out, json.loads(self.read("alone.json"))
+
+    def write_explore_scripts(self, *arguments):
+        outcome = self.explore("--slurm=script", *arguments)
+        self.assertEqual((outcome.code, outcome.err), (0, ""))
+
+    def run_script(self, name, *arguments, **variables):
+        return subprocess.run(["bash", self.path("out/slurm-explore/" + name), *arguments], cwd=self.folder,
+                              check=False, env=dict(self.no_slurm, **variables), capture_output=True, text=True,
+                              timeout=120)
+
+    def test_several_are_each_as_it_is_alone(self):
+        outcome = self.explore("--json", "all.json", "--fail-on", "islands")
+        parts = [part.split("\n", 1) for part in re.split("^## ", outcome.out, flags=re.MULTILINE)[1:]]
+        all_json = json.loads(self.read("all.json"))["explorations"]
+        worst = 0
+        pairs = [(campus, avatar) for campus in self.arguments[:2] for avatar in ("adult", "child")]
+        self.assertEqual([head for head, _ in parts], ["%s, avatar %s" % pair for pair in pairs])
+        for (campus, avatar), (_, text), entry in zip(pairs, parts, all_json, strict=True):
+            code, out, report = self.alone(campus, avatar, "--fail-on", "islands")
+            self.assertEqual((text, entry), (out, {"campus": campus, "avatar": avatar, "exit_code": code,
+                                                   "report": report}))
+            worst = max(worst, code)
+        self.assertEqual(outcome.code, worst)
+
+    def test_tasks_and_their_merge_equal_them(self):
+        whole = self.explore("--json", "whole.json")
+        self.write_explore_scripts("--json", "merged.json", "--partition=long")
+        self.assertIn("#SBATCH --array=1-4\n", self.read("out/slurm-explore/shard.sh").decode())
+        for task in (4, 2, 1, 3):
+            self.assertEqual(self.run_task(task), 0)
+        merged = self.merge()
+        self.assertEqual((merged.returncode, merged.stdout, merged.stderr), (whole.code, whole.out, ""))
+        self.assertEqual(self.read("merged.json"), self.read("whole.json"))
+
+    def test_a_task_without_an_end_is_named(self):
+        self.write_explore_scripts("--json", "merged.json")
+        for task in (1, 2, 4):
+            self.run_task(task)
+        lost = self.merge()
+        self.assertEqual(lost.returncode, 3)
+        self.assertTrue(lost.stderr.startswith("task 7_3: error task-lost: "), lost.stderr)
+        self.assertEqual([each["report"] is None for each in json.loads(self.read("merged.json"))["explorations"]],
+                         [False, False, True, False])
+
+    def test_files_of_one_campus_need_one(self):
+        self.assert_refused(self.explore("--geojson", "a.geojson"), "explore: error bad-value: --geojson")
+        self.assert_refused(self.explore("--only", "5"), "--only: error bad-value: 4")
 
 
 if __name__ == "__main__":

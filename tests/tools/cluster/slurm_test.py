@@ -222,6 +222,15 @@ class Slurm(ProgramCase):
         self.assertEqual(self.read("out/slurm/merged"), b"0\n")
         self.assert_merged_as_whole()
 
+    def test_campuses_are_explored_as_on_one_machine(self):
+        self.write("avatars/child.avatar.yaml", "height: 1.2\nradius: 0.2\n")
+        self.write("other.campus.yaml", self.read("small.campus.yaml").replace(b"[0, 0, -2]", b"[0, 0, -8]"))
+        explore = ("explore", "small.campus.yaml", "other.campus.yaml", "--avatar=adult", "--avatar=child")
+        whole = self.passes(*explore, "--json", "whole.json")
+        merged = self.run_program(*explore, "--slurm", "--json", "merged.json", env=cluster.environment)
+        self.assertEqual((merged.code, merged.out), (whole.code, whole.out), merged.err)
+        self.assertEqual(self.read("merged.json"), self.read("whole.json"))
+
     def test_what_a_shard_costs(self):
         self.write_walks(128)
         self.submit("--shards", "4")
