@@ -123,14 +123,17 @@ public:
 private:
     /// Divides the run, and keeps what the shards need to divide it likewise.
     engine::RunPlan planned() {
+        const engine::RunPlan whole = summary(1);
+        if (whole.all_cases == 0) {
+            return whole;
+        }
         const CaseTimes times = last_times(settings_.saved, folder_);
         for (const fs::path& part : {folder_.results(), folder_.saved()}) {
             fs::remove_all(part);
         }
         scene::write_file_atomically(folder_.times(), to_json_lines(times));
-        const int shards = slurm_.shards.value_or(kUsualShards);
-        const std::size_t cases = summary(1).all_cases / static_cast<std::size_t>(options_.repeat_each);
-        return summary(static_cast<int>(std::clamp<std::size_t>(cases, 1, static_cast<std::size_t>(shards))));
+        const int parts = static_cast<int>(whole.all_cases) / options_.repeat_each;  // repetitions stay together
+        return summary(std::min(slurm_.shards.value_or(kUsualShards), parts));
     }
 
     engine::RunPlan planned_again() {
@@ -164,7 +167,9 @@ private:
     engine::RunPlan summary(int shards) const {
         RunSettings divided = settings_;
         divided.shard = Shard{0, shards, "--slurm", ""};
-        divided.shard_times = folder_.times();
+        if (shards > 1) {
+            divided.shard_times = folder_.times();
+        }
         const Plan plan = summarized(divided);
         if (plan.walks < static_cast<std::size_t>(settings_.min_cases)) {
             throw error_about("--min-cases", "too-few-cases",

@@ -191,18 +191,17 @@ void cancel(const SlurmJob& job) {
 std::optional<int> wait_for_merge(const JobFolder& folder, const SlurmJob& job, int tasks, bool quiet) {
     JobProgress progress(job, tasks, quiet);
     milliseconds interval = kFirstInterval;
-    std::optional<Clock::time_point> gone;  // since when the merge isn't in the queue
+    Clock::time_point seen = Clock::now();  // when the merge was last in the queue
     while (true) {
         if (const std::optional<int> code = code_in(folder.merged())) {
             progress.hide();
             return code;
         }
         const QueueState queue = ask_queue(job);
-        if (!queue.answered || queue.merging) {
-            gone.reset();
-        } else if (!gone) {
-            gone = Clock::now();
-        } else if (Clock::now() - *gone > kFileDelay) {
+        const bool gone = queue.answered && !queue.merging;
+        if (!gone) {
+            seen = Clock::now();
+        } else if (Clock::now() - seen > kFileDelay) {
             return std::nullopt;
         }
         if (queue.answered) {

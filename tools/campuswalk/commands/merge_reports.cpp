@@ -81,7 +81,7 @@ int merge_reports(const MergeOptions& options) {
     if (tasks && !tasks->problems.empty()) {
         outcomes.insert(engine::Outcome::broken);  // who knows what else they would have found
     }
-    const int code = exit_code_for(outcomes);
+    const int code = exit_code_of(outcomes);
     return code == kPass && !problems.empty() ? kExpectationFailed : code;
 }
 

@@ -104,7 +104,7 @@ void MergedRun::check_cases() {
         });
         cases += results;
         const std::size_t planned = file.plan().cases;
-        states_[shard] = {results == planned, exit_code_for(outcomes)};
+        states_[shard] = {results == planned, exit_code_of(outcomes)};
         if (results != planned) {
             note(file.file(), "incomplete-report",
                  "it has " + std::to_string(results) + " of " + scene::plural(planned, "result") +

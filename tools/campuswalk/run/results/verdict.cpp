@@ -70,7 +70,7 @@ std::vector<std::string> verdict_lines(const WalkResult& result, const std::file
     return lines;
 }
 
-int exit_code_for(const std::set<Outcome>& outcomes) {
+int exit_code_of(const std::set<Outcome>& outcomes) {
     const auto some = [&](Outcome outcome) { return outcomes.contains(outcome); };
     return some(Outcome::interrupted) ? kInterrupted
            : some(Outcome::broken)    ? kRunFailed
@@ -84,7 +84,7 @@ int exit_code_for(const std::vector<WalkResult>& results) {
     for (const WalkResult& result : results) {
         outcomes.insert(result.outcome);
     }
-    return exit_code_for(outcomes);
+    return exit_code_of(outcomes);
 }
 
 void compare_repetitions(const WalkResult& first, WalkResult& later) {

@@ -17,7 +17,7 @@ bool is_good(const engine::WalkResult& result);
 std::vector<std::string> verdict_lines(const engine::WalkResult& result, const std::filesystem::path& output);
 
 /// Of a run with these outcomes. Errors while running take precedence over bad input, and that over failures.
-int exit_code_for(const std::set<engine::Outcome>& outcomes);
+int exit_code_of(const std::set<engine::Outcome>& outcomes);
 int exit_code_for(const std::vector<engine::WalkResult>& results);
 
 /// Makes the later repetition fail if its ticks or its hash differ from those of the first.
