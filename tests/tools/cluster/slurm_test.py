@@ -5,6 +5,7 @@ killed, nodes that die, tasks that are cancelled or time out, Ctrl-C, and what a
 Usage: slurm_test.py PROGRAM. Skipped, with exit code 77, where Slurm isn't installed.
 """
 
+import json
 import os
 import re
 import signal
@@ -84,6 +85,12 @@ class Slurm(ProgramCase):
             return max(0, self.read(f"out/slurm/saved/{task}.jsonl").count(b"\n") - 1)
         except FileNotFoundError:
             return 0
+
+    def saved_cases(self, *tasks):
+        """The ids of cases with a result: those that were interrupted have another one later."""
+        lines = [line for task in tasks for line in self.read(f"out/slurm/saved/{task}.jsonl").splitlines()[1:]]
+        results = [json.loads(line) for line in lines]
+        return {each["id"] for each in results if each["outcome"] == "passed"}
 
     def program_of(self, task):
         """The process that runs a task's shard, not its workers: the one whose parent is the script."""
@@ -178,8 +185,10 @@ class Slurm(ProgramCase):
         cluster.ask("scancel", self.job() + "_3")
         code, _, err = self.end(process)
         self.assertEqual(code, 3)
-        self.assertRegex(err, rf"(?m)^task {self.job()}_3: error task-cancelled: ")
+        # Without accounting, Slurm forgets a task that it cancels before it started.
+        self.assertRegex(err, rf"(?m)^task {self.job()}_3: error task-(lost|cancelled): ")
         self.assertRegex(err, r"(?m)^out/slurm: error missing-shard: .* 3$")
+        self.assertNotRegex(err, rf"task {self.job()}_[12]")
 
     def test_a_task_that_times_out_is_named(self):
         self.write_walks(2, seconds=lambda i: 20000)
@@ -203,11 +212,11 @@ class Slurm(ProgramCase):
         self.assertEqual(code, 130)
         self.assertIn("--resume", err)
         self.wait_until(lambda: not cluster.queue(), "an empty queue")
-        before = self.saved(1) + self.saved(2)
-        self.assertLess(before, 40)
+        before = self.saved_cases(1, 2)
+        self.assertLess(len(before), 40)
         code, _, err = self.submit("--resume")
         self.assertEqual(code, 0, err)
-        self.assertEqual(self.saved(1) + self.saved(2), 40)
+        self.assertEqual(len(self.saved_cases(1, 2)), 40)
         self.assert_merged_as_whole()
 
     def test_scripts_can_be_submitted_by_hand(self):
@@ -223,7 +232,7 @@ class Slurm(ProgramCase):
         self.assert_merged_as_whole()
 
     def test_campuses_are_explored_as_on_one_machine(self):
-        self.write("avatars/child.avatar.yaml", "height: 1.2\nradius: 0.2\n")
+        self.write("avatars/child.avatar.yaml", "height: 1.2\nradius: 0.2\neye_height: 1.1\n")
         self.write("other.campus.yaml", self.read("small.campus.yaml").replace(b"[0, 0, -2]", b"[0, 0, -8]"))
         explore = ("explore", "small.campus.yaml", "other.campus.yaml", "--avatar=adult", "--avatar=child")
         whole = self.passes(*explore, "--json", "whole.json")
@@ -244,11 +253,18 @@ class Slurm(ProgramCase):
         for shard in range(1, 11):
             self.run_program(*self.command()[1:], "-q", "-j1", "--shard", f"{shard}/128", "--output", f"o{shard}")
         own = (time.monotonic() - start) / 10
-        cost = (took[128] - took[4]) * NODES * CPUS / 124
-        print(f"\n128 walks in 4 shards: {took[4]:.2f} s; in 128: {took[128]:.2f} s; so a shard costs "
-              f"{1000 * cost:.0f} ms of a CPU of the cluster, of which campuswalk itself takes {1000 * own:.0f} ms",
-              flush=True)
-        self.assertLess(cost, 5.0)
+        cost = (took[128] - took[4]) / 124
+        bare = self.seconds_of_empty_tasks(128) / 128
+        print(f"\n128 walks in 4 shards: {took[4]:.2f} s; in 128: {took[128]:.2f} s; so another shard takes the cluster "
+              f"{1000 * cost:.0f} ms, an empty task of Slurm {1000 * bare:.0f} ms; campuswalk alone, one process after the "
+              f"other, {1000 * own:.0f} ms", flush=True)
+        self.assertLess(cost, 2 * bare + own)
+
+    def seconds_of_empty_tasks(self, count):
+        start = time.monotonic()
+        cluster.ask("sbatch", f"--array=1-{count}", "--output=/dev/null", "--wrap=true")
+        self.wait_until(lambda: not cluster.queue(), "an empty queue")
+        return time.monotonic() - start
 
 
 if __name__ == "__main__":

@@ -74,7 +74,7 @@ fs::path task_file(const JobFolder& folder, int task, const char* ending) {
 }
 
 void print_heading(const Exploration& each) {
-    print_line("## %s, avatar %s", each.campus.generic_string().c_str(), each.avatar.c_str());
+    print_line("=== %s, avatar %s", each.campus.generic_string().c_str(), each.avatar.c_str());
 }
 
 /// Errors while running take precedence over bad input, and that over what was found.

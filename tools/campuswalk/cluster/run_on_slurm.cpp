@@ -217,12 +217,7 @@ private:
             words.push_back(shell_word("--reporter=" + target.name +
                                        (target.file ? "=" + target.file->generic_string() : "")));
         }
-        const bool prints =
-            std::ranges::any_of(settings_.reports, [](const ReportTarget& target) { return !target.file; });
-        if (!prints && !settings_.reports.empty()) {
-            words.emplace_back("--reporter=list");
-        }
-        if (options_.quiet || !prints) {
+        if (options_.quiet) {
             words.emplace_back("--quiet");
         }
         words.push_back(std::string("--color=") + (settings_.color ? "always" : "never"));
