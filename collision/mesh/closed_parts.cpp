@@ -10,6 +10,8 @@
 
 #include <Eigen/Geometry>
 
+#include "collision/geometry/disjoint_sets.h"
+
 namespace campuswalk::collision {
 
 namespace {
@@ -46,23 +48,6 @@ std::vector<std::uint32_t> welded(const TriangleMesh& mesh) {
     return vertex;
 }
 
-/// Disjoint sets of vertices, by path halving.
-class DisjointSets {
-public:
-    explicit DisjointSets(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0U); }
-
-    std::uint32_t find(std::uint32_t i) {
-        while (parent_[i] != i) {
-            i = parent_[i] = parent_[parent_[i]];
-        }
-        return i;
-    }
-    void join(std::uint32_t a, std::uint32_t b) { parent_[find(a)] = find(b); }
-
-private:
-    std::vector<std::uint32_t> parent_;
-};
-
 /// The triangles with their vertices welded.
 class WeldedMesh {
 public:
@@ -75,7 +60,7 @@ public:
     }
 
     /// The number of the part that a triangle belongs to.
-    std::uint32_t part_of(std::size_t triangle) { return sets_.find(vertex_[mesh_.triangles[triangle][0]]); }
+    std::uint32_t part_of(std::size_t triangle) { return sets_.root(vertex_[mesh_.triangles[triangle][0]]); }
 
     /// By part: whether its triangles run along some edge more often in one direction than in the other.
     std::vector<bool> open_parts() {
@@ -83,7 +68,7 @@ public:
         const std::vector<std::uint32_t> first = group_edges();
         for (std::uint32_t v = 0; v < vertex_.size(); ++v) {
             if (is_unbalanced(std::span(ends_).subspan(first[v], first[v + 1] - first[v]))) {
-                open[sets_.find(v)] = true;
+                open[sets_.root(v)] = true;
             }
         }
         return open;

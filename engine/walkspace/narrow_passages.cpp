@@ -4,8 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/walkspace/disjoint_sets.h"
+#include "collision/geometry/disjoint_sets.h"
 #include "engine/walkspace/island_barriers.h"
+#include "engine/walkspace/neighbour_joiner.h"
 #include "engine/walkspace/node_numbers.h"
 
 namespace campuswalk::engine {
@@ -66,7 +67,7 @@ std::vector<UnreachedSpot> spots_beyond(const WalkSpace& reached, const WalkSpac
 
 /// Side by side, no farther apart in height than a step.
 std::vector<Island> joined(const std::vector<UnreachedSpot>& spots, const WalkGrid& grid, double step) {
-    DisjointSets sets(spots.size());
+    collision::DisjointSets sets(spots.size());
     NeighbourJoiner joiner(sets, step);
     for (std::size_t i = 0; i < spots.size(); ++i) {
         const Vec3& foot = spots[i].at.foot;

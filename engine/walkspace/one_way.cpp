@@ -6,7 +6,8 @@
 #include <set>
 #include <utility>
 
-#include "engine/walkspace/disjoint_sets.h"
+#include "collision/geometry/disjoint_sets.h"
+#include "engine/walkspace/neighbour_joiner.h"
 #include "engine/walkspace/node_numbers.h"
 
 namespace campuswalk::engine {
@@ -179,7 +180,7 @@ private:
 
     const WalkSpace& space_;
     NodeNumbers numbers_;
-    DisjointSets sets_;
+    collision::DisjointSets sets_;
     Strider strider_;
     double step_;
     std::set<std::size_t> home_;
@@ -188,7 +189,7 @@ private:
 
 /// Parts of one pit, between which one can't walk back, are one trap.
 void join_neighbours(std::vector<Trap>& traps, const WalkSpace& space) {
-    DisjointSets sets(traps.size());
+    collision::DisjointSets sets(traps.size());
     NeighbourJoiner joiner(sets, kSameHeight);
     for (std::size_t i = 0; i < traps.size(); ++i) {
         for (const WalkNodeId& id : traps[i].nodes) {
@@ -245,7 +246,7 @@ std::vector<Hole> find_holes(const WalkSpace& space) {
     for (std::size_t i = 0; i < edges.size(); ++i) {
         by_cell[space.grid.cell_at(edges[i].at)].push_back(i);
     }
-    DisjointSets sets(edges.size());
+    collision::DisjointSets sets(edges.size());
     for (const auto& [cell, here] : by_cell) {
         for (int dx = 0; dx <= kSameHole; ++dx) {
             for (int dz = dx == 0 ? 0 : -kSameHole; dz <= kSameHole; ++dz) {

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "engine/walkspace/disjoint_sets.h"
+#include "collision/geometry/disjoint_sets.h"
 #include "engine/walkspace/node_numbers.h"
 
 namespace campuswalk::engine {
@@ -47,8 +47,8 @@ std::vector<std::uint8_t> floors_below(const WalkTile& tile) {
 }
 
 /// Joins neighbours on a level floor.
-DisjointSets level_floors(const WalkSpace& space, const NodeNumbers& numbers) {
-    DisjointSets floors(numbers.count());
+collision::DisjointSets level_floors(const WalkSpace& space, const NodeNumbers& numbers) {
+    collision::DisjointSets floors(numbers.count());
     numbers.for_each([&](const WalkNodeId& id) {
         const GridCell cell = space.cell_of(id);
         const double y = static_cast<double>(space.node(id).y);
@@ -108,7 +108,7 @@ Storeys find_storeys(const WalkSpace& space) {
         storeys.of_nodes.push_back(floors_below(tile));
     }
     const NodeNumbers numbers(space);
-    DisjointSets floors = level_floors(space, numbers);
+    collision::DisjointSets floors = level_floors(space, numbers);
     StoreyCounts counts(numbers.count());
     numbers.for_each([&](const WalkNodeId& id) {
         std::vector<std::size_t>& count = counts[floors.root(numbers(id))];

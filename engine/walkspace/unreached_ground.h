@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "collision/geometry/disjoint_sets.h"
 #include "collision/geometry/shapes.h"
 #include "collision/world/broad_phase.h"
-#include "engine/walkspace/disjoint_sets.h"
 #include "engine/walkspace/explore.h"
 #include "engine/walkspace/walk_space.h"
 #include "engine/walkspace/worker_worlds.h"
@@ -40,7 +40,7 @@ std::vector<Island> find_unreached_ground(const WorkerWorlds& worlds, const Expl
                                           const WalkSpace& reached, double least_area);
 
 /// The spots of each set of their numbers as an island, likewise.
-std::vector<Island> islands_of(const std::vector<UnreachedSpot>& spots, DisjointSets& sets,
+std::vector<Island> islands_of(const std::vector<UnreachedSpot>& spots, collision::DisjointSets& sets,
                                const WalkGrid& grid, double least_area);
 
 }  // namespace campuswalk::engine
