@@ -97,10 +97,7 @@ ArrayJob array_job(const ExplorationRequest& request, const std::vector<std::str
     job.tasks = static_cast<int>(request.all.size());
     job.cpus = request.cpus;
     job.sbatch = sbatch;
-    job.task = {this_program(),
-                "explore",
-                "--only=\"$task\"",
-                "--workers=\"$cpus\"",
+    job.task = {this_program(), "explore", "--only=\"$task\"", "--workers=\"$cpus\"",
                 "--json=\"$folder\"/results/\"$task\".json"};
     job.merge = {this_program(), "explore", "--merge=\"$job\"",
                  shell_word("--output=" + request.output.generic_string())};
@@ -169,8 +166,7 @@ int merge_explorations(const ExplorationRequest& request, const std::string& job
     for (int task = 1; task <= static_cast<int>(request.all.size()); ++task) {
         const Exploration& each = request.all[static_cast<std::size_t>(task) - 1];
         const auto code = ended.find(task);
-        const std::string report =
-            code == ended.end() ? "" : whole_report(task_file(folder, task, ".json"));
+        const std::string report = code == ended.end() ? "" : whole_report(task_file(folder, task, ".json"));
         print_heading(each);
         if (report.empty()) {
             file.add(each, std::nullopt, "");
@@ -184,8 +180,8 @@ int merge_explorations(const ExplorationRequest& request, const std::string& job
         file.add(each, code->second, report);
     }
     file.finish();
-    const std::vector<std::string> problems = task_problems(
-        job, static_cast<int>(request.all.size()), ended, results, ask_task_states(job));
+    const std::vector<std::string> problems =
+        task_problems(job, static_cast<int>(request.all.size()), ended, results, ask_task_states(job));
     for (const std::string& problem : problems) {
         print_error_line(problem);
     }
@@ -193,9 +189,9 @@ int merge_explorations(const ExplorationRequest& request, const std::string& job
 }
 
 const std::vector<std::string>& options_of_exploration() {
-    static const std::vector<std::string> names = {"--slurm", "--partition", "--account", "--time",
-                                                   "--mem",   "--sbatch",    "--json",    "--workers",
-                                                   "--output", "--only",     "--merge"};
+    static const std::vector<std::string> names = {"--slurm",  "--partition", "--account", "--time",
+                                                   "--mem",    "--sbatch",    "--json",    "--workers",
+                                                   "--output", "--only",      "--merge"};
     return names;
 }
 

@@ -132,7 +132,8 @@ private:
             fs::remove_all(part);
         }
         scene::write_file_atomically(folder_.times(), to_json_lines(times));
-        const int parts = static_cast<int>(whole.all_cases) / options_.repeat_each;  // repetitions stay together
+        const int parts =
+            static_cast<int>(whole.all_cases) / options_.repeat_each;  // repetitions stay together
         return summary(std::min(slurm_.shards.value_or(kUsualShards), parts));
     }
 

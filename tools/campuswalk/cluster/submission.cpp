@@ -33,8 +33,9 @@ std::vector<std::string> shared_key() {
         return {};
     }
     const std::string purpose = "slurm";
-    return {name + "=" + to_string(scene::keyed_hash_of(std::as_bytes(std::span(purpose)),
-                                                        std::as_bytes(std::span(own))))};
+    return {
+        name + "=" +
+        to_string(scene::keyed_hash_of(std::as_bytes(std::span(purpose)), std::as_bytes(std::span(own))))};
 }
 
 /// What the merge has printed, as if this process had.
@@ -67,7 +68,8 @@ void refuse_if_busy(const JobFolder& folder) {
     const QueueState queue = ask_queue(*earlier);
     if (queue.waiting + queue.running > 0 || queue.merging) {
         throw error_about(folder.root, "job-unfinished",
-                          "job " + earlier->array + " still uses this folder; wait for it, or end it with: scancel " +
+                          "job " + earlier->array +
+                              " still uses this folder; wait for it, or end it with: scancel " +
                               earlier->array + " " + earlier->merge);
     }
 }
@@ -92,7 +94,8 @@ int submit_and_wait(const ArrayJob& array, const SubmissionStyle& style) {
     watch_for_interrupts();
     const SlurmJob job = submit(array.folder, shared_key());
     if (!style.quiet) {
-        print_error_line("job " + job.array + ": " + style.what + "; job " + job.merge + " merges the reports");
+        print_error_line("job " + job.array + ": " + style.what + "; job " + job.merge +
+                         " merges the reports");
     }
     std::optional<int> code;
     try {

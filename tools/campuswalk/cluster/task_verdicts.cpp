@@ -20,8 +20,9 @@ struct Problem {
 /// Of a task whose script hasn't come to its end.
 Problem without_end(const std::optional<std::string>& state) {
     if (!state) {
-        return {"task-lost", "it didn't come to its end, and Slurm knows nothing of it: it was cancelled before it "
-                             "started, or that is too long ago"};
+        return {"task-lost",
+                "it didn't come to its end, and Slurm knows nothing of it: it was cancelled before it "
+                "started, or that is too long ago"};
     }
     const std::string words = " (Slurm: " + *state + ")";
     if (*state == "CANCELLED" || *state == "REVOKED" || *state == "PREEMPTED") {
