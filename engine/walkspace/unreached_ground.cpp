@@ -82,7 +82,7 @@ public:
         join_by_steps();
     }
 
-    DisjointSets& sets() { return sets_; }
+    collision::DisjointSets& sets() { return sets_; }
 
 private:
     GridCell cell_of(const UnreachedSpot& spot) const { return grid_.cell_at(spot.at.foot); }
@@ -135,7 +135,7 @@ private:
 
     const WalkGrid& grid_;
     const std::vector<UnreachedSpot>& spots_;  ///< by cell
-    DisjointSets sets_;
+    collision::DisjointSets sets_;
     Strider strider_;
     double step_;
     double slope_ = 0.0;
@@ -161,7 +161,7 @@ std::vector<Island> find_unreached_ground(const WorkerWorlds& worlds, const Expl
     return islands_of(spots, joiner.sets(), reached.grid, least_area);
 }
 
-std::vector<Island> islands_of(const std::vector<UnreachedSpot>& spots, DisjointSets& sets,
+std::vector<Island> islands_of(const std::vector<UnreachedSpot>& spots, collision::DisjointSets& sets,
                                const WalkGrid& grid, double least_area) {
     std::map<std::size_t, Island> by_root;
     for (std::size_t i = 0; i < spots.size(); ++i) {

@@ -7,6 +7,7 @@ Usage: slurm_test.py PROGRAM. Skipped, with exit code 77, where Slurm isn't inst
 
 import json
 import os
+import pty
 import re
 import signal
 import subprocess
@@ -218,6 +219,24 @@ class Slurm(ProgramCase):
         self.assertEqual(code, 0, err)
         self.assertEqual(len(self.saved_cases(1, 2)), 40)
         self.assert_merged_as_whole()
+
+    def test_a_terminal_shows_a_bar(self):
+        self.write_walks(6, seconds=lambda i: 3000)
+        ours, theirs = pty.openpty()
+        process = subprocess.Popen(self.command("--slurm", "--shards=3", "--reporter=tap=merged.tap"), cwd=self.folder,
+                                   env=cluster.environment, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                                   stderr=theirs)
+        os.close(theirs)
+        shown = b""
+        try:
+            while part := os.read(ours, 4096):
+                shown += part
+        except OSError:  # the other end is closed
+            pass
+        os.close(ours)
+        self.assertEqual(process.wait(), 0, shown)
+        self.assertRegex(shown, rb"\[#*\.+\] job \d+: [012] of 3 tasks done, \d (running|waiting)")
+        self.assertRegex(shown, rb"\r\x1b\[K$")
 
     def test_scripts_can_be_submitted_by_hand(self):
         self.write_walks(10)
