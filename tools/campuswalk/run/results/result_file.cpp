@@ -1,14 +1,20 @@
 #include "tools/campuswalk/run/results/result_file.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <fstream>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "engine/report/report_paths.h"
 #include "engine/report/result_json.h"
 #include "scene/base/diagnostic.h"
+#include "scene/process/pipe.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 
 namespace campuswalk::tools {
@@ -150,15 +156,20 @@ std::optional<std::string_view> ResultBlocks::next_line() {
     }
 }
 
+/// Fills the block up, or makes it longer for a line that doesn't fit.
 bool ResultBlocks::read_block() {
-    std::ifstream stream = open_stream(file_->file());
-    stream.seekg(offset_);
+    const scene::Descriptor file(::open(file_->file().c_str(), O_RDONLY | O_CLOEXEC));
     const std::size_t before = block_.size();
-    block_.resize(before + block_bytes_);
-    stream.read(block_.data() + before, static_cast<std::streamsize>(block_bytes_));
-    block_.resize(before + static_cast<std::size_t>(stream.gcount()));
-    offset_ += stream.gcount();
-    return stream.gcount() > 0;
+    block_.resize(before < block_bytes_ / 2 ? block_bytes_ : before + block_bytes_);
+    const ssize_t count =
+        file.open() ? ::pread(file.number(), block_.data() + before, block_.size() - before, offset_) : -1;
+    if (count < 0) {
+        throw error_about(file_->file(), "missing-file",
+                          "it can't be read any more: " + std::generic_category().message(errno));
+    }
+    block_.resize(before + static_cast<std::size_t>(count));
+    offset_ += count;
+    return count > 0;
 }
 
 std::vector<ResultFile> open_result_files(const std::vector<fs::path>& inputs) {
