@@ -18,7 +18,7 @@ namespace campuswalk::tools {
 
 namespace {
 
-using Options = std::shared_ptr<RunOptions>;
+using SharedRunOptions = std::shared_ptr<RunOptions>;
 
 constexpr Limits<int> kWorkers{1, 1024};
 constexpr Limits<int> kTimes{1, 1'000'000};
@@ -26,7 +26,7 @@ constexpr Limits<int> kShards{1, 100'000};
 constexpr Limits<int> kFrameWidth{16, 8192};
 constexpr Limits<double> kSeconds{1e-3, 86'400.0};
 
-void add_selection(Command& command, const Options& options) {
+void add_selection(Command& command, const SharedRunOptions& options) {
     command.option({.names = "PATH",
                     .help = "NAME.walk.yaml files, or folders to look for them in; without any, those of "
                             "walks.config.yaml or the current folder",
@@ -73,7 +73,7 @@ void add_selection(Command& command, const Options& options) {
                  options->pass_with_no_tests);
 }
 
-void add_running(Command& command, const Options& options) {
+void add_running(Command& command, const SharedRunOptions& options) {
     command.option(
         {.names = "-j,--workers",
          .help = "Processes that play walks or help to draw their frames; as many as there are cores",
@@ -150,7 +150,7 @@ void add_sequence(Command& command, SequenceRequest& request) {
                    request.width, kFrameWidth);
 }
 
-void add_output(Command& command, const Options& options) {
+void add_output(Command& command, const SharedRunOptions& options) {
     command.option({.names = "--output",
                     .help = "Folder for pictures, DIR/WALK/SNAPSHOT.png, and for what --last-failed and "
                             "--resume need [out]",
