@@ -154,6 +154,9 @@ class Scripts(SlurmCase):
             self.assertEqual(self.run_task(task), 0)
         passed = self.merge()
         self.assertEqual((passed.returncode, passed.stderr), (0, ""))
+        direct = self.run_program("merge-reports", "out/slurm", "--slurm", "7", "--quiet", env=self.no_slurm)
+        self.assertEqual((direct.code, len(direct.lines)), (0, 1), direct.err)
+        self.assert_refused(self.run_program("merge-reports", "out", "out/slurm", "--slurm=7"), "--slurm: error bad-value:")
         for lose in (("results/2.jsonl",), ("ended/2",), ("results/2.jsonl", "ended/2")):
             kept = {name: self.read("out/slurm/" + name) for name in lose}
             for name in lose:
@@ -189,6 +192,7 @@ class Scripts(SlurmCase):
         for arguments, error in ((("--shards=3",), "--shards: error bad-value: --slurm"), (("--mem=1G",), "--slurm: error bad-value: --mem"),
                                  (("--slurm", "--log", "a.log"), "--slurm: error bad-value: --log"),
                                  (("--slurm", "--shard=1/2"), "--slurm: error bad-value: --shard"),
+                                 (("--slurm", "--save", "saved.jsonl"), "--slurm: error bad-value: --save"),
                                  (("--slurm", "--last-failed"), "--last-failed: error bad-value: --slurm"),
                                  (("--slurm", "--sbatch=qos"), "--sbatch: error bad-value: 'qos'"),
                                  (("--slurm", "--output", 'a"b'), 'a"b/slurm: error bad-value: --output'),
@@ -246,13 +250,19 @@ class Explorations(SlurmCase):
 
     def test_tasks_and_their_merge_equal_them(self):
         whole = self.explore("--json", "whole.json")
-        self.write_explore_scripts("--json", "merged.json", "--partition=long")
-        self.assertIn("#SBATCH --array=1-4\n", self.read("out/slurm-explore/shard.sh").decode())
+        self.write_explore_scripts("--json", "merged.json", "--partition=long", "--account=campus", "--time=5", "--mem=1G",
+                                   "--sbatch=--qos=low")
+        script = self.read("out/slurm-explore/shard.sh").decode()
+        for option in ("array=1-4", "partition=long", "account=campus", "time=5", "mem=1G", "qos=low"):
+            self.assertIn(f"#SBATCH --{option}\n", script)
         for task in (4, 2, 1, 3):
             self.assertEqual(self.run_task(task), 0)
         merged = self.merge()
         self.assertEqual((merged.returncode, merged.stdout, merged.stderr), (whole.code, whole.out, ""))
         self.assertEqual(self.read("merged.json"), self.read("whole.json"))
+        again = self.explore("--merge", "7")
+        self.assertEqual((again.code, again.out), (whole.code, whole.out))
+        self.assertEqual(self.explore("--merge", "seven").code, 2)
 
     def test_a_task_without_an_end_is_named(self):
         self.write_explore_scripts("--json", "merged.json")

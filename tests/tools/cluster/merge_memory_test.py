@@ -19,13 +19,17 @@ FILES = 10_000
 CASES = [10_000, 100_000, 1_000_000]
 
 
-def division(names):
+def name_of(shard, i):
+    return "w%07d" % (shard + i * FILES)
+
+
+def division(each):
     """The hash of which case is in which shard, as run/plan/plan_hash.h describes it."""
     digest = hashlib.sha256()
-    for shard, cases in enumerate(names, 1):
-        for name in cases:
-            case = (name + ".walk.yaml").encode()
-            digest.update(struct.pack("<QQ", shard, len(case)) + case)
+    for shard in range(FILES):
+        for i in range(each):
+            case = (name_of(shard, i) + ".walk.yaml").encode()
+            digest.update(struct.pack("<QQ", shard + 1, len(case)) + case)
     return digest.hexdigest()
 
 
@@ -39,11 +43,10 @@ class Merge(ProgramCase):
         folder = f"shards-{cases}"
         os.mkdir(self.path(folder))
         each = cases // FILES
-        names = [["w%07d" % (shard + i * FILES) for i in range(each)] for shard in range(FILES)]
-        header.update(shards=FILES, all_cases=cases, cases=each, division=division(names))
+        header.update(shards=FILES, all_cases=cases, cases=each, division=division(each))
         for shard in range(FILES):
             lines = [json.dumps(dict(header, shard=shard + 1))]
-            lines += [result.replace("short", name) for name in names[shard]]
+            lines += [result.replace("short", name_of(shard, i)) for i in range(each)]
             with open(self.path(f"{folder}/{shard + 1:05}.jsonl"), "w", encoding="utf-8") as file:
                 file.write("\n".join(lines) + "\n")
         return folder
@@ -56,6 +59,7 @@ class Merge(ProgramCase):
                                    stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
         err = process.stderr.read().decode()
         process.stderr.close()
+        # The memory counts from before the program replaces this one: so this one keeps no list of cases.
         _, status, usage = os.wait4(process.pid, 0)
         process.returncode = os.waitstatus_to_exitcode(status)
         seconds = usage.ru_utime + usage.ru_stime  # of processors: others may use the machine, too
