@@ -169,6 +169,22 @@ class Slurm(ProgramCase):
         self.assertNotIn(node, cluster.ask("scontrol", "--oneliner", "show", "job", self.job() + "_1").split("NodeList=")[-1])
         print(f"\nthe node of a task died after {before} of 20 results, resumed", flush=True)
 
+    def test_a_task_that_is_killed_with_its_script_is_named_and_can_be_resumed(self):
+        self.write_walks(40, seconds=lambda i: 3000)
+        self.assertEqual(self.whole(), 0)
+        process = self.start("--shards", "2")
+        self.wait_until(lambda: 2 <= self.saved(1) < 15, "a task in its middle")
+        for each in cluster.task_processes(SLURM_ARRAY_TASK_ID=1):
+            os.kill(each, signal.SIGKILL)
+        code, _, err = self.end(process)
+        self.assertEqual(code, 3)
+        self.assertRegex(err, rf"(?m)^task {self.job()}_1: error task-failed: ")
+        self.assertNotRegex(err, rf"task {self.job()}_2")
+        code, _, err = self.submit("--resume")
+        self.assertEqual(code, 0, err)
+        self.assertEqual(self.saved(1), 20)
+        self.assert_merged_as_whole()
+
     def test_a_task_that_is_cancelled_is_named(self):
         self.write_walks(12, seconds=lambda i: 20000)
         process = self.start("--shards", "3")
