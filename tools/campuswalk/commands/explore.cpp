@@ -11,6 +11,7 @@
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/commands/explore_campus.h"
 #include "tools/campuswalk/loading/model_importer.h"
+#include "tools/campuswalk/loading/walk_loader.h"
 
 namespace campuswalk::tools {
 
