@@ -169,7 +169,7 @@ void HtmlReporter::add_unmatched() {
     });
 }
 
-void HtmlReporter::end(const RunReport& /*report*/) {
+void HtmlReporter::end(const ResultSequence& /*results*/) {
     details_.flush();
     if (inputs_.against) {
         add_unmatched();

@@ -59,7 +59,7 @@ public:
 
     void begin(const RunPlan& plan) override;
     void result(const WalkResult& result) override;
-    void end(const RunReport& report) override;
+    void end(const ResultSequence& results) override;
 
 private:
     struct Details {

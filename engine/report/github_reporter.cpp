@@ -70,7 +70,7 @@ public:
         }
     }
 
-    void end(const RunReport&) override {
+    void end(const ResultSequence&) override {
         sink_("::notice title=campuswalk::" + github_escaped(summary_of(tally_), false) + "\n");
     }
 

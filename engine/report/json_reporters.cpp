@@ -26,20 +26,16 @@ public:
     explicit JsonReporter(TextSink sink) : sink_(std::move(sink)) {}
 
     void begin(const RunPlan& plan) override { plan_ = plan; }
-    void result(const WalkResult&) override {}
+    void result(const WalkResult& result) override { tally_.add(result); }
 
-    void end(const RunReport& report) override {
-        Tally tally;
-        for (const WalkResult& result : report.results) {
-            tally.add(result);
-        }
+    void end(const ResultSequence& results) override {
         sink_("{\"campuswalk_report\":1,\n\"plan\":" + to_json(plan_) +
-              ",\n\"summary\":" + summary_json(tally) + ",\n\"results\":[");
+              ",\n\"summary\":" + summary_json(tally_) + ",\n\"results\":[");
         const char* between = "\n";
-        for (const WalkResult& result : report.results) {
+        results.for_each([&](const WalkResult& result) {
             sink_(between + to_json_line(result));
             between = ",\n";
-        }
+        });
         sink_("\n]}\n");
     }
 
@@ -60,6 +56,7 @@ private:
 
     TextSink sink_;
     RunPlan plan_;
+    Tally tally_;
 };
 
 }  // namespace

@@ -1,6 +1,4 @@
-#include <algorithm>
 #include <cstddef>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -129,61 +127,70 @@ class JunitReporter final : public Reporter {
 public:
     JunitReporter(TextSink sink, std::string folder) : sink_(std::move(sink)), folder_(std::move(folder)) {}
 
-    void result(const WalkResult&) override {}
+    void result(const WalkResult& result) override {
+        ++cases_;
+        tally_.add(result);
+    }
 
-    void end(const RunReport& report) override {
-        pugi::xml_document document;
-        pugi::xml_node declaration = document.append_child(pugi::node_declaration);
-        set(declaration, "version", "1.0");
-        set(declaration, "encoding", "UTF-8");
-        pugi::xml_node root = document.append_child("testsuites");
-        Tally all;
-        for (const WalkResult& result : report.results) {
-            all.add(result);
+    /// A suite at a time, which fits into memory where the run doesn't: the cases of a file follow each
+    /// other.
+    void end(const ResultSequence& results) override {
+        sink_("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + opening_of_root());
+        std::vector<WalkResult> suite;
+        results.for_each([&](const WalkResult& result) {
+            if (!suite.empty() && suite.front().file != result.file) {
+                write_suite(suite);
+                suite.clear();
+            }
+            suite.push_back(result);
+        });
+        if (!suite.empty()) {
+            write_suite(suite);
         }
-        set(root, "name", "campuswalk");
-        set_counts(root, report.results.size(), all);
-        for (const auto& [file, results] : by_file(report)) {
-            append_suite(root, file, results, folder_);
+        if (cases_ > 0) {
+            sink_("</testsuites>\n");
         }
-        SinkWriter writer(sink_);
-        document.save(writer, "  ", pugi::format_default, pugi::encoding_utf8);
     }
 
 private:
-    using Suites = std::vector<std::pair<std::string, std::vector<const WalkResult*>>>;
-
-    /// In the order of their first cases.
-    static Suites by_file(const RunReport& report) {
-        Suites suites;
-        std::map<std::string, std::size_t> places;
-        for (const WalkResult& result : report.results) {
-            const auto [place, is_new] = places.try_emplace(result.file, suites.size());
-            if (is_new) {
-                suites.push_back({result.file, {}});
-            }
-            suites[place->second].second.push_back(&result);
+    /// Of an element with children if there are cases.
+    std::string opening_of_root() const {
+        pugi::xml_document document;
+        pugi::xml_node root = document.append_child("testsuites");
+        set(root, "name", "campuswalk");
+        set_counts(root, cases_, tally_);
+        std::string text;
+        const TextSink append = [&](std::string_view part) { text += part; };
+        SinkWriter writer(append);
+        root.print(writer, "  ", pugi::format_default, pugi::encoding_utf8);
+        if (const std::string_view closed = " />\n"; cases_ > 0 && text.ends_with(closed)) {
+            text.replace(text.size() - closed.size(), closed.size(), ">\n");
         }
-        return suites;
+        return text;
     }
 
-    static void append_suite(pugi::xml_node root, const std::string& file,
-                             const std::vector<const WalkResult*>& results, const std::string& folder) {
-        pugi::xml_node suite = root.append_child("testsuite");
+    void write_suite(const std::vector<WalkResult>& results) {
+        pugi::xml_document document;
+        pugi::xml_node suite = document.append_child("testsuite");
         Tally tally;
-        for (const WalkResult* result : results) {
-            tally.add(*result);
+        for (const WalkResult& result : results) {
+            tally.add(result);
         }
-        set(suite, "name", file);
+        set(suite, "name", results.front().file);
         set_counts(suite, results.size(), tally);
         set(suite, "skipped", std::to_string(tally.skipped));
-        for (const WalkResult* result : results) {
-            append_case(suite, *result, folder);
+        for (const WalkResult& result : results) {
+            append_case(suite, result, folder_);
         }
+        SinkWriter writer(sink_);
+        suite.print(writer, "  ", pugi::format_default, pugi::encoding_utf8, 1);
     }
 
+private:
     TextSink sink_;
     std::string folder_;  ///< the run's output folder
+    std::size_t cases_ = 0;
+    Tally tally_;
 };
 
 }  // namespace

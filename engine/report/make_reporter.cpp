@@ -24,13 +24,11 @@ public:
     void result(const WalkResult& result) override {
         reporter_->result(with_paths_in_repository(start_, result));
     }
-    void end(const RunReport& report) override {
-        RunReport placed;
-        placed.results.reserve(report.results.size());
-        for (const WalkResult& result : report.results) {
-            placed.results.push_back(with_paths_in_repository(start_, result));
-        }
-        reporter_->end(placed);
+    void end(const ResultSequence& results) override {
+        reporter_->end(ResultSequence([&](const ResultSequence::Visit& visit) {
+            results.for_each(
+                [&](const WalkResult& result) { visit(with_paths_in_repository(start_, result)); });
+        }));
     }
 
 private:

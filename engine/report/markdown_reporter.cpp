@@ -79,60 +79,58 @@ bool is_problem(const WalkResult& result) {
     return result.outcome != Outcome::passed && result.outcome != Outcome::skipped;
 }
 
-/// Problems first, as the table may be cut.
-std::vector<const WalkResult*> problems_first(const RunReport& report) {
-    std::vector<const WalkResult*> results;
-    for (const WalkResult& result : report.results) {
-        results.push_back(&result);
-    }
-    std::stable_partition(results.begin(), results.end(),
-                          [](const WalkResult* result) { return is_problem(*result); });
-    return results;
-}
-
 class MarkdownReporter final : public Reporter {
 public:
     MarkdownReporter(TextSink sink, const ReportStyle& style)
         : sink_(std::move(sink)), folder_(style.folder), images_url_(style.images_url) {}
 
-    void result(const WalkResult&) override {}
-
-    void end(const RunReport& report) override {
-        Tally tally;
-        for (const WalkResult& result : report.results) {
-            tally.add(result);
+    /// Keeps what the table may show.
+    void result(const WalkResult& result) override {
+        tally_.add(result);
+        ++cases_;
+        std::vector<WalkResult>& shown = is_problem(result) ? problems_ : good_;
+        if (shown.size() < kMostRows) {
+            shown.push_back(result);
         }
-        write("## campuswalk: " + markdown_text(summary_of(tally)) + "\n");
-        const std::vector<const WalkResult*> results = problems_first(report);
-        write_table(results);
-        for (std::size_t i = 0; i < results.size() && is_problem(*results[i]); ++i) {
-            if (i == kMostDetails) {
-                write("… and more, which the other reports have.\n");
-                break;
-            }
-            write_details(*results[i]);
+    }
+
+    void end(const ResultSequence& /*results*/) override {
+        write("## campuswalk: " + markdown_text(summary_of(tally_)) + "\n");
+        write_table();
+        for (std::size_t i = 0; i < std::min(problems_.size(), kMostDetails); ++i) {
+            write_details(problems_[i]);
+        }
+        if (problems_.size() > kMostDetails) {
+            write("… and more, which the other reports have.\n");
         }
     }
 
 private:
     void write(const std::string& line) { sink_(line + "\n"); }
 
-    void write_table(const std::vector<const WalkResult*>& results) {
-        if (results.empty()) {
+    /// Problems first, as the table may be cut.
+    void write_table() {
+        if (cases_ == 0) {
             return;
         }
         write("| | walk | time | distance | |");
         write("|---|---|--:|--:|---|");
-        for (std::size_t i = 0; i < std::min(results.size(), kMostRows); ++i) {
-            const WalkResult& result = *results[i];
-            write(std::string("| ") + symbol_of(result) + " | " + markdown_text(title_of(result)) + " | " +
-                  fixed(seconds_of(result), 1) + " s | " + fixed(result.distance, 1) + " m | " +
-                  markdown_text(remark_of(result)) + " |");
+        for (const WalkResult& result : problems_) {
+            write_row(result);
         }
-        if (results.size() > kMostRows) {
-            write("\n… and " + std::to_string(results.size() - kMostRows) + " more.");
+        for (std::size_t i = 0; i < std::min(good_.size(), kMostRows - problems_.size()); ++i) {
+            write_row(good_[i]);
+        }
+        if (cases_ > kMostRows) {
+            write("\n… and " + std::to_string(cases_ - kMostRows) + " more.");
         }
         write("");
+    }
+
+    void write_row(const WalkResult& result) {
+        write(std::string("| ") + symbol_of(result) + " | " + markdown_text(title_of(result)) + " | " +
+              fixed(seconds_of(result), 1) + " s | " + fixed(result.distance, 1) + " m | " +
+              markdown_text(remark_of(result)) + " |");
     }
 
     void write_details(const WalkResult& result) {
@@ -170,6 +168,10 @@ private:
     TextSink sink_;
     std::string folder_;
     std::string images_url_;
+    Tally tally_;
+    std::size_t cases_ = 0;
+    std::vector<WalkResult> problems_;  ///< the first of them
+    std::vector<WalkResult> good_;      ///< likewise
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/report/result_sequence.h"
 #include "engine/report/run_plan.h"
 #include "engine/report/walk_result.h"
 
@@ -12,8 +13,8 @@ public:
     virtual ~Reporter() = default;
     virtual void begin(const RunPlan& plan) { static_cast<void>(plan); }
     virtual void result(const WalkResult& result) = 0;
-    /// Once; everything must be written when this returns.
-    virtual void end(const RunReport& report) { static_cast<void>(report); }
+    /// Once, with the results that it got one by one; everything must be written when this returns.
+    virtual void end(const ResultSequence& results) { static_cast<void>(results); }
 };
 
 }  // namespace campuswalk::engine

@@ -55,20 +55,20 @@ public:
         if (!style_.quiet) {
             print(result);
         }
-        if (!is_ok(result)) {
-            problems_.push_back(result);
-        }
     }
 
-    void end(const RunReport&) final {
+    void end(const ResultSequence& results) final {
         finish_cases();
-        for (std::size_t i = 0; i < problems_.size(); ++i) {
-            print_problem(problems_[i], i + 1);
-        }
-        if (!style_.quiet || !problems_.empty()) {
+        std::size_t problems = 0;
+        results.for_each([&](const WalkResult& result) {
+            if (!is_ok(result)) {
+                print_problem(result, ++problems);
+            }
+        });
+        if (!style_.quiet || problems > 0) {
             print_line("");
         }
-        print_line(colored(summary_of(tally_), problems_.empty() ? Color::green : Color::red));
+        print_line(colored(summary_of(tally_), problems == 0 ? Color::green : Color::red));
     }
 
 protected:
@@ -132,7 +132,6 @@ private:
     TextSink sink_;
     ReportStyle style_;
     Tally tally_;
-    std::vector<WalkResult> problems_;
 };
 
 class ListReporter final : public TextReporter {

@@ -80,6 +80,7 @@ PROJECT = {
                                    "tools/campuswalk/loading", "tools/campuswalk/logs", "tools/campuswalk/base"] + _CORE,
     "tools/campuswalk/run": ["tools/campuswalk/html", "tools/campuswalk/images", "tools/campuswalk/loading", "tools/campuswalk/logs",
                              "tools/campuswalk/base"] + _CORE,
+    "tools/campuswalk/cluster": ["tools/campuswalk/run", "tools/campuswalk/base"] + _CORE,
     "tools/campuswalk/html": ["tools/campuswalk/run/results", "tools/campuswalk/run/plan", "tools/campuswalk/loading",
                               "tools/campuswalk/base"] + _CORE,
     "tools/campuswalk/collide": ["tools/campuswalk/loading", "tools/campuswalk/base"] + _CORE,

@@ -14,7 +14,7 @@ FOLDERS = ("collision", "scene", "engine", "config/loader", "tools/campuswalk")
 PLAIN_CODES = {"deprecated", "unreadable"}
 # Names of commands, help topics, options, files and formats.
 NOT_CODES = {"campuswalk-import-request", "campuswalk-import-response", "exit-codes", "import-helper", "jsonl-log",
-             "merge-reports", "nonnull-attribute", "system-err", "system-out", "timed-trace",
+             "merge-reports", "nonnull-attribute", "slurm-explore", "system-err", "system-out", "timed-trace",
              "xxxxxxxx-xxxx-xxxx-xxxx-xxxxxxxxxxxx"}
 # Of the failures of walks, which the results list, too.
 FAILURES = {"not-evaluated", "not-identical"}

@@ -140,7 +140,7 @@ Page page_of(HtmlInputs inputs, const std::vector<WalkResult>& results, std::siz
     for (const WalkResult& result : results) {
         reporter.result(result);
     }
-    reporter.end({});
+    reporter.end(RunReport());
     return opened(std::move(html));
 }
 
@@ -345,7 +345,7 @@ TEST(HtmlReporter, HoldsAFewHundredBytesAWalk) {
     }
     EXPECT_LT(largest, 100'000U) << "chunks are written as they fill";
     EXPECT_LT(open_walk_row(result, {}).size(), 900U);
-    reporter.end({});
+    reporter.end(RunReport());
 }
 
 TEST(Encodings, Base64) {

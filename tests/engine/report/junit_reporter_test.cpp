@@ -18,7 +18,7 @@ TEST(JunitReporter, HasASuitePerFileAndACasePerWalk) {
     WalkResult kiosk = failed_result("visit");
     kiosk.project = "kiosk";
     kiosk.repetition = 1;
-    EXPECT_EQ(written("junit", {{passed_result("visit"), skipped_result("lift"), kiosk}}),
+    EXPECT_EQ(written("junit", {{passed_result("visit"), kiosk, skipped_result("lift")}}),
               R"(<?xml version="1.0" encoding="UTF-8"?>
 <testsuites name="campuswalk" tests="3" failures="1" errors="0" time="8.000">
   <testsuite name="walks/visit.walk.yaml" tests="2" failures="1" errors="0" time="8.000" skipped="0">

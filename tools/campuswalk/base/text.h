@@ -34,6 +34,14 @@ inline std::string shell_quoted(std::string_view text) {
     return word + "'";
 }
 
+/// The same in quotes only where a shell would take it for something else.
+inline std::string shell_word(const std::string& text) {
+    const bool plain = text.find_first_not_of(
+                           "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                           "._/-+=:,@%") == std::string::npos;
+    return plain && !text.empty() ? text : shell_quoted(text);
+}
+
 /// The text without the ending; unchanged if it ends differently or is only the ending.
 inline std::string without_ending(std::string text, std::string_view ending) {
     if (text.size() > ending.size() && text.ends_with(ending)) {

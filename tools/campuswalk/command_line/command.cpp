@@ -96,6 +96,33 @@ std::vector<CommandInfo> Command::describe() const {
     return commands;
 }
 
+std::vector<std::string> Command::given_except(const std::vector<std::string>& names) const {
+    std::vector<std::string> options;
+    std::vector<std::string> positional;
+    for (const CLI::Option* option : app_->get_options()) {
+        const bool is_named = !option->get_lnames().empty() || !option->get_snames().empty();
+        const std::string name = !is_named                      ? ""
+                                 : option->get_lnames().empty() ? "-" + option->get_snames().front()
+                                                                : "--" + option->get_lnames().front();
+        if (option->count() == 0 || std::ranges::find(names, name) != names.end()) {
+            continue;
+        }
+        for (const std::string& value : option->results()) {
+            const bool bare = option->get_items_expected_max() == 0 && value == "true";
+            if (!is_named) {
+                positional.push_back(value);
+            } else {
+                options.push_back(bare ? name : name + "=" + value);
+            }
+        }
+    }
+    if (!positional.empty()) {
+        options.emplace_back("--");  // a path may begin with a dash
+        options.insert(options.end(), positional.begin(), positional.end());
+    }
+    return options;
+}
+
 Command Command::add(const std::string& name, const std::string& description) {
     CLI::App* command = app_->add_subcommand(name, description);
     command->set_version_flag("--version", kVersion);

@@ -62,6 +62,9 @@ public:
     void choose(CommandAction& chosen, CommandAction action);
     /// Text below the options in the help.
     void footer(const std::string& text);
+    /// What the user has given of this command, one word an option, but without these options (by their long
+    /// names). To be called by its action.
+    std::vector<std::string> given_except(const std::vector<std::string>& names) const;
     /// This command, with an empty name, and the commands that have been added to it so far.
     std::vector<CommandInfo> describe() const;
 

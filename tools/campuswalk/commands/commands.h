@@ -7,6 +7,7 @@
 #include "collision/geometry/shapes.h"
 #include "scene/campus/campus.h"
 #include "scene/campus/campus_description.h"
+#include "tools/campuswalk/cluster/slurm_options.h"
 #include "tools/campuswalk/command_line/command.h"
 #include "tools/campuswalk/images/rendering_backend.h"
 #include "tools/campuswalk/run/plan/run_options.h"
@@ -47,6 +48,13 @@ void add_color(Command command, ColorChoice& color);
 
 /// `--report-geometry`, for a command that writes html reports.
 void add_report_geometry(Command command, ReportGeometry& geometry);
+
+/// `--slurm` and the options of sbatch.
+void add_slurm(Command command, SlurmOptions& options);
+/// Throws scene::InputError (bad-value) for options of sbatch without --slurm.
+void check_slurm(const SlurmOptions& options);
+/// What is wrong with the number of a job of Slurm as written; empty when nothing is.
+std::string why_no_job_number(const std::string& text);
 
 /// `--disable`: globs over the campus' objects.
 void add_disable(Command command, std::vector<std::string>& globs);

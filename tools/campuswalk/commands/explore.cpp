@@ -1,276 +1,93 @@
-#include <unistd.h>
-
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
-#include "collision/world/bullet_broad_phase.h"
-#include "config/loader/load_run.h"
-#include "engine/walkspace/walk_report.h"
-#include "scene/base/atomic_file.h"
-#include "scene/base/glob.h"
-#include "tools/campuswalk/base/exit_codes.h"
-#include "tools/campuswalk/base/status_line.h"
+#include "scene/lint/wording.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/writable_path.h"
+#include "tools/campuswalk/cluster/explore_on_slurm.h"
 #include "tools/campuswalk/commands/commands.h"
-#include "tools/campuswalk/explore/avatar_text.h"
-#include "tools/campuswalk/explore/cached_report.h"
-#include "tools/campuswalk/explore/coverage.h"
-#include "tools/campuswalk/explore/findings.h"
-#include "tools/campuswalk/explore/geojson.h"
-#include "tools/campuswalk/explore/minimal_walks.h"
-#include "tools/campuswalk/explore/report_json.h"
-#include "tools/campuswalk/explore/report_text.h"
-#include "tools/campuswalk/explore/storey_plans.h"
-#include "tools/campuswalk/images/images.h"
-#include "tools/campuswalk/loading/cache_choice.h"
-#include "tools/campuswalk/loading/campus_hash.h"
+#include "tools/campuswalk/commands/explore_campus.h"
 #include "tools/campuswalk/loading/model_importer.h"
 #include "tools/campuswalk/loading/walk_loader.h"
-#include "tools/campuswalk/run/plan/find_walks.h"
 
 namespace campuswalk::tools {
 
 namespace {
 
-struct ExploreOptions {
-    std::filesystem::path campus;
-    std::string avatar = "adult";                ///< as a walk says it
-    std::vector<std::string> from;               ///< spawns; empty: all
-    std::vector<std::string> allow;              ///< run, jump, crouch
-    std::vector<std::string> disable;            ///< globs over objects
-    std::vector<std::string> required;           ///< places, or "all"
-    std::vector<std::string> fail_on;            ///< kinds of findings
-    std::optional<std::filesystem::path> json;   ///< a file to write
-    std::optional<std::filesystem::path> map;    ///< a folder for the storeys' plans
-    std::optional<std::filesystem::path> walks;  ///< a folder for minimal walks
-    std::optional<std::filesystem::path> geojson;
-    std::vector<std::filesystem::path> covered_by;  ///< walks whose coverage is measured
-    std::optional<double> fail_under;               ///< percent of the ground
-    double min_width = 0.0;                         ///< metres
-    std::optional<int> workers;
+/// Which campuses, and where.
+struct ExploreCommand {
+    ExploreOptions options;  ///< without campus and avatar
+    std::vector<std::filesystem::path> campuses;
+    std::vector<std::string> avatars;
+    std::filesystem::path output = "out";
+    SlurmOptions slurm;
+    std::optional<int> only;           ///< the number of a campus with an avatar, from 1
+    std::optional<std::string> merge;  ///< the array job whose reports are to be merged
 };
 
-const char* const kFromOption = "--from";
-const char* const kUsualAvatar = "adult";
-
-/// As a walk beside the campus would read it.
-engine::AvatarProfile avatar_of(const std::string& text, const ExploreOptions& options,
-                                const scene::CampusDescription& campus) {
-    return config::read_avatar_text(text, "--avatar", options.campus.parent_path(), campus, search_paths());
-}
-
-collision::Vec3 spawn_position(const scene::CampusDescription& campus, const std::string& name) {
-    std::vector<std::string> names;
-    for (const scene::Spawn& spawn : campus.spawns) {
-        if (spawn.name == name) {
-            return spawn.position;
-        }
-        names.push_back(spawn.name);
-    }
-    throw scene::InputError({kFromOption, 1, 1}, "unknown-name",
-                            "the campus has no spawn '" + name + "'" + scene::did_you_mean(name, names));
-}
-
-bool has(const std::vector<std::string>& words, const std::string& word) {
-    return std::ranges::find(words, word) != words.end();
-}
-
-engine::ExploreSettings settings_for(const ExploreOptions& options, const scene::Campus& campus,
-                                     const engine::AvatarProfile& avatar, const std::vector<bool>& disabled) {
-    engine::ExploreSettings settings =
-        engine::explore_settings(campus, avatar, engine::SimSettings().ticks_per_second);
-    settings.solids.disabled = &disabled;
-    settings.run = has(options.allow, "run");
-    settings.jump = has(options.allow, "jump");
-    if (has(options.allow, "crouch")) {  // what is walked upright is walked like that, too
-        settings.strides.full_height = avatar.height;
-        settings.strides.body.height = engine::crouched_height(avatar);
-    }
-    if (!options.from.empty()) {
-        settings.starts.clear();
-        for (const std::string& name : options.from) {
-            settings.starts.push_back(spawn_position(campus.description, name));
-        }
-    }
-    if (settings.starts.empty()) {
-        throw scene::InputError(campus.description.mark, "missing-key",
-                                "the campus has no spawn to start from; add one under 'spawns'");
-    }
-    return settings;
-}
-
-std::size_t workers_of(const ExploreOptions& options) {
-    return static_cast<std::size_t>(
-        options.workers.value_or(static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))));
-}
-
-/// Whether the report is as the options demand.
-bool is_accepted(const ExploreOptions& options, const engine::WalkReport& report,
-                 const std::vector<explore::Finding>& findings) {
-    for (const engine::SubjectReport& entry : report.subjects) {
-        const engine::Subject& subject = entry.subject;
-        const bool required =
-            subject.kind == engine::SubjectKind::place
-                ? has(options.required, "all") || has(options.required, subject.name)
-                : has(options.required, "all") && subject.kind != engine::SubjectKind::solid;
-        if (required && !subject.reached) {
-            return false;
-        }
-    }
-    return std::ranges::none_of(findings, [&](const explore::Finding& finding) {
-        return has(options.fail_on, explore::name_of(finding.kind));
-    });
-}
-
-/// Those in the files and folders of `--walks`; the others are on other campuses.
-std::vector<engine::Walk> walks_on_campus(WalkLoader& loader, const std::filesystem::path& campus_file,
-                                          const std::vector<std::filesystem::path>& paths) {
-    std::error_code ignored;
-    const std::filesystem::path wanted = std::filesystem::weakly_canonical(campus_file, ignored);
-    std::vector<engine::Walk> walks;
-    for (const std::filesystem::path& file : find_walks(paths)) {
-        config::SharedRun run = loader.read(file);
-        if (run.walk.status.kind != engine::WalkStatus::Kind::skip &&
-            std::filesystem::weakly_canonical(run.walk.campus, ignored) == wanted) {
-            walks.push_back(loader.ready(std::move(run)).walk);
-        }
-    }
-    if (walks.empty()) {
-        throw scene::InputError({"--walks", 1, 1}, "no-walks",
-                                "there are no walks on " + campus_file.generic_string());
-    }
-    return walks;
-}
-
-void check_places(const ExploreOptions& options, const scene::CampusDescription& campus) {
-    for (const std::string& name : options.required) {
-        const bool known =
-            name == "all" ||
-            std::ranges::any_of(campus.places, [&](const scene::Place& place) { return place.name == name; });
-        if (!known) {
-            throw scene::InputError({"--require", 1, 1}, "unknown-name",
-                                    "the campus has no place '" + name + "'");
-        }
+void check_several(const ExploreOptions& options) {
+    const bool files = options.map || options.walks || options.geojson || !options.covered_by.empty();
+    if (files) {
+        throw error_about("explore", "bad-value",
+                          "--map, --write-walks, --geojson and --walks are about one campus and one avatar");
     }
 }
 
-/// Before an hour is spent on what can't be written or evaluated.
-void check_options(const ExploreOptions& options) {
-    if (options.fail_under && options.covered_by.empty()) {
-        throw scene::InputError({"--fail-under", 1, 1}, "missing-key",
-                                "it is about the walks of --walks; name some");
-    }
-    if (options.json) {
-        require_writable_file(*options.json, "the report can't be written here");
-    }
-    if (options.map) {
-        if (!can_draw()) {
-            throw scene::InputError({"--map", 1, 1}, "no-rendering", "this build can't draw plans");
-        }
-        require_writable_folder(*options.map, "the plans can't be written here");
-    }
-    if (options.geojson) {
-        require_writable_file(*options.geojson, "the map can't be written here");
-    }
-    if (options.walks) {
-        require_writable_folder(*options.walks, "the walks can't be written here");
-    }
-}
-
-void write_plans(const scene::Campus& campus, const engine::WalkReport& report,
-                 const std::vector<explore::Finding>& findings, const std::filesystem::path& folder) {
-    const std::vector<engine::render::StoreyPlan> plans = explore::storey_plans(campus, report, findings);
-    for (std::size_t i = 0; i < plans.size(); ++i) {
-        draw_storey_plan(plans[i], folder / ("storey-" + std::to_string(i) + ".png"));
-    }
-}
-
-void write_walks(const ExploreOptions& options, const scene::Campus& walked,
-                 const engine::AvatarProfile& avatar, const engine::WalkReport& report,
-                 const std::vector<explore::Finding>& findings) {
-    std::error_code ignored;
-    const std::filesystem::path campus = std::filesystem::proximate(
-        std::filesystem::absolute(options.campus), std::filesystem::absolute(*options.walks), ignored);
-    const engine::AvatarProfile usual = avatar_of(kUsualAvatar, options, walked.description);
-    const auto text_of = [&](const engine::AvatarProfile& body) {
-        return explore::avatar_text(body, kUsualAvatar, usual);
+int explore_campuses(const ExploreCommand& command, const std::vector<std::string>& arguments) {
+    ExplorationRequest request{
+        explorations_of(command.campuses,
+                        command.avatars.empty() ? std::vector<std::string>{kUsualAvatar} : command.avatars),
+        command.options.json, command.output, command.options.workers.value_or(1)};
+    const auto explore = [&](const Exploration& each, std::string* json) {
+        ExploreOptions options = command.options;
+        options.campus = each.campus;
+        options.avatar = each.avatar;
+        return explore_campus(options, json);
     };
-    const engine::AvatarProfile body = has(options.allow, "crouch") ? explore::crouched(avatar) : avatar;
-    const explore::WalkHeader header{campus.generic_string(), text_of(body),
-                                     text_of(explore::widened(body, options.min_width)),
-                                     walked.world.bounds().min.y()};
-    for (const explore::MinimalWalk& walk : explore::minimal_walks(report, findings, header)) {
-        scene::write_file_atomically(*options.walks / (walk.name + std::string(config::kWalkSuffix)),
-                                     walk.yaml);
+    if (command.only) {
+        if (static_cast<std::size_t>(*command.only) > request.all.size()) {
+            throw error_about("--only", "bad-value",
+                              "there are only " + scene::plural(request.all.size(), "exploration"));
+        }
+        return explore(request.all[static_cast<std::size_t>(*command.only) - 1], nullptr);
     }
-}
-
-int explore_campus(const ExploreOptions& options) {
-    check_options(options);
-    WalkLoader loader;
-    const std::shared_ptr<const scene::Campus> campus = loader.load_campus(options.campus);
-    check_places(options, campus->description);
-    const engine::AvatarProfile avatar = avatar_of(options.avatar, options, campus->description);
-    const std::vector<engine::Walk> walks = options.covered_by.empty()
-                                                ? std::vector<engine::Walk>()
-                                                : walks_on_campus(loader, options.campus, options.covered_by);
-    const std::vector<bool> disabled = disabled_objects(*campus, options.disable);
-    const engine::WorkerWorlds worlds(campus->world, workers_of(options), collision::make_bullet_broad_phase);
-    StatusLine progress(isatty(STDERR_FILENO) == 1);
-    engine::ExploreSettings settings = settings_for(options, *campus, avatar, disabled);
-    settings.progress = [&](std::size_t nodes) {
-        progress.show("explored " + std::to_string(nodes) + " places");
-    };
-    const scene::CacheFolder* cache = model_cache();
-    const explore::ReportInputs inputs{
-        cache != nullptr ? hash_of_campus(*campus, options.campus, *cache) : std::nullopt,
-        campus->objects.size(), avatar, settings, options.min_width};
-    const engine::WalkReport report = explore::cached_report(inputs, cache, [&] {
-        return engine::report_walks(*campus, avatar, worlds, settings, options.min_width);
-    });
-    progress.hide();
-    const std::vector<explore::Finding> findings = explore::find_findings(*campus, report);
-    explore::print_report(*campus, report, avatar, findings);
-    std::optional<explore::Coverage> coverage;
-    if (!walks.empty()) {
-        coverage = explore::measure_coverage(*campus, report, walks);
-        explore::print_coverage(report, *coverage);
+    if (!command.merge && !command.slurm.mode && request.all.size() == 1) {
+        return explore(request.all.front(), nullptr);
     }
-    if (options.json) {
-        scene::write_file_atomically(
-            *options.json, explore::report_json(*campus, report, findings, coverage ? &*coverage : nullptr));
+    check_several(command.options);
+    if (command.options.json) {
+        require_writable_file(*command.options.json, "the report can't be written here");
     }
-    if (options.geojson) {
-        scene::write_file_atomically(*options.geojson, explore::report_geojson(*campus, report, findings));
+    if (command.merge) {
+        return merge_explorations(request, *command.merge);
     }
-    if (options.map) {
-        write_plans(*campus, report, findings, *options.map);
+    if (command.slurm.mode) {
+        return explore_on_slurm(request, command.slurm, arguments);
     }
-    if (options.walks) {
-        write_walks(options, *campus, avatar, report, findings);
-    }
-    const bool covered = !options.fail_under || 100.0 * coverage->share >= *options.fail_under;
-    return is_accepted(options, report, findings) && covered ? kPass : kExpectationFailed;
+    return explore_all(request,
+                       [&](const Exploration& each, std::string& json) { return explore(each, &json); });
 }
 
 }  // namespace
 
 void add_explore(Command program, CommandAction& chosen) {
-    const auto options = std::make_shared<ExploreOptions>();
+    const auto all = std::make_shared<ExploreCommand>();
+    ExploreOptions* const options = &all->options;
     Command command =
         program.add("explore", "Walk everywhere: find out where a visitor gets to, and why not elsewhere");
-    command.option({.names = "CAMPUS", .help = "NAME.campus.yaml", .value = "FILE", .required = true},
-                   options->campus);
+    command.option({.names = "CAMPUS",
+                    .help = "NAME.campus.yaml; each of several is explored with each avatar",
+                    .value = "FILE",
+                    .required = true},
+                   all->campuses);
     command.option({.names = "--avatar",
-                    .help = "A profile, or as in a walk: '{profile: adult, step_height: 0.4}'",
-                    .value = "AVATAR",
-                    .show_default = true},
-                   options->avatar);
+                    .help = "A profile, or as in a walk: '{profile: adult, step_height: 0.4}'; may be "
+                            "repeated [adult]",
+                    .value = "AVATAR"},
+                   all->avatars);
     command.option(
         {.names = kFromOption, .help = "Start at this spawn only; may be repeated", .value = "SPAWN"},
         options->from);
@@ -312,9 +129,27 @@ void add_explore(Command program, CommandAction& chosen) {
         options->geojson);
     command.option({.names = "-j,--workers", .help = "Threads; all cores by default"}, options->workers,
                    Limits<int>{1, 256});
+    add_slurm(command, all->slurm);
+    command.option({.names = "--output",
+                    .help = "With --slurm: folder of the job's files, DIR/slurm-explore",
+                    .value = "DIR",
+                    .show_default = true},
+                   all->output);
+    command.option({.names = "--only",
+                    .help = "Of the campuses with their avatars only the N-th, as tasks of --slurm do",
+                    .value = "N"},
+                   all->only, Limits<int>{1, 1'000'000});
+    command.option({.names = "--merge",
+                    .help = "Merge the reports of this array job's tasks, as --slurm does",
+                    .value = "JOB",
+                    .check = why_no_job_number},
+                   all->merge);
     add_import_options(command);
     add_root_option(command);
-    command.choose(chosen, [options] { return explore_campus(*options); });
+    command.choose(chosen, [all, command] {
+        check_slurm(all->slurm);
+        return explore_campuses(*all, command.given_except(options_of_exploration()));
+    });
 }
 
 }  // namespace campuswalk::tools

@@ -1,5 +1,7 @@
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +12,7 @@
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/repository.h"
+#include "tools/campuswalk/cluster/merge_of_tasks.h"
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/html/html_reports.h"
 #include "tools/campuswalk/run/plan/find_walks.h"
@@ -28,13 +31,21 @@ struct MergeOptions {
     std::vector<std::string> reporters;         ///< NAME or NAME=FILE; `list` if there are none
     std::filesystem::path output = "out";       ///< folder of the images that reports name
     std::string images_url;                     ///< where the repository's files can be seen; empty: nowhere
+    std::optional<std::string> slurm_job;       ///< the array whose tasks wrote the reports
+    bool quiet = false;
     ColorChoice color = ColorChoice::automatic;
 };
 
 /// Merges the reports of a run's shards. Returns the exit code that the whole run would have had, but none
 /// that means success if something is missing.
 int merge_reports(const MergeOptions& options) {
-    const MergedRun merged(open_result_files(options.inputs));
+    const std::optional<MergeOfTasks> tasks =
+        options.slurm_job ? std::optional(merge_of_tasks(*options.slurm_job, options.inputs)) : std::nullopt;
+    const MergedRun merged = tasks ? tasks->run : MergedRun(open_result_files(options.inputs));
+    std::vector<std::string> problems = merged.problems();
+    if (tasks) {
+        problems.insert(problems.begin(), tasks->problems.begin(), tasks->problems.end());
+    }
     RunOptions run;
     run.reporters = options.reporters;
     run.color = options.color;
@@ -43,8 +54,8 @@ int merge_reports(const MergeOptions& options) {
     HtmlRequest html;
     html.output = as_seen_from_here(options.output);
     html.title = title_of_inputs(options.inputs);
-    html.problems = merged.problems();
-    engine::ReportStyle style{settings.color};
+    html.problems = problems;
+    engine::ReportStyle style{settings.color, options.quiet};
     style.start = merged.plan().start;
     style.folder =
         engine::path_in_repository(start_in_repository(environment_variable), html.output.generic_string());
@@ -56,17 +67,22 @@ int merge_reports(const MergeOptions& options) {
     style.html = [&html](engine::TextSink sink) { return make_html_reporter(html, std::move(sink)); };
     Reports reports(settings.reports, style, false);
     reports.begin(merged.plan());
-    engine::RunReport report;
+    std::set<engine::Outcome> outcomes;
     merged.for_each([&](engine::WalkResult&& result) {
         reports.result(result);
-        report.results.push_back(std::move(result));
+        outcomes.insert(result.outcome);
     });
-    reports.end(report);
-    for (const std::string& problem : merged.problems()) {
+    reports.end(engine::ResultSequence([&](const engine::ResultSequence::Visit& visit) {
+        merged.for_each([&](engine::WalkResult&& result) { visit(result); });
+    }));
+    for (const std::string& problem : problems) {
         print_error_line(problem);
     }
-    const int code = exit_code_for(report.results);
-    return code == kPass && !merged.problems().empty() ? kExpectationFailed : code;
+    if (tasks && !tasks->problems.empty()) {
+        outcomes.insert(engine::Outcome::broken);  // who knows what else they would have found
+    }
+    const int code = exit_code_of(outcomes);
+    return code == kPass && !problems.empty() ? kExpectationFailed : code;
 }
 
 }  // namespace
@@ -98,10 +114,18 @@ void add_merge_reports(Command program, CommandAction& chosen) {
                             return plain && url.starts_with("https://") ? "" : "it must begin with https://";
                         }},
                    options->images_url);
+    command.option(
+        {.names = "--slurm",
+         .help = "What run --slurm uses: PATH is its folder, DIR/slurm, and the tasks of this array "
+                 "job that didn't come to their end are errors",
+         .value = "JOB",
+         .check = why_no_job_number},
+        options->slurm_job);
+    command.flag({.names = "-q,--quiet", .help = "Print only what failed, and the counts"}, options->quiet);
     add_color(command, options->color);
     command.footer(
         "Exit code: that of the whole run; 1 if a shard's report is missing, incomplete, there twice, or of "
-        "another run.");
+        "another run;\n3 if a task of --slurm didn't come to its end.");
     command.choose(chosen, [options] { return merge_reports(*options); });
 }
 

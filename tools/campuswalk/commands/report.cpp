@@ -69,7 +69,7 @@ int report(const Options& options) {
     Reports reports(targets, style, false);
     reports.begin(merged.plan());
     merged.for_each([&](engine::WalkResult&& result) { reports.result(result); });
-    reports.end({});
+    reports.end(engine::RunReport());
 
     for (const std::string& problem : merged.problems()) {
         print_error_line(problem);

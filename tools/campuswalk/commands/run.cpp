@@ -6,6 +6,8 @@
 #include "engine/report/make_reporter.h"
 #include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
+#include "tools/campuswalk/cluster/run_on_slurm.h"
+#include "tools/campuswalk/cluster/slurm_options.h"
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/loading/model_importer.h"
 #include "tools/campuswalk/loading/walk_loader.h"
@@ -16,14 +18,15 @@ namespace campuswalk::tools {
 
 namespace {
 
-using Options = std::shared_ptr<RunOptions>;
+using SharedRunOptions = std::shared_ptr<RunOptions>;
 
 constexpr Limits<int> kWorkers{1, 1024};
 constexpr Limits<int> kTimes{1, 1'000'000};
+constexpr Limits<int> kShards{1, 100'000};
 constexpr Limits<int> kFrameWidth{16, 8192};
 constexpr Limits<double> kSeconds{1e-3, 86'400.0};
 
-void add_selection(Command& command, const Options& options) {
+void add_selection(Command& command, const SharedRunOptions& options) {
     command.option({.names = "PATH",
                     .help = "NAME.walk.yaml files, or folders to look for them in; without any, those of "
                             "walks.config.yaml or the current folder",
@@ -48,6 +51,11 @@ void add_selection(Command& command, const Options& options) {
                             "indexed jobs are used, and CAMPUSWALK_SHARD_INDEX (from 0) and _COUNT",
                     .value = "I/N"},
                    options->shard);
+    command.option({.names = "--shard-times",
+                    .help = "Balance the shards by the times that cases took in a run, from its "
+                            "last-run.jsonl; all shards need the same file",
+                    .value = "FILE"},
+                   options->shard_times);
     command.flag({.names = "--last-failed", .help = "Only walks that didn't pass in the last run"},
                  options->last_failed);
     command.flag({.names = "--list", .help = "List what would be run"}, options->list);
@@ -65,7 +73,7 @@ void add_selection(Command& command, const Options& options) {
                  options->pass_with_no_tests);
 }
 
-void add_running(Command& command, const Options& options) {
+void add_running(Command& command, const SharedRunOptions& options) {
     command.option(
         {.names = "-j,--workers",
          .help = "Processes that play walks or help to draw their frames; as many as there are cores",
@@ -96,7 +104,9 @@ void add_running(Command& command, const Options& options) {
                     .help = "Seconds of wall clock after which a walk is stopped, with exit code 3 (3600)",
                     .value = "SECONDS"},
                    options->kill_after, kSeconds);
-    command.flag({.names = "--resume", .help = "Continue a run that was killed"}, options->resume);
+    command.choice_flag(
+        {.names = "--resume", .help = "Continue a run that was killed; with auto, start anew where none was"},
+        "required", {{"required", Resume::required}, {"auto", Resume::automatic}}, options->resume);
     command.flag({.names = "--watch", .help = "Whenever a file changes, run the walks that use it"},
                  options->watch);
 }
@@ -140,12 +150,17 @@ void add_sequence(Command& command, SequenceRequest& request) {
                    request.width, kFrameWidth);
 }
 
-void add_output(Command& command, const Options& options) {
+void add_output(Command& command, const SharedRunOptions& options) {
     command.option({.names = "--output",
                     .help = "Folder for pictures, DIR/WALK/SNAPSHOT.png, and for what --last-failed and "
                             "--resume need [out]",
                     .value = "DIR"},
                    options->output);
+    command.option({.names = "--save",
+                    .help = "Where results are saved for --last-failed, --resume and --shard-times "
+                            "[DIR/last-run.jsonl]",
+                    .value = "FILE"},
+                   options->save);
     command.option(
         {.names = "--reporter",
          .help = config::listed(engine::reporter_names()) +
@@ -184,17 +199,30 @@ void add_output(Command& command, const Options& options) {
 
 void add_run(Command program, CommandAction& chosen) {
     const auto options = std::make_shared<RunOptions>();
+    const auto slurm = std::make_shared<SlurmOptions>();
     Command command = program.add("run", "Play walks and report what happens");
     add_selection(command, options);
     add_running(command, options);
     add_output(command, options);
+    add_slurm(command, *slurm);
+    command.option(
+        {.names = "--shards", .help = "With --slurm: into how many [64, at most one a walk]", .value = "N"},
+        slurm->shards, kShards);
     add_import_options(command);
     add_root_option(command);
     command.footer(
         "Exit code: 0 all passed, 1 an expectation failed, 2 bad usage or input (nothing of that walk was "
         "run),\n"
         "3 something failed while running, 5 nothing selected, 130 interrupted.");
-    command.choose(chosen, [options] { return run_walks(*options); });
+    command.choose(chosen, [options, slurm, command] {
+        check_slurm(*slurm);
+        if (!slurm->mode && slurm->shards) {
+            throw error_about("--shards", "bad-value", "it needs --slurm");
+        }
+        return slurm->mode && !options->list && !options->print_config
+                   ? run_on_slurm(*options, *slurm, command.given_except(options_of_submission()))
+                   : run_walks(*options);
+    });
 }
 
 }  // namespace campuswalk::tools

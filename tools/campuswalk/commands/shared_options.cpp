@@ -2,9 +2,46 @@
 #include <string>
 
 #include "scene/base/glob.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/commands/commands.h"
 
 namespace campuswalk::tools {
+
+void add_slurm(Command command, SlurmOptions& options) {
+    command.choice_flag(
+        {.names = "--slurm",
+         .help = "Run as an array of jobs on Slurm and wait for the merged report; with script, "
+                 "only write shard.sh and merge.sh, to be edited, and print how to submit them"},
+        "submit", {{"submit", SlurmMode::submit}, {"script", SlurmMode::script}}, options.mode);
+    command.option({.names = "--partition", .help = "With --slurm: sbatch's option", .value = "NAME"},
+                   options.partition);
+    command.option({.names = "--account", .help = "With --slurm: sbatch's option", .value = "NAME"},
+                   options.account);
+    command.option(
+        {.names = "--time", .help = "With --slurm: sbatch's option, the limit of each job", .value = "TIME"},
+        options.time);
+    command.option(
+        {.names = "--mem", .help = "With --slurm: sbatch's option, the memory of each job", .value = "SIZE"},
+        options.mem);
+    command.option(
+        {.names = "--sbatch",
+         .help = "With --slurm: another option of sbatch, as in --sbatch=--qos=long; may be repeated",
+         .value = "OPTION"},
+        options.sbatch);
+}
+
+void check_slurm(const SlurmOptions& options) {
+    if (!options.mode &&
+        (options.partition || options.account || options.time || options.mem || !options.sbatch.empty())) {
+        throw error_about("--slurm", "bad-value",
+                          "--partition, --account, --time, --mem and --sbatch need it");
+    }
+}
+
+std::string why_no_job_number(const std::string& text) {
+    const bool number = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+    return number ? "" : "it must be the number of a job";
+}
 
 void add_file_frame(Command command, scene::SceneFile& file, const std::string& whose) {
     const std::map<std::string, scene::UpAxis> axes = {{"y", scene::UpAxis::y}, {"z", scene::UpAxis::z}};

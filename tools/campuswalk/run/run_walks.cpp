@@ -63,18 +63,6 @@ bool is_log(const ReportTarget& target) {
     return target.name == "log";
 }
 
-Selector selector_for(const RunOptions& options) {
-    Selector selector;
-    if (options.grep) {
-        selector.require(*options.grep, {"--grep", 0, 0});
-    }
-    if (options.grep_invert) {
-        selector.refuse(*options.grep_invert, {"--grep-invert", 0, 0});
-    }
-    selector.require_tag(options.tags);
-    return selector;
-}
-
 /// What the cases are read from, as far as they could be read.
 std::set<fs::path> inputs_of(const Plan& plan, CanonicalPaths& canonical) {
     std::set<fs::path> inputs;
@@ -139,14 +127,6 @@ CampusesByFile campuses_of(const Plan& plan) {
     return campuses;
 }
 
-/// In quotes only where a shell would take it for something else.
-std::string shell_word(const std::string& text) {
-    const bool plain = text.find_first_not_of(
-                           "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
-                           "._/-+=:,@%") == std::string::npos;
-    return plain && !text.empty() ? text : shell_quoted(text);
-}
-
 /// A run, from the options to the exit code.
 class Run {
 public:
@@ -157,8 +137,10 @@ public:
         images_ = will_draw(options_.backend);
         check_sequence();
         read_last_run_if_needed();
-        Plan plan = make_plan(settings_, {selector_for(options_), selected_ids(), options_.repeat_each,
-                                          options_.tree, options_.timeout, images_});
+        PlanOptions selection = plan_options(options_);
+        selection.ids = selected_ids();
+        selection.images = images_;
+        Plan plan = make_plan(settings_, std::move(selection));
         note_shard();
         check_number_of_cases(plan);
         if (plan.summary.all_cases == 0) {
@@ -196,8 +178,11 @@ private:
         if (!options_.last_failed && !options_.resume) {
             return;
         }
-        const fs::path file = last_run_file(settings_.output);
+        const fs::path& file = settings_.saved;
         last_run_ = read_last_run(file, run_key(environment_variable));
+        if (!last_run_ && options_.resume == Resume::automatic && !options_.last_failed) {
+            return;
+        }
         if (!last_run_) {
             throw error_about(
                 file, "missing-file",
@@ -285,7 +270,7 @@ private:
             require_writable_folder(settings_.output / "campuses", "campuses can't be saved here");
         }
         if (!settings_.single) {
-            require_writable_file(last_run_file(settings_.output), "results can't be saved here");
+            require_writable_file(settings_.saved, "results can't be saved here");
         }
     }
 
@@ -324,10 +309,10 @@ private:
         if (settings_.single) {
             return nullptr;
         }
-        const fs::path file = last_run_file(settings_.output);
+        const fs::path& file = settings_.saved;
         const std::string plan_hash = run_fingerprint(plan, settings_of_results());
         std::string key = run_key(environment_variable);
-        if (!options_.resume) {
+        if (!options_.resume || !last_run_) {
             return std::make_unique<LastRunWriter>(file, plan_hash, std::move(key));
         }
         if (last_run_->plan != plan_hash) {
@@ -366,7 +351,7 @@ private:
         const std::size_t left_out = plan.left_out;
         Scheduler scheduler(std::move(plan), scheduler_settings(reports, events != nullptr), reports,
                             events.get(), last_run.get());
-        if (options_.resume) {
+        if (options_.resume && last_run_) {
             scheduler.take_over(last_run_->results);
         }
         const int exit_code = scheduler.run();

@@ -109,7 +109,8 @@ PoolListener Scheduler::listener() {
 
 void Scheduler::save(std::size_t index, const Ending& ending) {
     if (last_run_ != nullptr) {
-        last_run_->add(ending.answered ? ending.text : engine::to_json_line(result_of(index, ending)));
+        last_run_->add(ending.answered ? ending.text : engine::to_json_line(result_of(index, ending)),
+                       ending.microseconds);
     }
 }
 

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 #include "config/loader/load_run.h"
 #include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/text.h"
+#include "tools/campuswalk/run/plan/balance.h"
+#include "tools/campuswalk/run/plan/case_times.h"
 #include "tools/campuswalk/run/plan/find_walks.h"
 #include "tools/campuswalk/run/plan/plan_hash.h"
 #include "tools/campuswalk/run/plan/reference_files.h"
@@ -49,12 +52,16 @@ public:
             std::erase_if(candidates_,
                           [&](const Candidate& candidate) { return !has_selected_id(candidate); });
         }
+        divide();
         plan.summary = summarized();
         std::set<std::string> walks;
         for (const Candidate& candidate : candidates_) {
             walks.insert(candidate.result.file);
         }
         plan.walks = walks.size();
+        if (options_.summary_only) {
+            return plan;
+        }
         keep_shard();
         for (Candidate& candidate : candidates_) {
             add_cases(candidate, plan.cases);
@@ -193,22 +200,41 @@ private:
         return false;
     }
 
+    /// Repetitions stay together, so that they can be compared.
+    void divide() {
+        CaseTimes known;
+        if (settings_.shard_times) {
+            add_case_times(*settings_.shard_times, known);
+        }
+        std::vector<std::optional<std::uint64_t>> times;
+        for (const Candidate& candidate : candidates_) {
+            std::optional<std::uint64_t>& time = times.emplace_back();
+            for (int repetition = 0; repetition < options_.repeat_each; ++repetition) {
+                const auto found = known.find(id_of(candidate, repetition));
+                time = found == known.end() ? time : time.value_or(0) + found->second;
+            }
+        }
+        shard_of_ = balanced(times, settings_.shard.value_or(Shard()).count);
+    }
+
     /// Of all shards.
     engine::RunPlan summarized() const {
-        Shard shard = settings_.shard.value_or(Shard());
+        const Shard shard = settings_.shard.value_or(Shard());
         engine::RunPlan plan;
         plan.shard = shard.index + 1;
         plan.shards = shard.count;
         PlanContents contents;
+        for (const Candidate& candidate : candidates_) {
+            contents.add(candidate.result, candidate.run ? &*candidate.run : nullptr);
+        }
+        std::vector<std::size_t> by_shard(candidates_.size());
+        std::iota(by_shard.begin(), by_shard.end(), std::size_t{0});
+        std::ranges::stable_sort(by_shard, {}, [&](std::size_t i) { return shard_of_[i]; });
         Division division;
-        for (shard.index = 0; shard.index < shard.count; ++shard.index) {
-            const Slice slice = slice_of(candidates_.size(), shard);
-            for (std::size_t i = slice.first; i < slice.last; ++i) {
-                contents.add(candidates_[i].result, candidates_[i].run ? &*candidates_[i].run : nullptr);
-                for (int repetition = 0; repetition < options_.repeat_each; ++repetition) {
-                    division.add(shard.index + 1, id_of(candidates_[i], repetition));
-                    ++plan.all_cases;
-                }
+        for (const std::size_t i : by_shard) {
+            for (int repetition = 0; repetition < options_.repeat_each; ++repetition) {
+                division.add(shard_of_[i] + 1, id_of(candidates_[i], repetition));
+                ++plan.all_cases;
             }
         }
         plan.contents = contents.hash();
@@ -216,15 +242,14 @@ private:
         return plan;
     }
 
-    /// Repetitions stay together, so that they can be compared.
     void keep_shard() {
-        if (settings_.shard) {
-            const Slice slice = slice_of(candidates_.size(), *settings_.shard);
-            const auto begin = candidates_.begin();
-            candidates_.erase(begin + static_cast<std::ptrdiff_t>(slice.last), candidates_.end());
-            candidates_.erase(candidates_.begin(),
-                              candidates_.begin() + static_cast<std::ptrdiff_t>(slice.first));
+        std::vector<Candidate> own;
+        for (std::size_t i = 0; i < candidates_.size(); ++i) {
+            if (shard_of_[i] == settings_.shard.value_or(Shard()).index) {
+                own.push_back(std::move(candidates_[i]));
+            }
         }
+        candidates_ = std::move(own);
     }
 
     void add_cases(Candidate& candidate, std::vector<Case>& cases) {
@@ -263,6 +288,7 @@ private:
     std::vector<Selector> selectors_;  ///< of each project
     WalkLoader loader_;
     std::vector<Candidate> candidates_;
+    std::vector<int> shard_of_;  ///< of each candidate, before those of other shards are left out
     std::set<std::string> reported_;
 };
 
@@ -290,6 +316,21 @@ Selector selector_of(const ProjectConfig& project) {
     }
     selector.require_tag(project.tags);
     return selector;
+}
+
+PlanOptions plan_options(const RunOptions& options) {
+    PlanOptions plan;
+    if (options.grep) {
+        plan.selector.require(*options.grep, {"--grep", 0, 0});
+    }
+    if (options.grep_invert) {
+        plan.selector.refuse(*options.grep_invert, {"--grep-invert", 0, 0});
+    }
+    plan.selector.require_tag(options.tags);
+    plan.repeat_each = options.repeat_each;
+    plan.tree = options.tree;
+    plan.max_timeout = options.timeout;
+    return plan;
 }
 
 Plan make_plan(const RunSettings& settings, PlanOptions options) {

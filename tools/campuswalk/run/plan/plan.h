@@ -39,7 +39,11 @@ struct PlanOptions {
     std::optional<collision::TreeKind> tree;
     std::optional<double> max_timeout;  ///< seconds; limits the walks' own timeouts, too
     bool images = false;                ///< images will be drawn
+    bool summary_only = false;          ///< no cases, so that no campus is loaded
 };
+
+/// All but what depends on the machine and on an earlier run. Throws scene::InputError (bad-regex).
+PlanOptions plan_options(const RunOptions& options);
 
 /// Which walks a project plays. Throws scene::InputError (bad-regex).
 Selector selector_of(const config::ProjectConfig& project);

@@ -14,6 +14,9 @@ namespace campuswalk::tools {
 
 enum class ColorChoice { automatic, always, never };
 
+/// Whether a run must find saved results to continue from, or may start anew without.
+enum class Resume { required, automatic };
+
 /// How much of a campus an html report shows.
 enum class ReportGeometry {
     exact,       ///< every triangle
@@ -29,9 +32,10 @@ struct RunOptions {
 
     std::optional<std::string> grep;
     std::optional<std::string> grep_invert;
-    std::vector<std::string> tags;      ///< a walk needs at least one of them
-    std::vector<std::string> projects;  ///< names; all projects if empty
-    std::optional<std::string> shard;   ///< "i/n"
+    std::vector<std::string> tags;                     ///< a walk needs at least one of them
+    std::vector<std::string> projects;                 ///< names; all projects if empty
+    std::optional<std::string> shard;                  ///< "i/n"
+    std::optional<std::filesystem::path> shard_times;  ///< by which the shards are balanced
     bool last_failed = false;
     bool forbid_only = false;
     bool strict = false;
@@ -49,12 +53,13 @@ struct RunOptions {
     std::optional<collision::TreeKind> tree;
     std::optional<double> timeout;     ///< simulated seconds
     std::optional<double> kill_after;  ///< seconds of wall clock
-    bool resume = false;
+    std::optional<Resume> resume;
     std::optional<UpdateSnapshots> update;
 
     std::optional<std::filesystem::path> output;
-    std::vector<std::string> reporters;  ///< NAME or NAME=FILE
-    std::vector<std::string> records;    ///< names of record_kinds()
+    std::optional<std::filesystem::path> save;  ///< instead of OUTPUT/last-run.jsonl
+    std::vector<std::string> reporters;         ///< NAME or NAME=FILE
+    std::vector<std::string> records;           ///< names of record_kinds()
     ReportGeometry report_geometry = ReportGeometry::simplified;
     SequenceRequest sequence;
     std::optional<std::filesystem::path> log;    ///< the text log, also in a file

@@ -206,6 +206,9 @@ RunSettings resolve_settings(const RunOptions& options, const Environment& envir
     settings.single = options.paths.size() == 1 && !fs::is_directory(options.paths.front(), ignored) &&
                       settings.projects.size() == 1 && options.repeat_each == 1;
     settings.shard = shard_for(options, environment);
+    if (options.shard_times) {
+        settings.shard_times = as_seen_from_here(*options.shard_times);
+    }
     const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     settings.workers = options.workers.value_or(config.workers.value_or(cores));
     settings.max_failures = options.stop_at_first  ? std::optional(1)
@@ -220,6 +223,7 @@ RunSettings resolve_settings(const RunOptions& options, const Environment& envir
     settings.output = options.output  ? as_seen_from_here(*options.output)
                       : config.output ? inside_project(config, *config.output)
                                       : fs::path("out");
+    settings.saved = options.save ? as_seen_from_here(*options.save) : settings.output / "last-run.jsonl";
     settings.reports = reports_for(options, config, settings.single);
     settings.records = records_for(options, settings.reports);
     settings.update = updates_for(options, environment);

@@ -31,6 +31,7 @@ struct RunSettings {
     std::filesystem::path config;                 ///< empty if there is none
     std::vector<config::ProjectConfig> projects;  ///< the selected ones; one without a name if there are none
     std::optional<Shard> shard;
+    std::optional<std::filesystem::path> shard_times;  ///< see case_times.h
     int workers = 1;
     std::optional<int> max_failures;
     std::optional<double> timeout;
@@ -39,6 +40,7 @@ struct RunSettings {
     bool strict = false;  ///< see strict_rules.h; images that can't be evaluated are failures
     int min_cases = 0;    ///< a run of fewer walks is an error
     std::filesystem::path output;
+    std::filesystem::path saved;        ///< the file of results that a later run can use
     std::vector<ReportTarget> reports;  ///< that to standard output first, if there is one
     std::vector<std::string> records;   ///< names of what is recorded of each walk
     UpdateSnapshots update = UpdateSnapshots::none;

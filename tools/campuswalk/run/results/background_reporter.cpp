@@ -63,10 +63,10 @@ void BackgroundReporter::result(const engine::WalkResult& result) {
     }
 }
 
-void BackgroundReporter::end(const engine::RunReport& report) {
+void BackgroundReporter::end(const engine::ResultSequence& results) {
     stop();
     throw_if_failed();
-    reporter_->end(report);
+    reporter_->end(results);
 }
 
 /// At the first result: usually all workers have been forked by then.

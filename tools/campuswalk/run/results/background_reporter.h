@@ -23,7 +23,7 @@ public:
     void begin(const engine::RunPlan& plan) override;
     /// Waits while the other one is far behind: what waits for it is held in memory.
     void result(const engine::WalkResult& result) override;
-    void end(const engine::RunReport& report) override;
+    void end(const engine::ResultSequence& results) override;
 
 private:
     void start();

@@ -14,6 +14,7 @@
 #include "scene/cache/content_hash.h"
 #include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/base/read_lines.h"
+#include "tools/campuswalk/run/plan/case_times.h"
 
 namespace campuswalk::tools {
 
@@ -26,6 +27,7 @@ namespace {
 constexpr const char* kHeaderKey = "campuswalk_last_run";
 const std::string kCodeBegin = "{\"code\":\"";
 const std::string kCodeEnd = "\",";
+const std::string kTimeBegin = std::string("{\"") + kMicroseconds + "\":";
 constexpr double kSyncEvery = 0.2;  // seconds: a sync takes a disk milliseconds, and a walk takes less
 
 double seconds_now() {
@@ -60,11 +62,19 @@ std::string without_code(const std::string& line) {
     return "{" + line.substr(prefix);
 }
 
-}  // namespace
-
-fs::path last_run_file(const fs::path& output) {
-    return output / "last-run.jsonl";
+/// Besides the result, a line says how long the case took: equal results have equal lines elsewhere.
+std::string with_time(const std::string& result_line, std::uint64_t microseconds) {
+    return kTimeBegin + std::to_string(microseconds) + "," + result_line.substr(1);
 }
+
+/// The result's own line.
+std::string without_time(const std::string& object) {
+    const std::size_t end = object.find_first_not_of("0123456789", kTimeBegin.size());
+    const bool timed = object.starts_with(kTimeBegin) && end != std::string::npos && object[end] == ',';
+    return timed ? "{" + object.substr(end + 1) : object;
+}
+
+}  // namespace
 
 std::optional<LastRun> read_last_run(const fs::path& file, const std::string& key) {
     std::error_code ignored;
@@ -87,7 +97,7 @@ std::optional<LastRun> read_last_run(const fs::path& file, const std::string& ke
             if (number == 1) {
                 run.plan = Json::parse(object).at(kHeaderKey).get<std::string>();
             } else {
-                run.results.push_back(engine::result_from_json_line(object));
+                run.results.push_back(engine::result_from_json_line(without_time(object)));
             }
             run.authentic = run.authentic && with_code(object, run.plan, key) == line;
         } catch (const std::exception& error) {
@@ -131,8 +141,8 @@ LastRunWriter::LastRunWriter(const fs::path& file, const LastRun& run, std::stri
     file_.reset(std::fopen(file.c_str(), "ab"));
 }
 
-void LastRunWriter::add(const std::string& result_line) {
-    write_line(result_line);
+void LastRunWriter::add(const std::string& result_line, std::optional<std::uint64_t> microseconds) {
+    write_line(microseconds ? with_time(result_line, *microseconds) : result_line);
     sync_if_due();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -20,9 +21,6 @@ struct LastRun {
     bool authentic = false;          ///< all lines were written with the same key
 };
 
-/// `OUTPUT/last-run.jsonl`.
-std::filesystem::path last_run_file(const std::filesystem::path& output);
-
 /// Nullopt if there is no such file. Throws scene::InputError (bad-last-run) for a file that isn't valid.
 /// `key`: see run_key.h; with none nothing is authentic.
 std::optional<LastRun> read_last_run(const std::filesystem::path& file, const std::string& key);
@@ -40,7 +38,8 @@ public:
     /// Continues a file that has been read.
     LastRunWriter(const std::filesystem::path& file, const LastRun& run, std::string key);
 
-    void add(const std::string& result_line);
+    /// `microseconds` is how long the case took, if it was played.
+    void add(const std::string& result_line, std::optional<std::uint64_t> microseconds = {});
     void sync_if_due();
     void close();
 

@@ -1,11 +1,15 @@
 #include "tools/campuswalk/run/results/merged_run.h"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 #include "scene/base/diagnostic.h"
 #include "scene/lint/wording.h"
 #include "tools/campuswalk/base/text.h"
 #include "tools/campuswalk/run/plan/plan_hash.h"
+#include "tools/campuswalk/run/results/merged_results.h"
+#include "tools/campuswalk/run/results/verdict.h"
 
 namespace campuswalk::tools {
 
@@ -15,7 +19,10 @@ using engine::RunPlan;
 using engine::WalkResult;
 
 MergedRun::MergedRun(const std::vector<ResultFile>& files)
-    : run_(files.front().plan()), run_file_(files.front().file()) {
+    : MergedRun(files.front().plan(), files.front().file(), files) {}
+
+MergedRun::MergedRun(RunPlan run, fs::path subject, const std::vector<ResultFile>& files)
+    : run_(std::move(run)), run_file_(std::move(subject)) {
     for (const ResultFile& file : files) {
         add(file);
     }
@@ -33,9 +40,12 @@ RunPlan MergedRun::plan() const {
 }
 
 void MergedRun::for_each(const ResultVisitor& visit) const {
+    std::vector<const ResultFile*> files;
+    files.reserve(shards_.size());
     for (const auto& [shard, file] : shards_) {
-        file.for_each(visit);
+        files.push_back(&file);
     }
+    for_each_merged(files, visit);
 }
 
 void MergedRun::note(const fs::path& subject, const char* code, const std::string& message) {
@@ -44,26 +54,20 @@ void MergedRun::note(const fs::path& subject, const char* code, const std::strin
 }
 
 void MergedRun::add(const ResultFile& file) {
-    const std::size_t results = file.for_each([](WalkResult&&) {});
     const RunPlan& plan = file.plan();
     const bool same_run = plan.shards == run_.shards && plan.all_cases == run_.all_cases &&
                           plan.contents == run_.contents && plan.division == run_.division &&
                           plan.start == run_.start;
-    const std::string shard = "shard " + std::to_string(plan.shard);
     if (!same_run || plan.shard < 1 || plan.shard > plan.shards) {
         note(file.file(), "other-plan",
              "this report is of a run of other walks or in other shards; merge those of one run");
         return;
     }
-    if (results != plan.cases) {
-        note(file.file(), "incomplete-report",
-             "it has " + std::to_string(results) + " of " + scene::plural(plan.cases, "result") + "; run " +
-                 shard + " again");
-    }
     const auto [there, is_new] = shards_.try_emplace(plan.shard, file);
     if (!is_new) {
         note(file.file(), "duplicate-shard",
-             there->second.file().generic_string() + " is a report of " + shard + ", too");
+             there->second.file().generic_string() + " is a report of shard " + std::to_string(plan.shard) +
+                 ", too");
     }
 }
 
@@ -87,11 +91,29 @@ void MergedRun::check_cases() {
     Division divided;
     Division whole;
     std::size_t cases = 0;
+    bool consecutive = true;  // as in runs that no times are known of
+    WalkResult last;
     for (const auto& [shard, file] : shards_) {
-        cases += file.for_each([&, shard = shard](const WalkResult& result) {
+        std::set<engine::Outcome> outcomes;
+        const std::size_t results = file.for_each([&, shard = shard](WalkResult&& result) {
             divided.add(shard, result.id);
             whole.add(1, result.id);
+            outcomes.insert(result.outcome);
+            consecutive = consecutive && (last.id.empty() || comes_before(last, result));
+            last = std::move(result);
         });
+        cases += results;
+        const std::size_t planned = file.plan().cases;
+        states_[shard] = {results == planned, exit_code_of(outcomes)};
+        if (results != planned) {
+            note(file.file(), "incomplete-report",
+                 "it has " + std::to_string(results) + " of " + scene::plural(planned, "result") +
+                     "; run shard " + std::to_string(shard) + " again");
+        }
+    }
+    if (!consecutive) {
+        whole = Division();
+        for_each([&](WalkResult&& result) { whole.add(1, result.id); });
     }
     division_ = whole.hash();
     if (problems_.empty() && (divided.hash() != run_.division || cases != run_.all_cases)) {

@@ -12,12 +12,12 @@ namespace {
 
 constexpr std::size_t kWidth = 30;  // characters
 
-std::string bar(double share) {
+}  // namespace
+
+std::string progress_bar(double share) {
     const auto filled = static_cast<std::size_t>(kWidth * std::clamp(share, 0.0, 1.0));
     return "[" + std::string(filled, '#') + std::string(kWidth - filled, '.') + "] ";
 }
-
-}  // namespace
 
 Progress::Progress(bool enabled, std::size_t total) : status_(enabled), total_(total) {}
 
@@ -40,10 +40,10 @@ void Progress::walk_is_at(std::string_view walk, double seconds, std::optional<d
 
 std::string Progress::line() const {
     if (total_ == 1) {
-        return (share_ ? bar(*share_) : "") + walk_;
+        return (share_ ? progress_bar(*share_) : "") + walk_;
     }
-    return bar(static_cast<double>(done_) / static_cast<double>(total_)) + std::to_string(done_) + "/" +
-           std::to_string(total_) + (failed_ > 0 ? ", " + std::to_string(failed_) + " failed" : "") +
+    return progress_bar(static_cast<double>(done_) / static_cast<double>(total_)) + std::to_string(done_) +
+           "/" + std::to_string(total_) + (failed_ > 0 ? ", " + std::to_string(failed_) + " failed" : "") +
            (walk_.empty() ? "" : ", ") + walk_;
 }
 

@@ -9,6 +9,9 @@
 
 namespace campuswalk::tools {
 
+/// Such as "[####....] ". `share` is from 0 to 1.
+std::string progress_bar(double share);
+
 /// Shows the progress of a run in a status line.
 class Progress {
 public:

@@ -166,9 +166,9 @@ void Reports::result(const engine::WalkResult& result) {
     }
 }
 
-void Reports::end(const engine::RunReport& report) {
+void Reports::end(const engine::ResultSequence& results) {
     for (const auto& reporter : reporters_) {
-        reporter->end(report);
+        reporter->end(results);
     }
     for (const auto& output : outputs_) {
         output->flush();

@@ -33,7 +33,7 @@ public:
     void begin(const engine::RunPlan& plan);
     void log(std::string_view lines);
     void result(const engine::WalkResult& result);
-    void end(const engine::RunReport& report);
+    void end(const engine::ResultSequence& results);
 
 private:
     engine::TextSink sink_for(const ReportTarget& target);

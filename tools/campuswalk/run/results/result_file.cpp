@@ -1,14 +1,20 @@
 #include "tools/campuswalk/run/results/result_file.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <fstream>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "engine/report/report_paths.h"
 #include "engine/report/result_json.h"
 #include "scene/base/diagnostic.h"
+#include "scene/process/pipe.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 
 namespace campuswalk::tools {
@@ -112,6 +118,58 @@ std::size_t ResultFile::for_each_located(
         visit(offset, std::move(*result));
     }
     return count;
+}
+
+std::optional<engine::WalkResult> ResultBlocks::next() {
+    std::optional<std::string_view> line = next_line();
+    if (line && line_ == 1) {  // the header
+        line = next_line();
+    }
+    if (!line) {
+        block_ = std::string();
+        used_ = 0;
+        return std::nullopt;
+    }
+    try {
+        return engine::with_paths_in_run(file_->plan().start, engine::result_from_json_line(*line));
+    } catch (const std::runtime_error& error) {
+        throw about_line(file_->file(), line_, error);
+    }
+}
+
+std::optional<std::string_view> ResultBlocks::next_line() {
+    std::size_t searched = used_;
+    while (true) {
+        const std::size_t end = block_.find('\n', searched);
+        if (end != std::string::npos) {
+            const std::string_view line = std::string_view(block_).substr(used_, end - used_);
+            used_ = end + 1;
+            ++line_;
+            return line;
+        }
+        block_.erase(0, used_);
+        used_ = 0;
+        searched = block_.size();
+        if (!read_block()) {
+            return std::nullopt;
+        }
+    }
+}
+
+/// Fills the block up, or makes it longer for a line that doesn't fit.
+bool ResultBlocks::read_block() {
+    const scene::Descriptor file(::open(file_->file().c_str(), O_RDONLY | O_CLOEXEC));
+    const std::size_t before = block_.size();
+    block_.resize(before < block_bytes_ / 2 ? block_bytes_ : before + block_bytes_);
+    const ssize_t count =
+        file.open() ? ::pread(file.number(), block_.data() + before, block_.size() - before, offset_) : -1;
+    if (count < 0) {
+        throw error_about(file_->file(), "missing-file",
+                          "it can't be read any more: " + std::generic_category().message(errno));
+    }
+    block_.resize(before + static_cast<std::size_t>(count));
+    offset_ += count;
+    return count > 0;
 }
 
 std::vector<ResultFile> open_result_files(const std::vector<fs::path>& inputs) {

@@ -6,6 +6,7 @@
 #include <ios>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/report/run_plan.h"
@@ -38,6 +39,30 @@ public:
 private:
     std::filesystem::path file_;
     engine::RunPlan plan_;
+};
+
+/// The results of a file one after the other, of which only a block is in memory. The file is open only while
+/// a block is read.
+class ResultBlocks {
+public:
+    /// `file` must live as long as this.
+    ResultBlocks(const ResultFile& file, std::size_t block_bytes) : file_(&file), block_bytes_(block_bytes) {}
+
+    /// nullopt at the end; a last line that was cut short doesn't count. Throws as ResultFile::for_each.
+    std::optional<engine::WalkResult> next();
+
+private:
+    /// The next line, without its end; nullopt at the end.
+    std::optional<std::string_view> next_line();
+    /// False at the end of the file.
+    bool read_block();
+
+    const ResultFile* file_;
+    std::size_t block_bytes_;
+    std::string block_;
+    std::size_t used_ = 0;       ///< bytes of the block that have been handed out
+    std::streamoff offset_ = 0;  ///< of what follows the block
+    int line_ = 0;
 };
 
 /// The reports among the inputs and, of folders, in them and below; at least one of each input. Throws

@@ -1,6 +1,5 @@
 #include "tools/campuswalk/run/results/verdict.h"
 
-#include <algorithm>
 #include <cstdio>
 
 #include "engine/events/decimals.h"
@@ -71,15 +70,21 @@ std::vector<std::string> verdict_lines(const WalkResult& result, const std::file
     return lines;
 }
 
-int exit_code_for(const std::vector<WalkResult>& results) {
-    const auto some = [&](Outcome outcome) {
-        return std::ranges::find(results, outcome, &WalkResult::outcome) != results.end();
-    };
+int exit_code_of(const std::set<Outcome>& outcomes) {
+    const auto some = [&](Outcome outcome) { return outcomes.contains(outcome); };
     return some(Outcome::interrupted) ? kInterrupted
            : some(Outcome::broken)    ? kRunFailed
            : some(Outcome::bad_input) ? kBadInput
            : some(Outcome::failed)    ? kExpectationFailed
                                       : kPass;
+}
+
+int exit_code_for(const std::vector<WalkResult>& results) {
+    std::set<Outcome> outcomes;
+    for (const WalkResult& result : results) {
+        outcomes.insert(result.outcome);
+    }
+    return exit_code_of(outcomes);
 }
 
 void compare_repetitions(const WalkResult& first, WalkResult& later) {

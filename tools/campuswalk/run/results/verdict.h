@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,8 @@ bool is_good(const engine::WalkResult& result);
 /// how the case ended.
 std::vector<std::string> verdict_lines(const engine::WalkResult& result, const std::filesystem::path& output);
 
-/// Of a run with these results. Errors while running take precedence over bad input, and that over failures.
+/// Of a run with these outcomes. Errors while running take precedence over bad input, and that over failures.
+int exit_code_of(const std::set<engine::Outcome>& outcomes);
 int exit_code_for(const std::vector<engine::WalkResult>& results);
 
 /// Makes the later repetition fail if its ticks or its hash differ from those of the first.

@@ -60,9 +60,10 @@ void WorkerPool::hand_out() {
             idle = workers_.end() - 1;
         }
         Pending& pending = pending_[next_];
+        pending.start = Clock::now();
         if (settings_.kill_after) {
             const std::chrono::duration<double> most(*settings_.kill_after);
-            pending.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(most);
+            pending.deadline = pending.start + std::chrono::duration_cast<Clock::duration>(most);
         }
         idle->give(next_);
         ++next_;
@@ -121,9 +122,12 @@ void WorkerPool::take(std::size_t index, Message message) {
 }
 
 void WorkerPool::end_task(std::size_t index, Ending ending) {
+    Pending& pending = pending_.at(index);
+    const auto taken = std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - pending.start);
+    ending.microseconds = static_cast<std::uint64_t>(taken.count());
     listener_.on_result(tasks_[index], ending);
     buffered_ += ending.text.size();
-    pending_.at(index).ending = std::move(ending);
+    pending.ending = std::move(ending);
 }
 
 void WorkerPool::kill_slow_workers() {

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <map>
@@ -18,6 +19,7 @@ namespace campuswalk::tools {
 struct Ending {
     bool answered = false;  ///< `text` is the worker's result; else why there is none
     std::string text;
+    std::uint64_t microseconds = 0;  ///< of wall clock since it was handed out
 };
 
 /// Callbacks of a pool's owner. All but the first and the last are called in the order of the tasks, each
@@ -55,6 +57,7 @@ private:
     struct Pending {
         std::deque<Message> messages;
         std::optional<Ending> ending;
+        Clock::time_point start;
         Clock::time_point deadline;
     };
 

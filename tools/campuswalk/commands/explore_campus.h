@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace campuswalk::tools {
+
+/// Who walks everywhere if nobody is named.
+inline constexpr const char* kUsualAvatar = "adult";
+
+/// The option of the spawns, which errors are about.
+inline constexpr const char* kFromOption = "--from";
+
+/// How to explore a campus.
+struct ExploreOptions {
+    std::filesystem::path campus;
+    std::string avatar = kUsualAvatar;           ///< as a walk says it
+    std::vector<std::string> from;               ///< spawns; empty: all
+    std::vector<std::string> allow;              ///< run, jump, crouch
+    std::vector<std::string> disable;            ///< globs over objects
+    std::vector<std::string> required;           ///< places, or "all"
+    std::vector<std::string> fail_on;            ///< kinds of findings
+    std::optional<std::filesystem::path> json;   ///< a file to write
+    std::optional<std::filesystem::path> map;    ///< a folder for the storeys' plans
+    std::optional<std::filesystem::path> walks;  ///< a folder for minimal walks
+    std::optional<std::filesystem::path> geojson;
+    std::vector<std::filesystem::path> covered_by;  ///< walks whose coverage is measured
+    std::optional<double> fail_under;               ///< percent of the ground
+    double min_width = 0.0;                         ///< metres
+    std::optional<int> workers;
+};
+
+/// Walks everywhere, prints the report and writes what the options ask for. Returns the exit code. `json`
+/// becomes the report for programs, instead of the file, if it isn't null.
+int explore_campus(const ExploreOptions& options, std::string* json);
+
+}  // namespace campuswalk::tools
