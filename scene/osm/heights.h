@@ -3,8 +3,8 @@
 #include <filesystem>
 
 #include "scene/base/diagnostic.h"
+#include "scene/model/projection.h"
 #include "scene/osm/map.h"
-#include "scene/osm/projection.h"
 #include "scene/osm/terrain.h"
 
 namespace campuswalk::scene::osm {

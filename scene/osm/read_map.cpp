@@ -11,7 +11,7 @@
 #include <osmium/osm/entity_bits.hpp>
 
 #include "scene/base/utf8.h"
-#include "scene/osm/projection.h"
+#include "scene/model/projection.h"
 
 namespace campuswalk::scene::osm {
 namespace {

@@ -10,7 +10,6 @@
 
 #include "scene/osm/areas.h"
 #include "scene/osm/plan_geometry.h"
-#include "scene/osm/projection.h"
 #include "scene/osm/tag_values.h"
 #include "tests/scene/osm/imported_map.h"
 
@@ -18,24 +17,6 @@ namespace campuswalk::scene::osm {
 namespace {
 
 using test::MapText;
-
-TEST(Projection, IsThatOfTheTangentPlane) {
-    // Against the textbook formula with libm's functions, 3 km away.
-    const Projection projection(-0.2, -78.5);
-    const double radians = std::numbers::pi / 180.0;
-    const auto geocentric = [&](double latitude, double longitude) {
-        const double e2 = 0.00669437999014;
-        const double n = 6378137.0 / std::sqrt(1.0 - e2 * std::pow(std::sin(latitude * radians), 2));
-        return Eigen::Vector3d(n * std::cos(latitude * radians) * std::cos(longitude * radians),
-                               n * std::cos(latitude * radians) * std::sin(longitude * radians),
-                               n * (1.0 - e2) * std::sin(latitude * radians));
-    };
-    const Eigen::Vector3d d = geocentric(-0.17, -78.48) - geocentric(-0.2, -78.5);
-    const Point p = projection.project(-0.17, -78.48);
-    EXPECT_NEAR(p.x(), -std::sin(-78.5 * radians) * d.x() + std::cos(-78.5 * radians) * d.y(), 1e-5);
-    EXPECT_NEAR(p.norm(), d.norm(), 1e-3);
-    EXPECT_GT(p.y(), 3000.0);
-}
 
 TEST(TagValues, ReadsLengthsAndColors) {
     EXPECT_DOUBLE_EQ(*length_of("3.5"), 3.5);
