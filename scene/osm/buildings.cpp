@@ -77,8 +77,9 @@ void set_heights(const PlanGeometry& geometry, Volume& volume) {
                                  ? (volume.roof.shape == RoofShape::dome ? span : 2.5 * span)
                                  : std::min(0.6 * span, 6.0);
         roof_height = tagged ? *tagged : roof_levels ? *roof_levels * kStorey : usual;
-        if (const auto angle = number_of(tags, "roof:angle"); !tagged && angle && *angle > 0 && *angle < 80) {
-            const collision::SinCos turn = collision::sin_cos(*angle * 0.017453292519943295);
+        if (const auto angle = degrees_of(tags, "roof:angle");
+            !tagged && angle && *angle > 0 && *angle < 80) {
+            const collision::SinCos turn = collision::sin_cos(*angle * kDegree);
             const double run = volume.roof.shape == RoofShape::skillion ? 2.0 * span : span;
             roof_height = run * turn.sin / turn.cos;
         }
@@ -118,7 +119,7 @@ void set_roof(const PlanGeometry& geometry, const SourceMark& mark, Volume& volu
     }
     volume.roof.across = volume.tags.is("roof:orientation", "across");
     if (const auto direction = direction_of(volume.tags, "roof:direction")) {
-        const collision::SinCos angle = collision::sin_cos(*direction * 0.017453292519943295);
+        const collision::SinCos angle = collision::sin_cos(*direction * kDegree);
         volume.roof.directed = true;
         volume.roof.down = {angle.sin, angle.cos};
     }
@@ -218,7 +219,7 @@ private:
 
     void add_wall(const Point& a, const Point& b, double bottom, double top) const {
         const Point d = b - a;
-        const double length = std::sqrt(d.x() * d.x() + d.y() * d.y());
+        const double length = norm(d);
         if (!windows_ || length < kLeastWall) {
             mesh_.wall(wall_, a, b, bottom, top);
             return;

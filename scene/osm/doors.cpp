@@ -29,6 +29,37 @@ bool is_entrance(const Tags& tags) {
            tags.is("railway", "subway_entrance");
 }
 
+/// The paths on the ground that walkers may take.
+class PathSegments {
+public:
+    static constexpr double kFarthest = 40.0;  ///< metres: what is farther isn't looked for
+
+    explicit PathSegments(const std::vector<Path>& paths) {
+        for (const Path& path : paths) {
+            if (!path.for_walkers || !path.on_ground() || path.steps) {
+                continue;
+            }
+            for (std::size_t i = 1; i < path.way->points.size(); ++i) {
+                index_.add(segments_.size(), box_of({path.way->points[i - 1], path.way->points[i]}));
+                segments_.push_back({path.way->points[i - 1], path.way->points[i]});
+            }
+        }
+    }
+
+    /// Large if none is near.
+    double distance_to(const Point& p) const {
+        double nearest = 1e300;
+        for (const std::size_t i : index_.near(Box{p, p}.grown(kFarthest))) {
+            nearest = std::min(nearest, nearest_on(segments_[i], false, p).distance);
+        }
+        return nearest;
+    }
+
+private:
+    std::vector<std::vector<Point>> segments_;
+    BoxIndex index_;
+};
+
 class Doors {
 public:
     Doors(Composition& composition, const FreeGround& free)
@@ -80,48 +111,40 @@ public:
 
     /// Every building with a name can be entered: where no door is known, at its wall nearest to a path.
     void add_assumed() {
-        constexpr double kNearest = 40.0;
-        BoxIndex paths;
-        for (std::size_t i = 0; i < composition_.paths.size(); ++i) {
-            const Path& path = composition_.paths[i];
-            if (path.for_walkers && path.on_ground() && !path.steps) {
-                paths.add(i, box_of(path.way->points));
-            }
-        }
+        const PathSegments segments(composition_.paths);
         for (const std::size_t area : walled_) {
             const MapArea& building = composition_.areas[area];
             if (!building.tags.has("name") || with_door_.contains(area) ||
                 building.polygons.front().outer.size() < 3) {
                 continue;
             }
-            const Ring& ring = building.polygons.front().outer;
-            double nearest = kNearest;
-            Point at = Point::Zero();
-            const std::vector<std::size_t> near = paths.near(box_of(ring).grown(kNearest));
-            for (std::size_t i = 0; i < ring.size(); ++i) {
-                const Point& a = ring[i];
-                const Point& b = ring[(i + 1) % ring.size()];
-                constexpr double kLeastDoorWall = 2.0;
-                const Point middle = 0.5 * (a + b);
-                if ((b - a).norm() < kLeastDoorWall || !free_.at(middle + 1.0 * -left_of(unit(b - a)))) {
-                    continue;
-                }
-                for (const std::size_t number : near) {
-                    const double distance =
-                        nearest_on(composition_.paths[number].way->points, false, middle).distance;
-                    if (distance < nearest) {
-                        nearest = distance;
-                        at = middle;
-                    }
-                }
-            }
-            if (nearest < kNearest) {
-                add({0, at, area, nullptr, true});
+            if (const auto at = wall_nearest_to(segments, building.polygons.front().outer)) {
+                add({0, *at, area, nullptr, true});
             }
         }
     }
 
 private:
+    /// The middle of the ring's side that is nearest to a path and has room in front.
+    std::optional<Point> wall_nearest_to(const PathSegments& segments, const Ring& ring) const {
+        constexpr double kLeastDoorWall = 2.0;
+        double nearest = PathSegments::kFarthest;
+        std::optional<Point> at;
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Point& a = ring[i];
+            const Point& b = ring[(i + 1) % ring.size()];
+            const Point middle = 0.5 * (a + b);
+            if (norm(b - a) < kLeastDoorWall || !free_.at(middle + 1.0 * -left_of(unit(b - a)))) {
+                continue;
+            }
+            if (const double distance = segments.distance_to(middle); distance < nearest) {
+                nearest = distance;
+                at = middle;
+            }
+        }
+        return at;
+    }
+
     /// At the nearest wall: some are drawn beside it.
     void add_beside(const MapNode& node) {
         constexpr double kFarthest = 3.0;  // metres

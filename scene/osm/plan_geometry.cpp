@@ -10,8 +10,12 @@
 
 namespace campuswalk::scene::osm {
 
+double norm(const Point& v) {
+    return std::sqrt(v.x() * v.x() + v.y() * v.y());
+}
+
 Point unit(const Point& direction) {
-    const double length = std::sqrt(direction.x() * direction.x() + direction.y() * direction.y());
+    const double length = norm(direction);
     return length > 0.0 ? Point(direction / length) : Point(1, 0);
 }
 
@@ -86,7 +90,7 @@ Nearest nearest_on(const std::vector<Point>& line, bool closed, const Point& p) 
         const double t = std::clamp((from.x() * d.x() + from.y() * d.y()) / length2, 0.0, 1.0);
         const Point at = a + t * d;
         const Point off = p - at;
-        const double distance = std::sqrt(off.x() * off.x() + off.y() * off.y());
+        const double distance = norm(off);
         if (distance < nearest.distance) {
             nearest = {at, d / std::sqrt(length2), distance};
         }
@@ -119,9 +123,11 @@ struct PlanGeometry::Impl {
         ++failures;
     }
 
+    static constexpr double kPerMetre = 1.0 / kGrid;
+
     Geometry own(GEOSGeometry* geometry) const { return Geometry(geometry, Free{context}); }
 
-    static double on_grid(double value) { return std::round(value / kGrid) * kGrid; }
+    static double on_grid(double value) { return std::round(value * kPerMetre) / kPerMetre; }  // as GEOS does
 
     GEOSCoordSequence* sequence(const std::vector<Point>& points, bool close) const {
         const auto count = static_cast<unsigned>(points.size());

@@ -22,6 +22,8 @@ using Polygons = std::vector<Polygon>;
 inline Point left_of(const Point& direction) {
     return {-direction.y(), direction.x()};
 }
+/// The length of a vector.
+double norm(const Point& v);
 /// The same direction with length 1; east for no direction.
 Point unit(const Point& direction);
 
@@ -47,8 +49,9 @@ struct Triangulation {
 
 enum class Caps { round, flat, square };
 
-/// Overlays of GEOS. Coordinates come out as multiples of kGrid, which makes its overlays robust and the same
-/// everywhere. What has no area is left out.
+/// Overlays of GEOS. Coordinates come out as multiples of kGrid, which makes its overlays robust. The same
+/// version of GEOS gives the same everywhere; triangles, buffers and rectangles may change with it. What has
+/// no area is left out.
 class PlanGeometry {
 public:
     static constexpr double kGrid = 0.001;  ///< metres
@@ -75,8 +78,8 @@ public:
     Triangulation triangulated(const Polygon& polygon) const;
     /// How often GEOS failed: something is missing, or there twice.
     std::size_t failures() const;
-    /// The rectangle of least area around a ring, counter-clockwise, its first edge the longer; empty if
-    /// there is none.
+    /// The least rectangle around a ring, counter-clockwise, its first edge the longer; empty if there is
+    /// none. What is least depends on GEOS: to 3.11 the narrowest, whose width is the ring's least diameter.
     Ring least_rectangle(const Ring& ring) const;
 
 private:

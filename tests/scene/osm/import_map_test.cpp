@@ -52,48 +52,6 @@ TEST_F(ImportMap, MakesBuildingsOfTheirAreaAndHeight) {
     EXPECT_NEAR(plan_area(model, *find(model, above), -1.0), 100.0, 0.1) << "it has an underside";
 }
 
-TEST_F(ImportMap, MakesTheRoofsOfSimple3dBuildings) {
-    struct Expected {
-        const char* shape;
-        double volume;  ///< of 20 by 10 m, 9 m high, of which the roof is 3
-    };
-    for (const Expected& roof : {Expected{"flat", 1800},
-                                 {"gabled", 1500},
-                                 {"hipped", 1450},
-                                 {"pyramidal", 1400},
-                                 {"skillion", 1500},
-                                 {"gambrel", 1575}}) {
-        MapText map;
-        const auto id = map.rectangle(
-            -10, -5, 10, 5,
-            {{"building", "yes"}, {"height", "9"}, {"roof:height", "3"}, {"roof:shape", roof.shape}});
-        const Model model = import(map.xml()).model;
-        const std::string name = "building/way-" + std::to_string(id);
-        EXPECT_NEAR(volume_of(model, name), roof.volume, 0.002 * roof.volume) << roof.shape;
-        EXPECT_NEAR(bounds_of(model, name).max.y(), 9.0, 0.01) << roof.shape;
-        EXPECT_NEAR(plan_area(model, *find(model, name)), 200.0, 0.2) << roof.shape;
-    }
-    for (const char* shape : {"half-hipped", "mansard", "round", "dome"}) {
-        MapText map;
-        const auto id = map.rectangle(
-            -10, -5, 10, 5,
-            {{"building", "yes"}, {"height", "9"}, {"roof:height", "3"}, {"roof:shape", shape}});
-        const Model model = import(map.xml()).model;
-        const std::string name = "building/way-" + std::to_string(id);
-        EXPECT_NEAR(bounds_of(model, name).max.y(), 9.0, 0.01) << shape;
-        EXPECT_GT(volume_of(model, name), 1400.0) << shape;
-        EXPECT_LT(volume_of(model, name), 1800.0) << shape;
-    }
-}
-
-TEST_F(ImportMap, ReportsARoofThatItsFootprintForbids) {
-    MapText map;
-    map.ring({{0, 0}, {40, 0}, {40, 4}, {4, 4}, {4, 40}, {0, 40}},
-             {{"building", "yes"}, {"height", "9"}, {"roof:shape", "gabled"}});
-    const ImportedMap imported = import(map.xml());
-    EXPECT_TRUE(test::has_code(imported.warnings, "roof-shape"));
-}
-
 TEST_F(ImportMap, BuildsPartsInsteadOfTheirOutline) {
     MapText map;
     const auto outline =
@@ -152,9 +110,8 @@ TEST_F(ImportMap, KeepsNamesInTheirScriptAndIdsInAscii) {
     EXPECT_EQ(imported.draft.buildings[0].id, "building-" + std::to_string(id));
     EXPECT_EQ(imported.draft.buildings[0].title, "\xEB\x8F\x84\xEC\x84\x9C\xEA\xB4\x80 {x} \"<b>");
     EXPECT_EQ(imported.draft.buildings[0].floors, 4);
-    const std::string yaml = campus_yaml(imported.draft, "a.osm");
-    EXPECT_NE(yaml.find("{{x}} \\\"<b>"), std::string::npos) << yaml;
-    EXPECT_NE(yaml.find("name-en: \"Library\""), std::string::npos) << yaml;
+    ASSERT_EQ(imported.draft.buildings[0].info.size(), 1U);
+    EXPECT_EQ(imported.draft.buildings[0].info[0], std::pair(std::string("name-en"), std::string("Library")));
 }
 
 TEST_F(ImportMap, TakesHeightsFromLevels) {
