@@ -152,13 +152,11 @@ private:
         Point at = node.at;
         std::optional<std::size_t> area;
         for (const std::size_t i : outlines_.near(Box{node.at, node.at}.grown(kFarthest))) {
-            for (const Polygon& polygon : composition_.areas[i].polygons) {
-                const Nearest wall = nearest_on(polygon.outer, true, node.at);
-                if (wall.distance < nearest) {
-                    nearest = wall.distance;
-                    at = wall.at;
-                    area = i;
-                }
+            if (const Nearest wall = nearest_on(composition_.areas[i].polygons, node.at);
+                wall.distance < nearest) {
+                nearest = wall.distance;
+                at = wall.at;
+                area = i;
             }
         }
         if (area) {
@@ -173,16 +171,7 @@ private:
         if (!composition_.map.box.contains(door.at) || (!door.assumed && !done_.insert(door.node).second)) {
             return;
         }
-        Nearest wall;
-        const Polygons& outline = composition_.areas[door.area].polygons;
-        for (const Polygon& polygon : outline) {
-            const Nearest other = nearest_on(polygon.outer, true, door.at);
-            wall = other.distance < wall.distance ? other : wall;
-            for (const Ring& hole : polygon.holes) {
-                const Nearest inner = nearest_on(hole, true, door.at);
-                wall = inner.distance < wall.distance ? inner : wall;
-            }
-        }
+        const Nearest wall = nearest_on(composition_.areas[door.area].polygons, door.at);
         constexpr double kOnWall = 0.05;
         const double floor = door.height.value_or(composition_.terrain.height(door.at));
         if (wall.distance > kOnWall || (!door.height && !is_wall_at(door.at))) {
@@ -213,32 +202,35 @@ private:
         trigger.yaw_deg = yaw_along(wall.along);
         trigger.layer = "door";
         composition_.draft.triggers.push_back(trigger);
+        if (!door.height && !add_place_before(door, name, out, trigger.id, main) && door.tags != nullptr) {
+            composition_.warn("blocked-door", "node " + std::to_string(door.node) + " is an entrance of " +
+                                                  area.id.text() +
+                                                  ", but nobody can stand before it; no walk goes there");
+        }
+    }
+
+    /// On the ground; of bridges, not every one can be got onto. False if there is no room.
+    bool add_place_before(const Door& door, const std::string& name, const Point& out,
+                          const std::string& trigger, bool main) {
+        const bool titled = composition_.areas[door.area].tags.has("name");
         for (const double distance : {1.0, 0.75}) {
             const Point front = door.at + distance * out;
-            if (!door.height && free_.at(front)) {  // not every bridge can be got onto
+            if (free_.at(front)) {
                 composition_.draft.places.push_back(
-                    {name, composition_.world(front), trigger.id,
-                     (area.tags.has("name") ? 4 : 0) + (main ? 2 : 0) + (door.tags != nullptr ? 1 : 0)});
-                break;
+                    {name, composition_.world(front), trigger,
+                     (titled ? 4 : 0) + (main ? 2 : 0) + (door.tags != nullptr ? 1 : 0)});
+                return true;
             }
         }
+        return false;
     }
 
     /// Whether a wall stands on the ground there: some outlines are those of roofs, or of parts above.
     bool is_wall_at(const Point& at) const {
         constexpr double kOnWall = 0.3;
-        for (const std::size_t i : volumes_.near(Box{at, at}.grown(kOnWall))) {
-            for (const Polygon& polygon : composition_.volumes[i].footprint) {
-                double distance = nearest_on(polygon.outer, true, at).distance;
-                for (const Ring& hole : polygon.holes) {
-                    distance = std::min(distance, nearest_on(hole, true, at).distance);
-                }
-                if (distance < kOnWall) {
-                    return true;
-                }
-            }
-        }
-        return false;
+        return std::ranges::any_of(volumes_.near(Box{at, at}.grown(kOnWall)), [&](std::size_t i) {
+            return nearest_on(composition_.volumes[i].footprint, at).distance < kOnWall;
+        });
     }
 
     bool is_open_at(const Point& at) const {

@@ -224,6 +224,10 @@ ImportedMap import_map(const MapRequest& request) {
                          "it makes more than " + std::to_string(kMaxMapTriangles / 1'000'000) +
                              " million triangles; choose a part of the map with --bbox or --center, and look "
                              "for heights and levels that can't be");
+    } catch (const TooManyOperations&) {
+        throw InputError(request.mark, "bad-size",
+                         "its paths and areas overlap more than can be worked out; choose a part of the map "
+                         "with --bbox or --center");
     }
 }
 

@@ -93,4 +93,22 @@ Nearest nearest_on(const std::vector<Point>& line, bool closed, const Point& p) 
     return nearest;
 }
 
+Nearest nearest_on(const Polygon& polygon, const Point& p) {
+    Nearest nearest = nearest_on(polygon.outer, true, p);
+    for (const Ring& hole : polygon.holes) {
+        const Nearest other = nearest_on(hole, true, p);
+        nearest = other.distance < nearest.distance ? other : nearest;
+    }
+    return nearest;
+}
+
+Nearest nearest_on(const Polygons& polygons, const Point& p) {
+    Nearest nearest;
+    for (const Polygon& polygon : polygons) {
+        const Nearest other = nearest_on(polygon, p);
+        nearest = other.distance < nearest.distance ? other : nearest;
+    }
+    return nearest;
+}
+
 }  // namespace campuswalk::scene::osm

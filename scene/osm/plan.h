@@ -39,5 +39,8 @@ struct Nearest {
     double distance = 1e300;
 };
 Nearest nearest_on(const std::vector<Point>& line, bool closed, const Point& p);
+/// Of its outer ring and its holes.
+Nearest nearest_on(const Polygon& polygon, const Point& p);
+Nearest nearest_on(const Polygons& polygons, const Point& p);
 
 }  // namespace campuswalk::scene::osm

@@ -129,7 +129,14 @@ struct PlanGeometry::Impl {
         }
     }
 
+    void count_operation() const {
+        if (++operations > kMaxOperations) {
+            throw TooManyOperations();
+        }
+    }
+
     Polygons polygons_of(const Geometry& geometry) const {
+        count_operation();
         Polygons polygons;
         if (!geometry) {
             note_failure();
@@ -146,6 +153,7 @@ struct PlanGeometry::Impl {
 
     /// Triangles of what GEOS can triangulate; of the rest their area is missing.
     void triangulate(const Polygon& polygon, Triangulation& result) const {
+        count_operation();
         const Geometry area = geometry(polygon);
         const Geometry triangles =
             area ? own(GEOSConstrainedDelaunayTriangulation_r(context, area.get())) : nullptr;
@@ -165,7 +173,14 @@ struct PlanGeometry::Impl {
     GEOSContextHandle_t context;
     bool out_of_memory = false;
     mutable std::size_t failures = 0;
+    mutable std::size_t operations = 0;
 };
+
+namespace {
+
+constexpr std::size_t kPieceOfLine = 128;  // points
+
+}  // namespace
 
 PlanGeometry::PlanGeometry() : impl_(std::make_unique<Impl>()) {}
 PlanGeometry::~PlanGeometry() = default;
@@ -209,10 +224,30 @@ Polygons PlanGeometry::buffer(const std::vector<Point>& line, double radius, Cap
     if (line.size() < 2) {
         return {};
     }
+    if (line.size() > kPieceOfLine && caps != Caps::square) {
+        return buffer_in_pieces(line, radius, caps);
+    }
     const Impl::Geometry path = impl_->line(line);
     return impl_->rounded(impl_->own(
         GEOSBufferWithStyle_r(impl_->context, path.get(), radius, kQuarterSegments, cap,
                               caps == Caps::round ? GEOSBUF_JOIN_ROUND : GEOSBUF_JOIN_MITRE, kMitreLimit)));
+}
+
+/// A buffer takes time with the square of its line's length where that crosses itself. Pieces share two
+/// segments, so that each bend is inside one of them.
+Polygons PlanGeometry::buffer_in_pieces(const std::vector<Point>& line, double radius, Caps caps) const {
+    constexpr std::size_t kShared = 2;
+    std::vector<Polygons> pieces;
+    for (std::size_t first = 0; first + kShared + 1 < line.size(); first += kPieceOfLine - 1 - kShared) {
+        const auto begin = line.begin() + static_cast<std::ptrdiff_t>(first);
+        const auto length = static_cast<std::ptrdiff_t>(std::min(kPieceOfLine, line.size() - first));
+        pieces.push_back(buffer(std::vector<Point>(begin, begin + length), radius, caps));
+    }
+    std::vector<const Polygons*> all;
+    for (const Polygons& piece : pieces) {
+        all.push_back(&piece);
+    }
+    return united(all);
 }
 
 Polygons PlanGeometry::left_side(const std::vector<Point>& line, double distance) const {

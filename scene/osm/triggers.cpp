@@ -77,10 +77,7 @@ bool FreeGround::is_start(const Point& p) const {
 }
 
 bool FreeGround::is_clear_of(const Polygons& area, const Point& p) const {
-    const auto is_near = [&](const Ring& ring) { return nearest_on(ring, true, p).distance < kRoom; };
-    return std::ranges::none_of(area, [&](const Polygon& polygon) {
-        return contains(polygon, p) || is_near(polygon.outer) || std::ranges::any_of(polygon.holes, is_near);
-    });
+    return !contains(area, p) && nearest_on(area, p).distance >= kRoom;
 }
 
 void add_area_trigger(Composition& composition, const std::string& id, const std::string& building,
@@ -120,7 +117,7 @@ void add_node_trigger(Composition& composition, const BoxIndex& volumes, const s
     trigger.size = {kSize, kHeight, kSize};
     Point center = at;
     if (const Volume* volume = volume_at(composition, volumes, at)) {
-        Nearest nearest;
+        Nearest nearest;  // of the outer walls: not everyone gets into a courtyard
         for (const Polygon& polygon : volume->footprint) {
             const Nearest other = nearest_on(polygon.outer, true, at);
             nearest = other.distance < nearest.distance ? other : nearest;
