@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "config/loader/campus/geojson_points.h"
 #include "config/loader/campus/read_campus.h"
 #include "config/loader/profile/profile_search.h"
 #include "config/loader/profile/read_light.h"
@@ -276,6 +277,21 @@ CampusDescription load_campus_description(const fs::path& campus_file, const Sea
         open_campus(campus_file, read_roots(campus_file, search), mark, diagnostics);
     throw_in_order(diagnostics, mark);
     return std::move(*campus);
+}
+
+std::vector<scene::Diagnostic> check_place_file(const fs::path& geojson_file,
+                                                const std::optional<scene::GeographicPlace>& origin,
+                                                const SearchPaths& search) {
+    DiagnosticList diagnostics;
+    const SourceMark mark = whole_file(geojson_file);
+    const YamlNode here;
+    std::vector<scene::Diagnostic> warnings;
+    PointFile file;
+    file.path = geojson_file;
+    read_points(file, CheckedNode(here, "the file", mark.file, diagnostics), read_roots(geojson_file, search),
+                origin, warnings);
+    throw_in_order(diagnostics, mark);
+    return warnings;
 }
 
 std::vector<engine::Step> load_steps(const fs::path& steps_file, const SearchPaths& search) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -77,6 +78,12 @@ ReadRoots read_roots(const std::filesystem::path& file, const SearchPaths& searc
 /// Reads `NAME.campus.yaml` alone.
 scene::CampusDescription load_campus_description(const std::filesystem::path& campus_file,
                                                  const SearchPaths& search = {});
+
+/// Checks a file of places as `places: {from: FILE}` would, for a campus that lies there on the Earth;
+/// returns the warnings.
+std::vector<scene::Diagnostic> check_place_file(const std::filesystem::path& geojson_file,
+                                                const std::optional<scene::GeographicPlace>& origin,
+                                                const SearchPaths& search);
 
 /// Reads `NAME.steps.yaml` and what it includes; without a walk the names of places can't be checked.
 std::vector<engine::Step> load_steps(const std::filesystem::path& steps_file, const SearchPaths& search = {});

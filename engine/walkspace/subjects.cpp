@@ -14,6 +14,7 @@
 #include "collision/world/placement.h"
 #include "engine/events/decimals.h"
 #include "engine/walkspace/place_check.h"
+#include "engine/walkspace/reach_point.h"
 
 namespace campuswalk::engine {
 
@@ -24,8 +25,6 @@ using collision::Vec3;
 
 namespace {
 
-/// A place this far above or below the feet is reached, metres; see the step walk_to.
-constexpr double kLevel = 0.5;
 /// A body is at most this far from the middle of its node's cell, as a share of the cell.
 constexpr double kOffCenter = 0.71;
 /// Nodes whose exact state is computed to test one object, the nearest to its middle first.
@@ -46,10 +45,10 @@ public:
     std::vector<Subject> run() {
         const scene::CampusDescription& description = s_.campus.description;
         for (const scene::Spawn& spawn : description.spawns) {
-            add_point(SubjectKind::spawn, spawn.name, spawn.position);
+            add_point(SubjectKind::spawn, spawn.name, spawn.position, true);
         }
         for (const scene::Place& place : description.places) {
-            add_point(SubjectKind::place, place.name, place.position);
+            add_point(SubjectKind::place, place.name, place.position, place.has_height);
         }
         const std::size_t first_building = subjects_.size();
         for (const scene::Building& building : description.buildings) {
@@ -62,43 +61,18 @@ public:
     }
 
 private:
-    void add_point(SubjectKind kind, const std::string& name, const Vec3& at) {
+    void add_point(SubjectKind kind, const std::string& name, const Vec3& at, bool has_height) {
         Subject subject{kind, name};
         subject.at = at;
-        double nearest = 1e300;
-        for (const WalkNodeId& node : nodes_around(at)) {
-            const GroundState from = s_.reached.state_at(node, strider_);
-            const StrideEnd end = strider_.walk_to(from, at, 0.05, 2.0);
-            const Vec3 apart = end.at.foot - at;
-            if (end.kind == StrideEnd::Kind::grounded && collision::horizontal_norm(apart) <= 0.05 &&
-                std::abs(apart.y()) <= kLevel) {
-                subject.reached = true;
-                subject.node = node;
-                break;
-            }
-            nearest = std::min(nearest, apart.norm());
-        }
-        if (!subject.reached) {
-            explain_point(subject, nearest);
+        const PointReach reach = reach_point(s_.reached, strider_, at, has_height);
+        if (reach.node) {
+            subject.reached = true;
+            subject.node = reach.node;
+            subject.at.y() = has_height ? at.y() : reach.foot.y();
+        } else {
+            explain_point(subject, reach.nearest);
         }
         subjects_.push_back(std::move(subject));
-    }
-
-    /// In the point's cell and those beside it, the nearest first.
-    std::vector<WalkNodeId> nodes_around(const Vec3& at) const {
-        std::vector<std::pair<double, WalkNodeId>> near;
-        const GridCell cell = s_.reached.grid.cell_at(at);
-        for (int k = 0; k < 9; ++k) {
-            if (const auto node = s_.reached.find({cell.x + k % 3 - 1, cell.z + k / 3 - 1}, at.y(), kLevel)) {
-                near.emplace_back((s_.reached.position(*node) - at).squaredNorm(), *node);
-            }
-        }
-        std::ranges::sort(near);
-        std::vector<WalkNodeId> nodes;
-        for (const auto& [apart, node] : near) {
-            nodes.push_back(node);
-        }
-        return nodes;
     }
 
     /// `nearest`: how near to it one gets.

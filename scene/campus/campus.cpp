@@ -13,6 +13,7 @@
 #include "scene/campus/node_selection.h"
 #include "scene/campus/object_names.h"
 #include "scene/campus/open_doors.h"
+#include "scene/campus/place_heights.h"
 #include "scene/import/source/parallel_for.h"
 #include "scene/model/model_limits.h"
 #include "scene/model/node_frame.h"
@@ -247,6 +248,8 @@ Campus load_campus(CampusDescription description, std::unique_ptr<collision::Bro
     Campus campus{
         std::move(description), std::move(scenes.models), {}, collision::World(std::move(broad_phase))};
     campus.files = std::move(scenes.files);
+    campus.files.insert(campus.description.place_files.begin(), campus.description.place_files.end());
+    warnings.insert(warnings.end(), campus.description.warnings.begin(), campus.description.warnings.end());
     campus.texture_warnings = std::move(scenes.texture_warnings);
     campus.origin = move_to_origin(campus.description.origin, campus.models);
     for (const Building& building : campus.description.buildings) {
@@ -267,6 +270,7 @@ Campus load_campus(CampusDescription description, std::unique_ptr<collision::Bro
         builder.add(collider);
     }
     diagnostics.throw_if_errors();
+    put_places_on_ground(campus.world, campus.description.places, warnings);
     meshes.keep();
     remove_open_doors(campus);
     return campus;

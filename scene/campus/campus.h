@@ -39,7 +39,7 @@ struct Campus {
     /// The offset subtracted from the scenes' coordinates. Its location on the Earth is the campus file's, or
     /// else that of the first scene that has one.
     Origin origin = {};
-    /// What the models were read from: scene files, buffers and textures.
+    /// What the models and places were read from: scene files, buffers, textures and files of places.
     std::set<std::filesystem::path> files = {};
     /// By model, what it was imported from; empty where that isn't known for all (no cache).
     std::vector<ContentHash> contents = {};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <variant>
@@ -116,6 +117,8 @@ struct Place {
     SourceMark mark;
     std::string name;
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
+    /// Otherwise it is reached on whichever storey, and load_campus puts it on the ground (place_heights.h).
+    bool has_height = true;
 };
 
 /// The offset subtracted from all scenes' coordinates, and where on the Earth the world's origin then is.
@@ -134,6 +137,8 @@ struct CampusDescription {
     std::vector<ColliderDescription> colliders;
     std::vector<Spawn> spawns;
     std::vector<Place> places;
+    std::vector<std::filesystem::path> place_files;  ///< that some of the places come from
+    std::vector<Diagnostic> warnings;                ///< about what was read; load_campus passes them on
 };
 
 }  // namespace campuswalk::scene

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <set>
+#include <utility>
 
 namespace campuswalk::scene {
 
@@ -25,26 +26,30 @@ std::string object_word(std::string_view node_name) {
     return word.empty() ? "node" : word;
 }
 
-std::vector<std::string> distinct_words(const std::vector<std::string>& node_names) {
-    std::vector<std::string> words;
-    std::set<std::string> taken;
-    for (const std::string& name : node_names) {
-        words.push_back(object_word(name));
-        taken.insert(words.back());
-    }
+std::vector<std::string> numbered(std::vector<std::string> words) {
+    std::set<std::string> taken(words.begin(), words.end());
     std::map<std::string, int> last_number;
     for (std::string& word : words) {
         int& number = last_number[word];
         if (++number == 1) {
             continue;  // the first keeps the plain word
         }
-        std::string numbered = word + '-' + std::to_string(number);
-        while (!taken.insert(numbered).second) {
-            numbered = word + '-' + std::to_string(++number);
+        std::string with_number = word + '-' + std::to_string(number);
+        while (!taken.insert(with_number).second) {
+            with_number = word + '-' + std::to_string(++number);
         }
-        word = numbered;
+        word = with_number;
     }
     return words;
+}
+
+std::vector<std::string> distinct_words(const std::vector<std::string>& node_names) {
+    std::vector<std::string> words;
+    words.reserve(node_names.size());
+    for (const std::string& name : node_names) {
+        words.push_back(object_word(name));
+    }
+    return numbered(std::move(words));
 }
 
 }  // namespace campuswalk::scene

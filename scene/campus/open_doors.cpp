@@ -15,7 +15,8 @@ namespace {
 std::set<NodeRef> excepted_doors(const Campus& campus) {
     std::set<NodeRef> doors;
     for (std::size_t i = 0; i < campus.objects.size(); ++i) {
-        const collision::Object& object = campus.world.object(collision::ObjectId{static_cast<std::uint32_t>(i)});
+        const collision::Object& object =
+            campus.world.object(collision::ObjectId{static_cast<std::uint32_t>(i)});
         if (collision::any_of(object.detection, collision::Detection::solid)) {
             std::ranges::copy_if(campus.objects[i].nodes.except, std::inserter(doors, doors.end()),
                                  [&](const NodeRef& ref) {

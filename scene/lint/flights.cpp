@@ -153,7 +153,8 @@ std::vector<std::optional<std::size_t>> link(const std::vector<Tread>& treads) {
         }
     }
     for (std::size_t low = 0; low < treads.size(); ++low) {
-        if (above[low] && (!below[*above[low]] || rise(low, *above[low]) < rise(*below[*above[low]], *above[low]))) {
+        if (above[low] &&
+            (!below[*above[low]] || rise(low, *above[low]) < rise(*below[*above[low]], *above[low]))) {
             below[*above[low]] = low;
         }
     }
@@ -210,7 +211,7 @@ std::size_t holder(const Model& model, const std::vector<Tread>& treads,
 /// A vertical line on which the surface nearest to a height is looked for.
 struct Probe {
     Vector3d at;
-    double low = 0.0;   ///< of the heights that count
+    double low = 0.0;  ///< of the heights that count
     double high = 0.0;
     bool wants_highest = false;
     std::optional<double> found = {};

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "scene/osm/tag_values.h"
 
@@ -44,19 +46,45 @@ bool touches(const Polygons& polygons, const Box& box) {
 /// The members' lines; nothing if one is missing and the rest doesn't close.
 std::vector<const MapWay*> member_ways(const Map& map, const MapRelation& relation, bool& complete) {
     std::vector<const MapWay*> ways;
+    std::set<std::int64_t> known;
     for (const Member& member : relation.members) {
-        if (member.element.kind != ElementKind::way || (member.role != "outer" && member.role != "inner" &&
-                                                        !member.role.empty() && member.role != "outline")) {
+        if (member.element.kind != ElementKind::way ||
+            (member.role != "outer" && member.role != "inner" && !member.role.empty())) {
             continue;
         }
         const MapWay* way = map.way(member.element.number);
         if (way == nullptr || !way->complete) {
             complete = false;
-        } else if (std::ranges::find(ways, way) == ways.end()) {
+        } else if (known.insert(way->id).second) {
             ways.push_back(way);
         }
     }
     return ways;
+}
+
+using TagsOfBuildings = std::map<std::pair<ElementKind, std::int64_t>, Tags>;
+
+/// What relations of type building, which hold an outline and its parts together, say of the outlines.
+TagsOfBuildings tags_of_outlines(const Map& map) {
+    TagsOfBuildings tags;
+    for (const MapRelation& relation : map.relations) {
+        if (!relation.tags.is("type", "building")) {
+            continue;
+        }
+        for (const Member& member : relation.members) {
+            if (member.role == "outline") {
+                Tags& all = tags[{member.element.kind, member.element.number}];
+                all = all.with(relation.tags);
+            }
+        }
+    }
+    return tags;
+}
+
+/// An element's own tags, and those of the building that it is the outline of.
+Tags with_building(const Tags& own, const ElementId& id, const TagsOfBuildings& buildings) {
+    const auto found = buildings.find({id.kind, id.number});
+    return found == buildings.end() ? own : own.with(found->second);
 }
 
 /// The relation's tags, or in the old style those of its outer way.
@@ -101,13 +129,15 @@ std::vector<MapArea> areas_of(const Map& map, const PlanGeometry& geometry, cons
                               DiagnosticList& warnings) {
     std::vector<MapArea> of_relations;
     std::set<std::int64_t> replaced;
+    const TagsOfBuildings buildings = tags_of_outlines(map);
     for (const MapRelation& relation : map.relations) {
         if (!relation.tags.is("type", "multipolygon")) {
             continue;
         }
         bool complete = true;
         const std::vector<const MapWay*> ways = member_ways(map, relation, complete);
-        const Tags tags = tags_of_area(map, relation);
+        const Tags tags =
+            with_building(tags_of_area(map, relation), {ElementKind::relation, relation.id}, buildings);
         if (ways.empty() || (!stands_for_area(tags) && !affirmed(tags, "highway"))) {
             continue;
         }
@@ -127,11 +157,13 @@ std::vector<MapArea> areas_of(const Map& map, const PlanGeometry& geometry, cons
     }
     std::vector<MapArea> areas;
     for (const MapWay& way : map.ways) {
-        if (!stands_for_area(way.tags) || replaced.contains(way.id)) {
+        const ElementId id{ElementKind::way, way.id};
+        const Tags tags = with_building(way.tags, id, buildings);
+        if (!stands_for_area(tags) || replaced.contains(way.id)) {
             continue;
         }
         if (!way.closed() || !way.complete) {
-            if (affirmed(way.tags, "building") || affirmed(way.tags, "building:part")) {
+            if (affirmed(tags, "building") || affirmed(tags, "building:part")) {
                 warnings.warning(mark, "open-ring",
                                  "building way " + std::to_string(way.id) +
                                      (way.complete ? " isn't closed" : ": the file lacks some of its nodes") +
@@ -139,7 +171,7 @@ std::vector<MapArea> areas_of(const Map& map, const PlanGeometry& geometry, cons
             }
             continue;
         }
-        MapArea area{{ElementKind::way, way.id}, way.tags, geometry.polygon(ring_of(way)), {&way}};
+        MapArea area{id, tags, geometry.polygon(ring_of(way)), {&way}};
         if (area.polygons.empty()) {
             warnings.warning(mark, "empty-ring",
                              "way " + std::to_string(way.id) + " encloses no area; left out");

@@ -141,7 +141,7 @@ void CrossedByBridges::add_water(const Path& bridge, std::vector<Crossed>& found
     for (const std::size_t number : near_water_.near(box_of(line))) {
         for (std::size_t i = 1; i < line.size(); ++i) {
             const Point d = line[i] - line[i - 1];
-            const double length = std::sqrt(d.x() * d.x() + d.y() * d.y());
+            const double length = norm(d);
             const int samples = std::clamp(static_cast<int>(length / kSample), 1, 4'000);
             int wet = 0;
             Point sum = Point::Zero();

@@ -65,10 +65,4 @@ struct CampusDraft {
     std::vector<DraftPlace> places;
 };
 
-/// The campus file; `map_file` is named in its first line.
-std::string campus_yaml(const CampusDraft& draft, const std::string& map_file);
-
-/// What the Open Database License asks for (https://www.openstreetmap.org/copyright).
-std::string attribution_text(const std::string& map_file);
-
 }  // namespace campuswalk::scene::osm

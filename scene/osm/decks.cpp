@@ -18,7 +18,7 @@ constexpr Look kRail = {{92, 98, 102}, 140, 255};
 
 double length_between(const Point& a, const Point& b) {
     const Point d = b - a;
-    return std::sqrt(d.x() * d.x() + d.y() * d.y());
+    return norm(d);
 }
 
 double height_at(const DeckPart& part, const Point& p) {

@@ -29,6 +29,37 @@ bool is_entrance(const Tags& tags) {
            tags.is("railway", "subway_entrance");
 }
 
+/// The paths on the ground that walkers may take.
+class PathSegments {
+public:
+    static constexpr double kFarthest = 40.0;  ///< metres: what is farther isn't looked for
+
+    explicit PathSegments(const std::vector<Path>& paths) {
+        for (const Path& path : paths) {
+            if (!path.for_walkers || !path.on_ground() || path.steps) {
+                continue;
+            }
+            for (std::size_t i = 1; i < path.way->points.size(); ++i) {
+                index_.add(segments_.size(), box_of({path.way->points[i - 1], path.way->points[i]}));
+                segments_.push_back({path.way->points[i - 1], path.way->points[i]});
+            }
+        }
+    }
+
+    /// Large if none is near.
+    double distance_to(const Point& p) const {
+        double nearest = 1e300;
+        for (const std::size_t i : index_.near(Box{p, p}.grown(kFarthest))) {
+            nearest = std::min(nearest, nearest_on(segments_[i], false, p).distance);
+        }
+        return nearest;
+    }
+
+private:
+    std::vector<std::vector<Point>> segments_;
+    BoxIndex index_;
+};
+
 class Doors {
 public:
     Doors(Composition& composition, const FreeGround& free)
@@ -80,48 +111,40 @@ public:
 
     /// Every building with a name can be entered: where no door is known, at its wall nearest to a path.
     void add_assumed() {
-        constexpr double kNearest = 40.0;
-        BoxIndex paths;
-        for (std::size_t i = 0; i < composition_.paths.size(); ++i) {
-            const Path& path = composition_.paths[i];
-            if (path.for_walkers && path.on_ground() && !path.steps) {
-                paths.add(i, box_of(path.way->points));
-            }
-        }
+        const PathSegments segments(composition_.paths);
         for (const std::size_t area : walled_) {
             const MapArea& building = composition_.areas[area];
             if (!building.tags.has("name") || with_door_.contains(area) ||
                 building.polygons.front().outer.size() < 3) {
                 continue;
             }
-            const Ring& ring = building.polygons.front().outer;
-            double nearest = kNearest;
-            Point at = Point::Zero();
-            const std::vector<std::size_t> near = paths.near(box_of(ring).grown(kNearest));
-            for (std::size_t i = 0; i < ring.size(); ++i) {
-                const Point& a = ring[i];
-                const Point& b = ring[(i + 1) % ring.size()];
-                constexpr double kLeastDoorWall = 2.0;
-                const Point middle = 0.5 * (a + b);
-                if ((b - a).norm() < kLeastDoorWall || !free_.at(middle + 1.0 * -left_of(unit(b - a)))) {
-                    continue;
-                }
-                for (const std::size_t number : near) {
-                    const double distance =
-                        nearest_on(composition_.paths[number].way->points, false, middle).distance;
-                    if (distance < nearest) {
-                        nearest = distance;
-                        at = middle;
-                    }
-                }
-            }
-            if (nearest < kNearest) {
-                add({0, at, area, nullptr, true});
+            if (const auto at = wall_nearest_to(segments, building.polygons.front().outer)) {
+                add({0, *at, area, nullptr, true});
             }
         }
     }
 
 private:
+    /// The middle of the ring's side that is nearest to a path and has room in front.
+    std::optional<Point> wall_nearest_to(const PathSegments& segments, const Ring& ring) const {
+        constexpr double kLeastDoorWall = 2.0;
+        double nearest = PathSegments::kFarthest;
+        std::optional<Point> at;
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Point& a = ring[i];
+            const Point& b = ring[(i + 1) % ring.size()];
+            const Point middle = 0.5 * (a + b);
+            if (norm(b - a) < kLeastDoorWall || !free_.at(middle + 1.0 * -left_of(unit(b - a)))) {
+                continue;
+            }
+            if (const double distance = segments.distance_to(middle); distance < nearest) {
+                nearest = distance;
+                at = middle;
+            }
+        }
+        return at;
+    }
+
     /// At the nearest wall: some are drawn beside it.
     void add_beside(const MapNode& node) {
         constexpr double kFarthest = 3.0;  // metres
@@ -129,13 +152,11 @@ private:
         Point at = node.at;
         std::optional<std::size_t> area;
         for (const std::size_t i : outlines_.near(Box{node.at, node.at}.grown(kFarthest))) {
-            for (const Polygon& polygon : composition_.areas[i].polygons) {
-                const Nearest wall = nearest_on(polygon.outer, true, node.at);
-                if (wall.distance < nearest) {
-                    nearest = wall.distance;
-                    at = wall.at;
-                    area = i;
-                }
+            if (const Nearest wall = nearest_on(composition_.areas[i].polygons, node.at);
+                wall.distance < nearest) {
+                nearest = wall.distance;
+                at = wall.at;
+                area = i;
             }
         }
         if (area) {
@@ -150,16 +171,7 @@ private:
         if (!composition_.map.box.contains(door.at) || (!door.assumed && !done_.insert(door.node).second)) {
             return;
         }
-        Nearest wall;
-        const Polygons& outline = composition_.areas[door.area].polygons;
-        for (const Polygon& polygon : outline) {
-            const Nearest other = nearest_on(polygon.outer, true, door.at);
-            wall = other.distance < wall.distance ? other : wall;
-            for (const Ring& hole : polygon.holes) {
-                const Nearest inner = nearest_on(hole, true, door.at);
-                wall = inner.distance < wall.distance ? inner : wall;
-            }
-        }
+        const Nearest wall = nearest_on(composition_.areas[door.area].polygons, door.at);
         constexpr double kOnWall = 0.05;
         const double floor = door.height.value_or(composition_.terrain.height(door.at));
         if (wall.distance > kOnWall || (!door.height && !is_wall_at(door.at))) {
@@ -190,32 +202,35 @@ private:
         trigger.yaw_deg = yaw_along(wall.along);
         trigger.layer = "door";
         composition_.draft.triggers.push_back(trigger);
+        if (!door.height && !add_place_before(door, name, out, trigger.id, main) && door.tags != nullptr) {
+            composition_.warn("blocked-door", "node " + std::to_string(door.node) + " is an entrance of " +
+                                                  area.id.text() +
+                                                  ", but nobody can stand before it; no walk goes there");
+        }
+    }
+
+    /// On the ground; of bridges, not every one can be got onto. False if there is no room.
+    bool add_place_before(const Door& door, const std::string& name, const Point& out,
+                          const std::string& trigger, bool main) {
+        const bool titled = composition_.areas[door.area].tags.has("name");
         for (const double distance : {1.0, 0.75}) {
             const Point front = door.at + distance * out;
-            if (!door.height && free_.at(front)) {  // not every bridge can be got onto
+            if (free_.at(front)) {
                 composition_.draft.places.push_back(
-                    {name, composition_.world(front), trigger.id,
-                     (area.tags.has("name") ? 4 : 0) + (main ? 2 : 0) + (door.tags != nullptr ? 1 : 0)});
-                break;
+                    {name, composition_.world(front), trigger,
+                     (titled ? 4 : 0) + (main ? 2 : 0) + (door.tags != nullptr ? 1 : 0)});
+                return true;
             }
         }
+        return false;
     }
 
     /// Whether a wall stands on the ground there: some outlines are those of roofs, or of parts above.
     bool is_wall_at(const Point& at) const {
         constexpr double kOnWall = 0.3;
-        for (const std::size_t i : volumes_.near(Box{at, at}.grown(kOnWall))) {
-            for (const Polygon& polygon : composition_.volumes[i].footprint) {
-                double distance = nearest_on(polygon.outer, true, at).distance;
-                for (const Ring& hole : polygon.holes) {
-                    distance = std::min(distance, nearest_on(hole, true, at).distance);
-                }
-                if (distance < kOnWall) {
-                    return true;
-                }
-            }
-        }
-        return false;
+        return std::ranges::any_of(volumes_.near(Box{at, at}.grown(kOnWall)), [&](std::size_t i) {
+            return nearest_on(composition_.volumes[i].footprint, at).distance < kOnWall;
+        });
     }
 
     bool is_open_at(const Point& at) const {

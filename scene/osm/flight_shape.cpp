@@ -17,7 +17,7 @@ Station station_at(const std::vector<Point>& line, double distance, double half_
     double done = 0.0;
     for (std::size_t i = 1; i < line.size(); ++i) {
         const Point d = line[i] - line[i - 1];
-        const double length = std::sqrt(d.x() * d.x() + d.y() * d.y());
+        const double length = norm(d);
         if (distance <= done + length + 1e-9 || i + 1 == line.size()) {
             const double t = length > 0.0 ? std::clamp((distance - done) / length, 0.0, 1.0) : 0.0;
             Point direction = unit(d);
@@ -102,7 +102,7 @@ Ring outline_of_steps(const Path& path) {
     stations.push_back(station_at(line, 0.0, 0.5 * path.width));
     for (std::size_t i = 1; i < line.size(); ++i) {
         const Point d = line[i] - line[i - 1];
-        done += std::sqrt(d.x() * d.x() + d.y() * d.y());
+        done += norm(d);
         stations.push_back(station_at(line, done, 0.5 * path.width));
     }
     return ring_around(stations);

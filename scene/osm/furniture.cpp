@@ -192,7 +192,7 @@ Point facing_of(const Tags& tags, const Point& otherwise) {
     if (!direction) {
         return otherwise;
     }
-    const collision::SinCos angle = collision::sin_cos(*direction * 0.017453292519943295);
+    const collision::SinCos angle = collision::sin_cos(*direction * kDegree);
     return {angle.sin, angle.cos};
 }
 
@@ -232,7 +232,7 @@ public:
             std::size_t number = 0;
             for (std::size_t i = 1; i < way.points.size(); ++i) {
                 const Point d = way.points[i] - way.points[i - 1];
-                const double length = std::sqrt(d.x() * d.x() + d.y() * d.y());
+                const double length = norm(d);
                 const int trees = std::max(1, static_cast<int>(std::min(length / kSpacing, 1e4)));
                 for (int k = 0; k < trees && number < kMost; ++k) {
                     const Point at = way.points[i - 1] + d * (static_cast<double>(k) / trees);

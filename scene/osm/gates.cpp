@@ -30,7 +30,7 @@ std::vector<Point> part_of(const MapWay& way, std::size_t place, bool forwards, 
         }
         at = forwards ? at + 1 : at - 1;
         const Point d = way.points[at] - from;
-        const double length = std::sqrt(d.x() * d.x() + d.y() * d.y());
+        const double length = norm(d);
         if (length > 0.0) {
             part.push_back(length <= left ? way.points[at] : Point(from + d * (left / length)));
         }
@@ -110,7 +110,7 @@ void add_gate(const MapNode& node, const std::vector<Point>& opening, Compositio
     if (is_closed(node.tags)) {
         for (std::size_t i = 1; i < opening.size(); ++i) {
             const Point d = opening[i] - opening[i - 1];
-            const double half = 0.5 * std::sqrt(d.x() * d.x() + d.y() * d.y());
+            const double half = 0.5 * norm(d);
             const Point middle = 0.5 * (opening[i] + opening[i - 1]);
             const double foot =
                 std::min(composition.terrain.height(opening[i]), composition.terrain.height(opening[i - 1]));

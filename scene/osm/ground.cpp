@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "scene/osm/box_index.h"
@@ -27,7 +28,7 @@ public:
     }
 
     void add_tile(const Box& tile) {
-        std::vector<std::size_t> here = index_.near(tile);
+        std::vector<std::size_t> here = surfaces_at(tile);
         std::ranges::stable_sort(here, [&](std::size_t a, std::size_t b) {
             return surfaces_[a].priority > surfaces_[b].priority;
         });
@@ -64,6 +65,53 @@ public:
     }
 
 private:
+    /// A square of the grid with this edge, which is tiled by four by four of the next smaller one.
+    struct Block {
+        double edge = 0.0;
+        int row = 0;
+        int column = 0;
+        friend auto operator<=>(const Block&, const Block&) = default;
+    };
+
+    static Block block_at(const Point& p, double edge) {
+        return {edge, static_cast<int>(std::floor(p.y() / edge)), static_cast<int>(std::floor(p.x() / edge))};
+    }
+
+    /// Those that may overlap the tile: of long paths, whose boxes cover much, only those that come near.
+    std::vector<std::size_t> surfaces_at(const Box& tile) {
+        std::vector<std::size_t> here;
+        for (const std::size_t i : surfaces_in(block_at(0.5 * (tile.min + tile.max), 4.0 * kTile))) {
+            if (box_of(surfaces_[i].area).overlaps(tile)) {
+                here.push_back(i);
+            }
+        }
+        return here;
+    }
+
+    const std::vector<std::size_t>& surfaces_in(const Block& block) {
+        const auto [known, is_new] = in_block_.try_emplace(block);
+        if (!is_new) {
+            return known->second;
+        }
+        const Point least(block.column * block.edge, block.row * block.edge);
+        const Box box{least, least + Point(block.edge, block.edge)};
+        const Polygons square = {
+            Polygon{{box.min, {box.max.x(), box.min.y()}, box.max, {box.min.x(), box.max.y()}}, {}}};
+        constexpr double kLargest = 16.0 * kTile;
+        const std::vector<std::size_t> candidates =
+            block.edge < kLargest ? surfaces_in(block_at(0.5 * (box.min + box.max), 4.0 * block.edge))
+                                  : index_.near(box);
+        std::vector<std::size_t> found;
+        for (const std::size_t i : candidates) {
+            const Box extent = box_of(surfaces_[i].area);
+            const bool small = extent.size().maxCoeff() < block.edge;
+            if (extent.overlaps(box) && (small || geometry_.intersects(surfaces_[i].area, square))) {
+                found.push_back(i);
+            }
+        }
+        return in_block_[block] = std::move(found);  // the map may have grown meanwhile
+    }
+
     void emit(const Polygons& area, const Look& look, const Surface& surface, ObjectMesh& mesh) const {
         std::vector<std::array<Point, 3>> parts;
         for (const Polygon& polygon : area) {
@@ -88,6 +136,7 @@ private:
     const Terrain& terrain_;
     ModelBuilder& model_;
     BoxIndex index_;
+    std::map<Block, std::vector<std::size_t>> in_block_;
 };
 
 }  // namespace

@@ -63,7 +63,7 @@ private:
         std::vector<Point> points = {a, b};
         const Box near = box_of(points).grown(kOn);
         const Point d = b - a;
-        const double length = std::sqrt(d.x() * d.x() + d.y() * d.y());
+        const double length = norm(d);
         const auto first =
             std::ranges::lower_bound(vertices_, near.min.x(), {}, [](const Point& p) { return p.x(); });
         for (auto p = first; p != vertices_.end() && p->x() <= near.max.x(); ++p) {

@@ -86,6 +86,21 @@ bool number_from(const std::string& word, double& value) {
     return error == std::errc() && end == word.data() + word.size() && std::isfinite(value);
 }
 
+/// A height of an ASCII grid; NaN, as GDAL writes it, where there is none.
+bool height_from(const std::string& word, double& value) {
+    if (word == "nan" || word == "NaN" || word == "-nan") {
+        value = std::numeric_limits<double>::quiet_NaN();
+        return true;
+    }
+    return number_from(word, value);
+}
+
+/// Digits only, as in N48E011.
+bool degrees_from(const std::string& digits, double& value) {
+    return std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; }) &&
+           number_from(digits, value);
+}
+
 Grid read_ascii_grid(std::istream& in, const SourceMark& mark) {
     constexpr std::array<const char*, 6> kKeys = {"ncols",     "nrows",    "xllcorner",
                                                   "yllcorner", "cellsize", "nodata_value"};
@@ -96,7 +111,7 @@ Grid read_ascii_grid(std::istream& in, const SourceMark& mark) {
     std::vector<float> heights;
     while (words.next(word)) {
         double value = 0.0;
-        if (number_from(word, value)) {
+        if (height_from(word, value)) {
             heights.push_back(static_cast<float>(value));
             break;
         }
@@ -109,7 +124,9 @@ Grid read_ascii_grid(std::istream& in, const SourceMark& mark) {
         }
         const auto* key = std::ranges::find(kKeys, word);
         const int line = words.line();
-        if (key == kKeys.end() || !words.next(word) || !number_from(word, value)) {
+        const bool valid = key != kKeys.end() && words.next(word) &&
+                           (key == kKeys.end() - 1 ? height_from(word, value) : number_from(word, value));
+        if (!valid) {
             refuse(mark, line,
                    "it is no Esri ASCII grid: ncols, nrows, xllcorner, yllcorner and cellsize come first");
         }
@@ -135,7 +152,7 @@ Grid read_ascii_grid(std::istream& in, const SourceMark& mark) {
     const std::size_t count = grid.columns * grid.rows;
     double value = 0.0;
     while (heights.size() < count && words.next(word)) {
-        if (!number_from(word, value)) {
+        if (!height_from(word, value)) {
             refuse(mark, words.line(), "a height isn't a number");
         }
         heights.push_back(static_cast<float>(value));
@@ -161,8 +178,8 @@ Grid read_srtm_tile(std::istream& in, std::uintmax_t size, const std::string& na
     double south = 0.0;
     double west = 0.0;
     const bool named = name.size() >= 7 && (name[0] == 'N' || name[0] == 'S') &&
-                       (name[3] == 'E' || name[3] == 'W') && number_from(name.substr(1, 2), south) &&
-                       number_from(name.substr(4, 3), west);
+                       (name[3] == 'E' || name[3] == 'W') && degrees_from(name.substr(1, 2), south) &&
+                       degrees_from(name.substr(4, 3), west);
     if (grid.columns == 0 || !named) {
         refuse(mark, 0,
                "it is no tile of SRTM: these have 1201 by 1201 or 3601 by 3601 heights and names such as "
@@ -190,9 +207,10 @@ Grid read_grid(const std::filesystem::path& file, const SourceMark& mark) {
     if (error || !in) {
         throw InputError(mark, "missing-file", "there is no such file, or it can't be read; check the path");
     }
-    std::string extension = file.extension().string();
+    const std::filesystem::path given = mark.file;  // `file` may be what a link of that name leads to
+    const std::string extension = given.extension().string();
     if (extension == ".hgt" || extension == ".HGT") {
-        return read_srtm_tile(in, size, file.filename().string(), mark);
+        return read_srtm_tile(in, size, given.filename().string(), mark);
     }
     if (extension == ".asc" || extension == ".ASC") {
         return read_ascii_grid(in, mark);
@@ -208,8 +226,6 @@ Terrain read_heights(const std::filesystem::path& file, const SourceMark& mark, 
     const double middle_latitude = 0.5 * (map.geographic.south + map.geographic.north);
     const double middle_longitude = 0.5 * (map.geographic.west + map.geographic.east);
     const Projection projection(middle_latitude, middle_longitude);
-    // How many degrees a metre is; over a map, a degree's length changes by less than a hundredth of a cell.
-    const double degrees_east = 0.001 / projection.project(middle_latitude, middle_longitude + 0.001).x();
     const double degrees_north = 0.001 / projection.project(middle_latitude + 0.001, middle_longitude).y();
     const double cell = std::clamp(grid.step / degrees_north, 2.0, 20.0);
     const double reference = grid.at(middle_latitude, middle_longitude);
@@ -221,9 +237,8 @@ Terrain read_heights(const std::filesystem::path& file, const SourceMark& mark, 
     for (std::size_t row = 0; row < rows; ++row) {
         for (std::size_t column = 0; column < columns; ++column) {
             const Point p = box.min + cell * Point(static_cast<double>(column), static_cast<double>(row));
-            const double height =
-                grid.at(middle_latitude + p.y() * degrees_north, middle_longitude + p.x() * degrees_east) -
-                reference;
+            const GeographicPoint at = projection.unproject(p);
+            const double height = grid.at(at.latitude_deg, at.longitude_deg) - reference;
             if (!std::isfinite(height) || std::abs(height) > 10'000.0) {
                 refuse(mark, 0,
                        "it has no heights for a part of the map, or impossible ones; it must cover " +

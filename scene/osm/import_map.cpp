@@ -32,7 +32,7 @@ double length_inside(const std::vector<Point>& line, const Polygons& polygons) {
         if (!box_of({line[i - 1], line[i]}).overlaps(box)) {
             continue;
         }
-        const double length = std::sqrt(d.x() * d.x() + d.y() * d.y());
+        const double length = norm(d);
         const int samples = std::min(4'000, static_cast<int>(length / kSample) + 1);
         for (int k = 0; k < samples; ++k) {
             const Point p = line[i - 1] + d * ((k + 0.5) / samples);
@@ -118,8 +118,8 @@ Terrain base_terrain(const MapRequest& request, const Map& map, const std::vecto
         plan_bridges(map, areas, Terrain(), request.mark, paths, ignored);
         return relief_of_steps(paths, box);
     }
-    SourceMark mark;
-    mark.file = request.heights.string();
+    SourceMark mark = request.heights_mark;
+    mark.file = mark.file.empty() ? request.heights.string() : mark.file;
     return read_heights(request.heights, mark, map, box);
 }
 
@@ -169,9 +169,7 @@ std::vector<std::string> layers_of(const CampusDraft& draft) {
     return {layers.begin(), layers.end()};
 }
 
-}  // namespace
-
-ImportedMap import_map(const MapRequest& request) {
+ImportedMap imported_map(const MapRequest& request) {
     DiagnosticList warnings;
     const Map map = read_map(request.file, request.mark, request.section, warnings);
     const PlanGeometry geometry;
@@ -214,6 +212,23 @@ ImportedMap import_map(const MapRequest& request) {
     imported.model.geographic =
         GeographicPlace{imported.draft.latitude_deg, imported.draft.longitude_deg, 0.0};
     return imported;
+}
+
+}  // namespace
+
+ImportedMap import_map(const MapRequest& request) {
+    try {
+        return imported_map(request);
+    } catch (const TooManyTriangles&) {
+        throw InputError(request.mark, "bad-size",
+                         "it makes more than " + std::to_string(kMaxMapTriangles / 1'000'000) +
+                             " million triangles; choose a part of the map with --bbox or --center, and look "
+                             "for heights and levels that can't be");
+    } catch (const TooManyOperations&) {
+        throw InputError(request.mark, "bad-size",
+                         "its paths and areas overlap more than can be worked out; choose a part of the map "
+                         "with --bbox or --center");
+    }
 }
 
 }  // namespace campuswalk::scene::osm

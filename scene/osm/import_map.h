@@ -10,8 +10,9 @@
 namespace campuswalk::scene::osm {
 
 struct MapRequest {
-    SourceMark mark;                ///< of messages
+    SourceMark mark;                ///< of messages: the map as the user named it, which says its format
     std::filesystem::path file;     ///< of OpenStreetMap XML or PBF
+    SourceMark heights_mark;        ///< likewise of the heights
     std::filesystem::path heights;  ///< a grid of heights; empty: level ground
     MapSection section;
 };

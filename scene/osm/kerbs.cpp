@@ -124,7 +124,7 @@ private:
         bool crossing = path.crossing;
         for (std::size_t i = 0; i < path.way->nodes.size(); ++i) {
             const Point off = path.way->points[i] - at;
-            const double distance = std::sqrt(off.x() * off.x() + off.y() * off.y());
+            const double distance = norm(off);
             const auto tagged = tagged_.find(path.way->nodes[i]);
             if (tagged != tagged_.end() && distance < nearest) {
                 nearest = distance;

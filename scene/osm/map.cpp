@@ -1,6 +1,7 @@
 #include "scene/osm/map.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace campuswalk::scene::osm {
 
@@ -13,6 +14,13 @@ std::string_view Tags::get(std::string_view key) const {
         pairs_, key, {}, [](const auto& pair) { return std::string_view(pair.first); });
     return found != pairs_.end() && found->first == key ? std::string_view(found->second)
                                                         : std::string_view();
+}
+
+Tags Tags::with(const Tags& others) const {
+    std::vector<std::pair<std::string, std::string>> pairs = pairs_;
+    std::ranges::copy_if(others.pairs_, std::back_inserter(pairs),
+                         [&](const auto& pair) { return !has(pair.first); });
+    return Tags(std::move(pairs));
 }
 
 std::string ElementId::text() const {

@@ -28,6 +28,8 @@ public:
     bool has(std::string_view key) const { return !get(key).empty(); }
     bool is(std::string_view key, std::string_view value) const { return get(key) == value; }
     bool empty() const { return pairs_.empty(); }
+    /// These, and of `others` those whose keys are missing here.
+    Tags with(const Tags& others) const;
     const std::vector<std::pair<std::string, std::string>>& all() const { return pairs_; }
 
 private:
@@ -112,7 +114,6 @@ struct Map {
     std::vector<MapNode> nodes;                               ///< those with tags, by id
     std::vector<MapWay> ways;                                 ///< by id
     std::vector<MapRelation> relations;                       ///< by id
-    std::string copyright;                                    ///< what the file says about its authors
     std::unordered_map<std::int64_t, std::size_t> way_index;  ///< into `ways`, by id
 
     const MapWay* way(std::int64_t id) const {

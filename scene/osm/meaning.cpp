@@ -169,6 +169,24 @@ void add_titled_buildings(Composition& composition) {
     composition.draft.solids.push_back(std::move(untitled));
 }
 
+/// Wings and towers with names of their own. Their walls stay those of the building.
+void add_titled_parts(Composition& composition) {
+    for (const Volume& volume : composition.volumes) {
+        const MapArea& outline = composition.areas[volume.building];
+        if (volume.id == outline.id || !volume.tags.has("name") ||
+            volume.tags.get("name") == outline.tags.get("name")) {
+            continue;
+        }
+        constexpr double kReach = 2.5;  // metres: what begins above is got to from inside
+        if (volume.bottom > kReach) {
+            continue;
+        }
+        const std::string id = draft_id("part", volume.id);
+        composition.draft.buildings.push_back(description_of(id, volume.tags));
+        add_area_trigger(composition, id + "/around", id, volume.footprint, 1.5, kTriggerHeight);
+    }
+}
+
 void add_titled_areas(Composition& composition) {
     constexpr double kLargest = 30'000.0;  // m²: one is always inside of what is larger
     std::size_t large = 0;
@@ -209,6 +227,7 @@ void add_titled_nodes(Composition& composition) {
 
 void add_meaning(Composition& composition) {
     add_titled_buildings(composition);
+    add_titled_parts(composition);
     add_titled_areas(composition);
     add_titled_nodes(composition);
     const FreeGround free(composition);

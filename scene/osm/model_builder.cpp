@@ -16,20 +16,39 @@ Eigen::Vector3f world(const Point3& p) {
     return {static_cast<float>(p.at.x()), static_cast<float>(p.height), static_cast<float>(-p.at.y())};
 }
 
-/// glTF's colours are linear; sRGB's transfer function (IEC 61966-2-1) is x^2.4, here within 0.5 % by a
-/// polynomial, as pow() differs between machines.
-float linear(std::uint8_t value) {
-    const double x = value / 255.0;
-    return static_cast<float>(x * (x * (x * 0.305306011 + 0.682171111) + 0.012522878));
+/// The fifth root of a number from 0 to 1, by Newton's method: pow() differs between machines.
+double fifth_root(double value) {
+    double root = 1.0;
+    for (int i = 0; i < 60; ++i) {
+        const double fourth = root * root * root * root;
+        root -= (root * fourth - value) / (5.0 * fourth);
+    }
+    return root;
 }
 
-std::string hex(const Look& look) {
+/// glTF's colours are linear: sRGB's transfer function (IEC 61966-2-1), with x^2.4 as x² times the fifth root
+/// of x².
+float linear(std::uint8_t value) {
+    const double x = value / 255.0;
+    if (x <= 0.04045) {
+        return static_cast<float>(x / 12.92);
+    }
+    const double y = (x + 0.055) / 1.055;
+    return static_cast<float>(y * y * fifth_root(y * y));
+}
+
+/// Of the material: colour, roughness and alpha, as readers may merge materials of one name.
+std::string name_of(const Look& look) {
     constexpr const char* kDigits = "0123456789abcdef";
     std::string text = "surface-";
-    for (const std::uint8_t part : look.color) {
+    const auto append = [&](std::uint8_t part) {
         text += kDigits[part >> 4U];
         text += kDigits[part & 15U];
-    }
+    };
+    std::ranges::for_each(look.color, append);
+    text += "-";
+    append(look.roughness);
+    append(look.alpha);
     return text;
 }
 
@@ -68,8 +87,10 @@ Mesh welded(const std::vector<std::array<Eigen::Vector3f, 3>>& triangles) {
         const double length =
             std::sqrt(cross.x() * cross.x() + cross.y() * cross.y() + cross.z() * cross.z());
         constexpr double kThinnest = 1e-5;  // metres, the height of a triangle: none is left of thinner ones
-        const double longest =
-            std::sqrt(std::max({ab.squaredNorm(), ac.squaredNorm(), (ac - ab).squaredNorm()}));
+        const auto squared = [](const Eigen::Vector3d& v) {
+            return v.x() * v.x() + v.y() * v.y() + v.z() * v.z();
+        };
+        const double longest = std::sqrt(std::max({squared(ab), squared(ac), squared(ac - ab)}));
         if (!(length > kThinnest * longest)) {
             continue;
         }
@@ -102,6 +123,9 @@ Mesh welded(const std::vector<std::array<Eigen::Vector3f, 3>>& triangles) {
 }  // namespace
 
 void ObjectMesh::triangle(const Look& look, const Point3& a, const Point3& b, const Point3& c) {
+    if (++*made_ > kMaxMapTriangles) {
+        throw TooManyTriangles();
+    }
     parts_[look].push_back({world(a), world(b), world(c)});
 }
 
@@ -142,13 +166,6 @@ void ObjectMesh::walls(const Look& look, const Polygons& polygons, double bottom
     }
 }
 
-void ObjectMesh::prism(const Look& look, const Polygon& polygon, const Triangulation& area, double bottom,
-                       double top) {
-    walls(look, {polygon}, bottom, top);
-    level(look, area, top);
-    ceiling(look, area, bottom);
-}
-
 void ObjectMesh::box(const Look& look, const Point& center, const Point& along, const Point& half_size,
                      double bottom, double top) {
     const Point u = half_size.x() * along;
@@ -179,28 +196,12 @@ void ObjectMesh::cylinder(const Look& look, const Point& center, double bottom_r
     }
 }
 
-std::size_t ObjectMesh::triangles() const {
-    std::size_t count = 0;
-    for (const auto& [look, part] : parts_) {
-        count += part.size();
-    }
-    return count;
-}
-
 ObjectMesh& ModelBuilder::object(const std::string& name) {
     const auto [known, is_new] = known_.try_emplace(name, objects_.size());
     if (is_new) {
-        objects_.emplace_back(name, ObjectMesh());
+        objects_.emplace_back(name, ObjectMesh(triangles_));
     }
     return objects_[known->second].second;
-}
-
-std::size_t ModelBuilder::triangles() const {
-    std::size_t count = 0;
-    for (const auto& [name, mesh] : objects_) {
-        count += mesh.triangles();
-    }
-    return count;
 }
 
 MaterialIndex ModelBuilder::material(const Look& look, Model& model) {
@@ -208,7 +209,7 @@ MaterialIndex ModelBuilder::material(const Look& look, Model& model) {
         materials_.try_emplace(look, static_cast<MaterialIndex>(model.materials.size()));
     if (is_new) {
         Material& material = model.materials.emplace_back();
-        material.name = hex(look);
+        material.name = name_of(look);
         material.base_color = {linear(look.color[0]), linear(look.color[1]), linear(look.color[2]),
                                static_cast<float>(look.alpha) / 255.0F};
         material.roughness = static_cast<float>(look.roughness) / 255.0F;

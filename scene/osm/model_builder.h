@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <deque>
+#include <exception>
 #include <map>
 #include <string>
 #include <vector>
@@ -26,9 +28,18 @@ struct Point3 {
     double height = 0.0;
 };
 
+/// A campus that can be walked on in a day has fewer. Reached long before memory or time end on any machine.
+inline constexpr std::size_t kMaxMapTriangles = 10'000'000;
+
+/// Thrown when a map makes more triangles than that.
+class TooManyTriangles : public std::exception {};
+
 /// The triangles of one node, by look. Every face is flat: normals are those of its triangles.
 class ObjectMesh {
 public:
+    /// `made` counts the triangles of the whole model.
+    explicit ObjectMesh(std::size_t& made) : made_(&made) {}
+
     /// Counter-clockwise seen from where it is visible.
     void triangle(const Look& look, const Point3& a, const Point3& b, const Point3& c);
     void quad(const Look& look, const Point3& a, const Point3& b, const Point3& c, const Point3& d);
@@ -40,9 +51,6 @@ public:
     void wall(const Look& look, const Point& a, const Point& b, double bottom, double top);
     /// The walls around polygons, seen from outside.
     void walls(const Look& look, const Polygons& polygons, double bottom, double top);
-    /// An upright prism with flat ends and walls.
-    void prism(const Look& look, const Polygon& polygon, const Triangulation& area, double bottom,
-               double top);
     /// An upright box: `along` is the unit direction of its length.
     void box(const Look& look, const Point& center, const Point& along, const Point& half_size, double bottom,
              double top);
@@ -50,21 +58,22 @@ public:
     void cylinder(const Look& look, const Point& center, double bottom_radius, double top_radius, int sides,
                   double bottom, double top);
 
-    bool empty() const { return parts_.empty(); }
-    std::size_t triangles() const;
-
 private:
     friend class ModelBuilder;
     using Vertices = std::array<Eigen::Vector3f, 3>;
+    std::size_t* made_;
     std::map<Look, std::vector<Vertices>> parts_;
 };
 
-/// Collects named meshes into a model: one node an object.
+/// Collects named meshes into a model: one node an object. Adding to them throws TooManyTriangles.
 class ModelBuilder {
 public:
+    ModelBuilder() = default;
+    ModelBuilder(const ModelBuilder&) = delete;
+    ModelBuilder& operator=(const ModelBuilder&) = delete;
+
     /// The mesh of that name, which is added if it is new. References stay valid.
     ObjectMesh& object(const std::string& name);
-    std::size_t triangles() const;
     /// The model; meshes are in the order in which objects were added. Objects without triangles are left
     /// out.
     Model finish();
@@ -72,6 +81,7 @@ public:
 private:
     MaterialIndex material(const Look& look, Model& model);
 
+    std::size_t triangles_ = 0;
     std::deque<std::pair<std::string, ObjectMesh>> objects_;
     std::map<std::string, std::size_t> known_;
     std::map<Look, MaterialIndex> materials_;

@@ -6,7 +6,7 @@ namespace campuswalk::scene::osm {
 
 Point direction_at(const std::vector<Point>& line, std::size_t i) {
     const Point d = i + 1 < line.size() ? Point(line[i + 1] - line[i]) : Point(line[i] - line[i - 1]);
-    const double length = std::sqrt(d.x() * d.x() + d.y() * d.y());
+    const double length = norm(d);
     return length > 0.0 ? Point(d / length) : Point(0, 1);
 }
 

@@ -10,90 +10,6 @@
 
 namespace campuswalk::scene::osm {
 
-Point unit(const Point& direction) {
-    const double length = std::sqrt(direction.x() * direction.x() + direction.y() * direction.y());
-    return length > 0.0 ? Point(direction / length) : Point(1, 0);
-}
-
-double signed_area(const Ring& ring) {
-    double twice = 0.0;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Point a = ring[i] - ring[0];
-        const Point b = ring[(i + 1) % ring.size()] - ring[0];
-        twice += a.x() * b.y() - a.y() * b.x();
-    }
-    return 0.5 * twice;
-}
-
-double area_of(const Polygons& polygons) {
-    double area = 0.0;
-    for (const Polygon& polygon : polygons) {
-        area += signed_area(polygon.outer);
-        for (const Ring& hole : polygon.holes) {
-            area += signed_area(hole);
-        }
-    }
-    return area;
-}
-
-Box box_of(const Polygons& polygons) {
-    Box box = box_of(polygons.front().outer);
-    for (const Polygon& polygon : polygons) {
-        for (const Point& p : polygon.outer) {
-            box.extend(p);
-        }
-    }
-    return box;
-}
-
-namespace {
-
-bool ring_contains(const Ring& ring, const Point& p) {
-    bool inside = false;
-    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-        const Point& a = ring[i];
-        const Point& b = ring[j];
-        if ((a.y() > p.y()) != (b.y() > p.y()) &&
-            p.x() < (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()) + a.x()) {
-            inside = !inside;
-        }
-    }
-    return inside;
-}
-
-}  // namespace
-
-bool contains(const Polygon& polygon, const Point& p) {
-    return ring_contains(polygon.outer, p) &&
-           std::ranges::none_of(polygon.holes, [&](const Ring& hole) { return ring_contains(hole, p); });
-}
-
-bool contains(const Polygons& polygons, const Point& p) {
-    return std::ranges::any_of(polygons, [&](const Polygon& polygon) { return contains(polygon, p); });
-}
-
-Nearest nearest_on(const std::vector<Point>& line, bool closed, const Point& p) {
-    Nearest nearest;
-    const std::size_t segments = closed ? line.size() : line.size() - 1;
-    for (std::size_t i = 0; i < segments; ++i) {
-        const Point& a = line[i];
-        const Point d = line[(i + 1) % line.size()] - a;
-        const double length2 = d.x() * d.x() + d.y() * d.y();
-        if (length2 <= 0.0) {
-            continue;
-        }
-        const Point from = p - a;
-        const double t = std::clamp((from.x() * d.x() + from.y() * d.y()) / length2, 0.0, 1.0);
-        const Point at = a + t * d;
-        const Point off = p - at;
-        const double distance = std::sqrt(off.x() * off.x() + off.y() * off.y());
-        if (distance < nearest.distance) {
-            nearest = {at, d / std::sqrt(length2), distance};
-        }
-    }
-    return nearest;
-}
-
 /// Everything that GEOS needs; its geometries are freed with the context that made them.
 struct PlanGeometry::Impl {
     struct Free {
@@ -119,9 +35,11 @@ struct PlanGeometry::Impl {
         ++failures;
     }
 
+    static constexpr double kPerMetre = 1.0 / kGrid;
+
     Geometry own(GEOSGeometry* geometry) const { return Geometry(geometry, Free{context}); }
 
-    static double on_grid(double value) { return std::round(value / kGrid) * kGrid; }
+    static double on_grid(double value) { return std::round(value * kPerMetre) / kPerMetre; }  // as GEOS does
 
     GEOSCoordSequence* sequence(const std::vector<Point>& points, bool close) const {
         const auto count = static_cast<unsigned>(points.size());
@@ -211,7 +129,14 @@ struct PlanGeometry::Impl {
         }
     }
 
+    void count_operation() const {
+        if (++operations > kMaxOperations) {
+            throw TooManyOperations();
+        }
+    }
+
     Polygons polygons_of(const Geometry& geometry) const {
+        count_operation();
         Polygons polygons;
         if (!geometry) {
             note_failure();
@@ -228,6 +153,7 @@ struct PlanGeometry::Impl {
 
     /// Triangles of what GEOS can triangulate; of the rest their area is missing.
     void triangulate(const Polygon& polygon, Triangulation& result) const {
+        count_operation();
         const Geometry area = geometry(polygon);
         const Geometry triangles =
             area ? own(GEOSConstrainedDelaunayTriangulation_r(context, area.get())) : nullptr;
@@ -247,7 +173,14 @@ struct PlanGeometry::Impl {
     GEOSContextHandle_t context;
     bool out_of_memory = false;
     mutable std::size_t failures = 0;
+    mutable std::size_t operations = 0;
 };
+
+namespace {
+
+constexpr std::size_t kPieceOfLine = 128;  // points
+
+}  // namespace
 
 PlanGeometry::PlanGeometry() : impl_(std::make_unique<Impl>()) {}
 PlanGeometry::~PlanGeometry() = default;
@@ -291,10 +224,30 @@ Polygons PlanGeometry::buffer(const std::vector<Point>& line, double radius, Cap
     if (line.size() < 2) {
         return {};
     }
+    if (line.size() > kPieceOfLine && caps != Caps::square) {
+        return buffer_in_pieces(line, radius, caps);
+    }
     const Impl::Geometry path = impl_->line(line);
     return impl_->rounded(impl_->own(
         GEOSBufferWithStyle_r(impl_->context, path.get(), radius, kQuarterSegments, cap,
                               caps == Caps::round ? GEOSBUF_JOIN_ROUND : GEOSBUF_JOIN_MITRE, kMitreLimit)));
+}
+
+/// A buffer takes time with the square of its line's length where that crosses itself. Pieces share two
+/// segments, so that each bend is inside one of them.
+Polygons PlanGeometry::buffer_in_pieces(const std::vector<Point>& line, double radius, Caps caps) const {
+    constexpr std::size_t kShared = 2;
+    std::vector<Polygons> pieces;
+    for (std::size_t first = 0; first + kShared + 1 < line.size(); first += kPieceOfLine - 1 - kShared) {
+        const auto begin = line.begin() + static_cast<std::ptrdiff_t>(first);
+        const auto length = static_cast<std::ptrdiff_t>(std::min(kPieceOfLine, line.size() - first));
+        pieces.push_back(buffer(std::vector<Point>(begin, begin + length), radius, caps));
+    }
+    std::vector<const Polygons*> all;
+    for (const Polygons& piece : pieces) {
+        all.push_back(&piece);
+    }
+    return united(all);
 }
 
 Polygons PlanGeometry::left_side(const std::vector<Point>& line, double distance) const {

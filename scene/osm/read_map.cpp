@@ -3,15 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <system_error>
-#include <unordered_map>
 #include <utility>
 
-#include <osmium/io/pbf_input.hpp>
-#include <osmium/io/xml_input.hpp>
-#include <osmium/osm/entity_bits.hpp>
-
-#include "scene/base/utf8.h"
-#include "scene/osm/projection.h"
+#include "scene/model/projection.h"
+#include "scene/osm/raw_map.h"
 
 namespace campuswalk::scene::osm {
 namespace {
@@ -19,118 +14,6 @@ namespace {
 /// Elements so far beyond the section are still read: a building may begin outside.
 constexpr double kMargin = 300.0;  // metres
 constexpr double kMetresPerDegree = 111'320.0;
-
-/// The file's elements, in degrees.
-struct RawMap {
-    std::unordered_map<std::int64_t, osmium::Location> locations;
-    std::vector<std::pair<std::int64_t, Tags>> nodes;  ///< with tags
-    std::vector<MapWay> ways;
-    std::vector<MapRelation> relations;
-    std::optional<GeographicBox> bounds;
-    std::string copyright;
-    std::size_t bad_locations = 0;
-};
-
-/// Text as printable words: what isn't UTF-8 and what would change how a line is shown become spaces.
-std::string clean(std::string_view text) {
-    std::string result;
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t length = utf8_length(text, at);
-        const bool shown = length > 0 && !controls_display(code_point(text.substr(at, length)));
-        shown ? result += text.substr(at, length) : result += ' ';
-        at += std::max<std::size_t>(length, 1);
-    }
-    return result;
-}
-
-Tags tags_of(const osmium::TagList& list) {
-    std::vector<std::pair<std::string, std::string>> pairs;
-    for (const osmium::Tag& tag : list) {
-        std::string key = clean(tag.key());
-        std::string value = clean(tag.value());
-        if (!key.empty() && !value.empty()) {
-            pairs.emplace_back(std::move(key), std::move(value));
-        }
-    }
-    return Tags(std::move(pairs));
-}
-
-void take_node(const osmium::Node& node, RawMap& raw) {
-    const osmium::Location at = node.location();
-    if (!at.valid()) {
-        ++raw.bad_locations;
-        return;
-    }
-    if (!raw.locations.try_emplace(node.id(), at).second) {
-        return;  // the first of several, as of ways
-    }
-    if (!node.tags().empty()) {
-        raw.nodes.emplace_back(node.id(), tags_of(node.tags()));
-    }
-}
-
-void take_way(const osmium::Way& way, RawMap& raw) {
-    MapWay& copy = raw.ways.emplace_back();
-    copy.id = way.id();
-    copy.tags = tags_of(way.tags());
-    for (const osmium::NodeRef& node : way.nodes()) {
-        if (copy.nodes.empty() || copy.nodes.back() != node.ref()) {
-            copy.nodes.push_back(node.ref());
-        }
-    }
-}
-
-ElementKind kind_of(osmium::item_type type) {
-    return type == osmium::item_type::node  ? ElementKind::node
-           : type == osmium::item_type::way ? ElementKind::way
-                                            : ElementKind::relation;
-}
-
-void take_relation(const osmium::Relation& relation, RawMap& raw) {
-    MapRelation& copy = raw.relations.emplace_back();
-    copy.id = relation.id();
-    copy.tags = tags_of(relation.tags());
-    for (const osmium::RelationMember& member : relation.members()) {
-        copy.members.push_back({{kind_of(member.type()), member.ref()}, clean(member.role())});
-    }
-}
-
-void take_header(const osmium::io::Header& header, RawMap& raw) {
-    const osmium::Box box = header.joined_boxes();
-    if (box.valid()) {
-        raw.bounds = GeographicBox{box.bottom_left().lat(), box.bottom_left().lon(), box.top_right().lat(),
-                                   box.top_right().lon()};
-    }
-}
-
-RawMap read_elements(const std::filesystem::path& file) {
-    RawMap raw;
-    osmium::io::Reader reader(osmium::io::File(file.string()), osmium::osm_entity_bits::nwr,
-                              osmium::io::read_meta::no);
-    take_header(reader.header(), raw);
-    while (const osmium::memory::Buffer buffer = reader.read()) {
-        for (const osmium::OSMObject& object : buffer.select<osmium::OSMObject>()) {
-            if (!object.visible()) {
-                continue;  // deleted
-            }
-            switch (object.type()) {
-                case osmium::item_type::node:
-                    take_node(static_cast<const osmium::Node&>(object), raw);
-                    break;
-                case osmium::item_type::way:
-                    take_way(static_cast<const osmium::Way&>(object), raw);
-                    break;
-                case osmium::item_type::relation:
-                    take_relation(static_cast<const osmium::Relation&>(object), raw);
-                    break;
-                default:
-                    break;
-            }
-        }
-    }
-    reader.close();
-    return raw;
-}
 
 GeographicBox square_about(double latitude, double longitude, double radius) {
     const double north = radius / kMetresPerDegree;
@@ -143,44 +26,48 @@ GeographicBox square_about(double latitude, double longitude, double radius) {
 
 GeographicBox box_of_all(const RawMap& raw) {
     GeographicBox box{90.0, 180.0, -90.0, -180.0};
-    for (const auto& [id, at] : raw.locations) {
-        box = {std::min(box.south, at.lat()), std::min(box.west, at.lon()), std::max(box.north, at.lat()),
-               std::max(box.east, at.lon())};
+    for (const NodeLocation& at : raw.locations) {
+        box = {std::min(box.south, at.latitude()), std::min(box.west, at.longitude()),
+               std::max(box.north, at.latitude()), std::max(box.east, at.longitude())};
     }
     return box;
 }
 
-GeographicBox box_to_read(const RawMap& raw, const MapSection& section) {
-    if (section.box) {
-        return *section.box;
-    }
-    if (section.center) {
-        return square_about(section.center->first, section.center->second, section.radius);
-    }
-    return raw.bounds ? *raw.bounds : box_of_all(raw);
+/// The box, and all that is within the margin around it.
+GeographicBox with_margin(const GeographicBox& box) {
+    const double latitude = std::max(std::abs(box.south), std::abs(box.north));
+    const GeographicBox square = square_about(std::min(latitude, 89.0), 0.0, 1.02 * kMargin);
+    return {box.south - 0.5 * (square.north - square.south), box.west - square.east,
+            box.north + 0.5 * (square.north - square.south), box.east + square.east};
 }
 
-/// Projects elements and keeps those near the box.
+std::optional<GeographicBox> box_of_section(const MapSection& section) {
+    return section.center
+               ? std::optional(square_about(section.center->first, section.center->second, section.radius))
+               : section.box;
+}
+
+/// Projects the elements of a map.
 class Projector {
 public:
-    Projector(const RawMap& raw, const Projection& projection, double latitude, double longitude) {
-        points_.reserve(raw.locations.size());
+    Projector(const RawMap& raw, const Projection& projection, double latitude, double longitude)
+        : raw_(raw), projection_(projection), latitude_(latitude), longitude_(longitude) {}
+
+    std::optional<Point> at(std::int64_t node) const {
         constexpr double kFarthest = 60.0;  // degrees: the plane doesn't know the Earth's other side
-        for (const auto& [id, at] : raw.locations) {
-            const double east = std::abs(at.lon() - longitude);
-            if (std::abs(at.lat() - latitude) < kFarthest && std::min(east, 360.0 - east) < kFarthest) {
-                points_.emplace(id, projection.project(at.lat(), at.lon()));
-            }
+        const NodeLocation* at = raw_.location(node);
+        if (at == nullptr) {
+            return std::nullopt;
         }
-    }
-    const Point* at(std::int64_t node) const {
-        const auto found = points_.find(node);
-        return found == points_.end() ? nullptr : &found->second;
+        const double east = std::abs(at->longitude() - longitude_);
+        return std::abs(at->latitude() - latitude_) < kFarthest && std::min(east, 360.0 - east) < kFarthest
+                   ? std::optional<Point>(projection_.project(at->latitude(), at->longitude()))
+                   : std::nullopt;
     }
     void place(MapWay& way) const {
         std::vector<std::int64_t> nodes;
         for (const std::int64_t node : way.nodes) {
-            if (const Point* p = at(node)) {
+            if (const auto p = at(node)) {
                 nodes.push_back(node);
                 way.points.push_back(*p);
             } else {
@@ -191,7 +78,10 @@ public:
     }
 
 private:
-    std::unordered_map<std::int64_t, Point> points_;
+    const RawMap& raw_;
+    const Projection& projection_;
+    double latitude_;
+    double longitude_;
 };
 
 template <typename Element>
@@ -222,8 +112,32 @@ void set_boxes(const GeographicBox& geographic, const Projection& projection, co
     }
 }
 
-Map local_map(RawMap raw, const SourceMark& mark, const MapSection& section, DiagnosticList& warnings) {
-    const GeographicBox box = box_to_read(raw, section);
+/// What was left out of the file.
+void report_left_out(const RawMap& raw, const SourceMark& mark, std::size_t incomplete,
+                     DiagnosticList& warnings) {
+    if (raw.bad_locations > 0) {
+        warnings.warning(mark, "bad-location",
+                         std::to_string(raw.bad_locations) +
+                             (raw.bad_locations == 1 ? " node has" : " nodes have") +
+                             " no valid coordinates; left out");
+    }
+    if (!raw.oversized.empty()) {
+        const bool one = raw.oversized.size() == 1;
+        warnings.warning(
+            mark, "oversized-element",
+            raw.oversized.front().text() +
+                (one ? " is" : " and " + std::to_string(raw.oversized.size() - 1) + " more are") +
+                " left out: a way of OpenStreetMap has up to " + std::to_string(kMaxWayNodes) +
+                " nodes, a relation " + std::to_string(kMaxMembers) + " members");
+    }
+    if (incomplete > 0) {
+        warnings.warning(mark, "incomplete-way",
+                         std::to_string(incomplete) + (incomplete == 1 ? " way refers" : " ways refer") +
+                             " to nodes that the file lacks");
+    }
+}
+
+Map local_map(RawMap raw, const GeographicBox& box, const SourceMark& mark, DiagnosticList& warnings) {
     const double latitude = 0.5 * (box.south + box.north);
     const double longitude = 0.5 * (box.west + box.east);
     const Projection projection(latitude, longitude);
@@ -232,7 +146,7 @@ Map local_map(RawMap raw, const SourceMark& mark, const MapSection& section, Dia
     const Box near = map.box.grown(kMargin);
     const Projector projector(raw, projection, latitude, longitude);
     for (auto& [id, tags] : raw.nodes) {
-        if (const Point* at = projector.at(id); at != nullptr && near.contains(*at)) {
+        if (const auto at = projector.at(id); at && near.contains(*at)) {
             map.nodes.push_back({id, *at, std::move(tags)});
         }
     }
@@ -255,16 +169,14 @@ Map local_map(RawMap raw, const SourceMark& mark, const MapSection& section, Dia
     if (map.nodes.empty() && map.ways.empty()) {
         throw InputError(mark, "bad-size", "nothing of the map lies in the section; check its coordinates");
     }
-    if (raw.bad_locations > 0) {
-        warnings.warning(mark, "bad-location",
-                         std::to_string(raw.bad_locations) + " nodes have no valid coordinates; left out");
-    }
-    if (incomplete > 0) {
-        warnings.warning(mark, "incomplete-way",
-                         std::to_string(incomplete) + (incomplete == 1 ? " way refers" : " ways refer") +
-                             " to nodes that the file lacks");
-    }
+    report_left_out(raw, mark, incomplete, warnings);
     return map;
+}
+
+/// Before a file of gigabytes is read.
+void check_size(const GeographicBox& box, const SourceMark& mark) {
+    Map ignored;
+    set_boxes(box, Projection(0.5 * (box.south + box.north), 0.5 * (box.west + box.east)), mark, ignored);
 }
 
 void check_file(const std::filesystem::path& file, const SourceMark& mark) {
@@ -279,20 +191,14 @@ void check_file(const std::filesystem::path& file, const SourceMark& mark) {
 Map read_map(const std::filesystem::path& file, const SourceMark& mark, const MapSection& section,
              DiagnosticList& warnings) {
     check_file(file, mark);
-    RawMap raw;
-    try {
-        raw = read_elements(file);
-    } catch (const std::bad_alloc&) {
-        throw;
-    } catch (const osmium::xml_error& error) {
-        SourceMark at = mark;
-        at.line = static_cast<int>(error.line);
-        at.column = static_cast<int>(error.column);
-        throw InputError(at, "bad-map", "it isn't well-formed XML: " + clean(error.error_string));
-    } catch (const std::exception& error) {  // libosmium's, protozero's and zlib's have no common base
-        throw InputError(mark, "bad-map", "it can't be read as a map: " + clean(error.what()));
+    const std::optional<GeographicBox> chosen = box_of_section(section);
+    std::optional<GeographicBox> box = chosen ? chosen : stated_bounds(file, mark);
+    if (box) {
+        check_size(*box, mark);
     }
-    return local_map(std::move(raw), mark, section, warnings);
+    RawMap raw = read_raw_map(file, mark, chosen ? std::optional(with_margin(*chosen)) : std::nullopt);
+    box = box ? box : box_of_all(raw);
+    return local_map(std::move(raw), *box, mark, warnings);
 }
 
 }  // namespace campuswalk::scene::osm

@@ -33,7 +33,7 @@ struct Flight {
         const Point d = p - top;
         const double along = d.x() * up.x() + d.y() * up.y();
         const double slope = rise * std::clamp(1.0 + along / length, 0.0, 1.0);
-        const double cone = rise - kGentle * std::max(0.0, std::sqrt(d.x() * d.x() + d.y() * d.y()) - length);
+        const double cone = rise - kGentle * std::max(0.0, norm(d) - length);
         return along <= -length ? 0.0 : std::max(0.0, std::min(slope, cone));
     }
 };
@@ -132,7 +132,7 @@ double length_of(const std::vector<Point>& line) {
     double length = 0.0;
     for (std::size_t i = 1; i < line.size(); ++i) {
         const Point d = line[i] - line[i - 1];
-        length += std::sqrt(d.x() * d.x() + d.y() * d.y());
+        length += norm(d);
     }
     return length;
 }
@@ -159,7 +159,7 @@ double slope_of(std::string_view incline) {
     }
     const double value = length_of(incline.substr(0, incline.size() - (degrees ? 2 : 1))).value_or(0.0);
     if (degrees && value < 80.0) {
-        const collision::SinCos angle = collision::sin_cos(value * 0.017453292519943295);
+        const collision::SinCos angle = collision::sin_cos(value * kDegree);
         return angle.sin / angle.cos;
     }
     return degrees ? 0.0 : 0.01 * value;
@@ -195,8 +195,7 @@ Terrain relief_of_steps(const std::vector<Path>& paths, const Box& box) {
         }
         const std::vector<Point> points = upward(path);
         const Point d = points.back() - points.front();
-        Flight flight{points.front(), points.back(), Point(0, 1), std::sqrt(d.x() * d.x() + d.y() * d.y()),
-                      rise_of(path)};
+        Flight flight{points.front(), points.back(), Point(0, 1), norm(d), rise_of(path)};
         if (flight.length > 0.5 && flight.rise > 0.2 && box.contains(flight.top)) {
             flight.up = d / flight.length;
             flights.push_back(flight);
@@ -230,7 +229,7 @@ Terrain with_mounds(const Terrain& base, const Box& box, const std::vector<Mound
         const std::vector<std::size_t> near = near_cuttings.near(Box{mound.at, mound.at}.grown(reach));
         grid.around(mound.at, reach, [&](const Point& p, double& raised) {
             const Point d = p - mound.at;
-            const double distance = std::sqrt(d.x() * d.x() + d.y() * d.y());
+            const double distance = norm(d);
             double height = mound.rise - kGentle * std::max(0.0, distance - mound.flat);
             for (const std::size_t i : near) {
                 height = std::min(height, allowed(cuttings[i], p));

@@ -37,12 +37,12 @@ void consider_paths(const Composition& composition, const FreeGround& free, cons
         const std::vector<Point>& points = path.way->points;
         for (std::size_t i = 1; i < points.size(); ++i) {
             const Point d = points[i] - points[i - 1];
-            const double length = std::sqrt(d.x() * d.x() + d.y() * d.y());
+            const double length = norm(d);
             const int samples = std::clamp(static_cast<int>(length / kSample), 1, 2'000);
             for (int k = 0; k <= samples; ++k) {
                 const Point p = points[i - 1] + d * (static_cast<double>(k) / samples);
                 const Point off = p - middle;
-                const double cost = std::sqrt(off.x() * off.x() + off.y() * off.y()) + road;
+                const double cost = norm(off) + road;
                 if (cost < best.cost && box.contains(p) && free.is_start(p)) {
                     best = {p, unit(d), cost};
                 }

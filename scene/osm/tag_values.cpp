@@ -168,10 +168,15 @@ std::optional<double> number_of(const Tags& tags, std::string_view key) {
 std::optional<double> direction_of(const Tags& tags, std::string_view key) {
     constexpr std::array<std::string_view, 16> kWinds = {"N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE",
                                                          "S", "SSW", "SW", "WSW", "W", "WNW", "NW", "NNW"};
-    std::string_view value = trimmed(tags.get(key));
+    const std::string_view value = trimmed(tags.get(key));
     if (const auto* wind = std::ranges::find(kWinds, value); wind != kWinds.end()) {
         return 22.5 * static_cast<double>(wind - kWinds.begin());
     }
+    return degrees_of(tags, key);
+}
+
+std::optional<double> degrees_of(const Tags& tags, std::string_view key) {
+    std::string_view value = tags.get(key);
     const auto number = take_number(value);
     return number && std::abs(*number) <= 360.0 && (value.empty() || value == "\u00B0") ? number
                                                                                         : std::nullopt;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <numbers>
 #include <optional>
 #include <string_view>
 
@@ -17,6 +18,12 @@ std::optional<double> length_of(const Tags& tags, std::string_view key);
 
 /// A number without a unit, such as of levels or steps; of a list "1;3" the first.
 std::optional<double> number_of(const Tags& tags, std::string_view key);
+
+/// A degree, radians.
+inline constexpr double kDegree = std::numbers::pi / 180.0;
+
+/// "30" or "30°".
+std::optional<double> degrees_of(const Tags& tags, std::string_view key);
 
 /// "30", "30°", "NNE" in degrees clockwise from north.
 std::optional<double> direction_of(const Tags& tags, std::string_view key);

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "collision/geometry/trigonometry.h"
 
 namespace campuswalk::scene::osm {
 namespace {
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kRoom = 0.6;  // metres around a visitor
 
 bool is_at_ground(const Volume& volume) {
@@ -24,11 +22,11 @@ Eigen::Vector3d standing_on(const Composition& composition, const Point& at, dou
 }  // namespace
 
 double yaw_towards(const Point& direction) {
-    return collision::angle_of(-direction.x(), direction.y()) * kDegrees;
+    return collision::angle_of(-direction.x(), direction.y()) / kDegree;
 }
 
 double yaw_along(const Point& direction) {
-    return collision::angle_of(direction.y(), direction.x()) * kDegrees;
+    return collision::angle_of(direction.y(), direction.x()) / kDegree;
 }
 
 BoxIndex index_of_volumes(const Composition& composition) {
@@ -79,10 +77,7 @@ bool FreeGround::is_start(const Point& p) const {
 }
 
 bool FreeGround::is_clear_of(const Polygons& area, const Point& p) const {
-    const auto is_near = [&](const Ring& ring) { return nearest_on(ring, true, p).distance < kRoom; };
-    return std::ranges::none_of(area, [&](const Polygon& polygon) {
-        return contains(polygon, p) || is_near(polygon.outer) || std::ranges::any_of(polygon.holes, is_near);
-    });
+    return !contains(area, p) && nearest_on(area, p).distance >= kRoom;
 }
 
 void add_area_trigger(Composition& composition, const std::string& id, const std::string& building,
@@ -98,8 +93,8 @@ void add_area_trigger(Composition& composition, const std::string& id, const std
     }
     const Point along = rectangle[1] - rectangle[0];
     const Point across = rectangle[2] - rectangle[1];
-    const double length = std::sqrt(along.x() * along.x() + along.y() * along.y());
-    const double width = std::sqrt(across.x() * across.x() + across.y() * across.y());
+    const double length = norm(along);
+    const double width = norm(across);
     const double low = composition.terrain.lowest(area);
     const double high = composition.terrain.highest(area) + height;
     const Point middle = 0.5 * (rectangle[0] + rectangle[2]);
@@ -122,7 +117,7 @@ void add_node_trigger(Composition& composition, const BoxIndex& volumes, const s
     trigger.size = {kSize, kHeight, kSize};
     Point center = at;
     if (const Volume* volume = volume_at(composition, volumes, at)) {
-        Nearest nearest;
+        Nearest nearest;  // of the outer walls: not everyone gets into a courtyard
         for (const Polygon& polygon : volume->footprint) {
             const Nearest other = nearest_on(polygon.outer, true, at);
             nearest = other.distance < nearest.distance ? other : nearest;

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "config/loader/campus/geojson_points.h"
 #include "config/loader/load_run.h"
 #include "config/loader/walks_config.h"
 #include "engine/script/image_tolerance.h"
@@ -62,7 +63,8 @@ std::multimap<std::string, json> avatar_defaults() {
 std::multimap<std::string, json> campus_defaults() {
     const scene::SceneFile scene;
     const scene::Building building;
-    return {{"campus/definitions/scene/properties/up", scene.up == scene::UpAxis::y ? "y" : "z"},
+    return {{"campus/definitions/place_file/anyOf/1/properties/name", PointFile().name_property},
+            {"campus/definitions/scene/properties/up", scene.up == scene::UpAxis::y ? "y" : "z"},
             {"campus/definitions/scene/properties/unit", scene.metres_per_unit == 1.0 ? "m" : "another"},
             {"campus/definitions/scene/properties/scale", scene.scale},
             {"campus/definitions/origin/properties/height", scene::GeographicPlace().height},

@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 """Tests `campuswalk import osm`: what it writes, that people walk where the map says so, and what it refuses."""
 
+import json
 import os
 import re
+import struct
 
 import map_pbf
 import walked_ways
@@ -166,6 +168,73 @@ class ImportTest(ProgramCase):
         outcome = self.import_map()
         self.assertEqual(outcome.code, 0, outcome.err)
         self.assertIn("warning no-visits", outcome.err)
+
+    def test_says_what_is_in_the_way(self):
+        nodes = {**NODES, 20: (-5, -5), 21: (25, -5), 22: (25, 15), 23: (-5, 15), 24: (0, -1), 25: (20, -1)}
+        wall = {13: ((20, 21, 22, 23, 20), {"barrier": "wall"})}
+        self.write("a.osm", map_xml(nodes=nodes, ways={10: WAYS[10], 12: WAYS[12], **wall}))
+        outcome = self.import_map()
+        self.assertEqual(outcome.code, 0, outcome.err)
+        self.assertRegex(outcome.err, "(?m)warning no-visits: no door near the start can be reached; .*: .*wall-way-13 stands in the way at [-0-9., ]*$")
+        hedge = {14: ((24, 25), {"barrier": "hedge"})}
+        self.write("a.osm", map_xml(nodes=nodes, ways={10: WAYS[10], 12: WAYS[12], **hedge}))
+        outcome = self.import_map("--overwrite")
+        self.assertEqual(outcome.code, 0, outcome.err)
+        self.assertIn("warning blocked-door: node 5 is an entrance of way-10", outcome.err)
+
+    def test_takes_the_format_from_the_name_of_a_link(self):
+        self.write("store/1a2b", map_xml())
+        os.symlink("store/1a2b", self.path("linked.osm"))
+        outcome = self.import_map(name="linked.osm")
+        self.assertEqual(outcome.code, 0, outcome.err)
+        self.assertIn("linked.osm", self.text("out/linked.campus.yaml"))
+        self.assertNotIn("1a2b", self.text("out/linked.campus.yaml"))
+
+    def test_the_model_is_a_sound_glb(self):
+        """By a reader of the test's own: what the format's specification demands, and what the program printed."""
+        self.write("a.osm", map_xml())
+        outcome = self.import_map()
+        self.assertEqual(outcome.code, 0, outcome.err)
+        data = self.read("out/campus.glb")
+        magic, version, length, json_length, json_kind = struct.unpack_from("<4sIII4s", data)
+        self.assertEqual((magic, version, length, json_kind), (b"glTF", 2, len(data), b"JSON"))
+        self.assertEqual(json_length % 4, 0)
+        model = json.loads(data[20:20 + json_length])
+        binary_length, binary_kind = struct.unpack_from("<I4s", data, 20 + json_length)
+        self.assertEqual((binary_kind, 28 + json_length + binary_length), (b"BIN\0", len(data)))
+        binary = data[28 + json_length:]
+        self.assertLessEqual(model["buffers"][0]["byteLength"], binary_length)
+        def values(index):
+            accessor = model["accessors"][index]
+            view = model["bufferViews"][accessor["bufferView"]]
+            width = {"SCALAR": 1, "VEC3": 3}[accessor["type"]]
+            form, size = {5123: ("H", 2), 5125: ("I", 4), 5126: ("f", 4)}[accessor["componentType"]]
+            offset = view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
+            self.assertEqual(offset % size, 0)
+            self.assertLessEqual(accessor.get("byteOffset", 0) + accessor["count"] * width * size, view["byteLength"])
+            numbers = struct.unpack_from("<%d%s" % (accessor["count"] * width, form), binary, offset)
+            return accessor, [numbers[i:i + width] for i in range(0, len(numbers), width)]
+        names, triangles = [node["name"] for node in model["nodes"]], 0
+        self.assertEqual(len(names), len(set(names)))
+        self.assertEqual(sorted(model["scenes"][0]["nodes"]), list(range(len(names))))
+        self.assertLessEqual({"ground", "building/way-10", "footway/way-12", "door/node-5"}, set(names))
+        for mesh in model["meshes"]:
+            for part in mesh["primitives"]:
+                accessor, positions = values(part["attributes"]["POSITION"])
+                for axis in range(3):
+                    self.assertEqual(accessor["min"][axis], min(p[axis] for p in positions), mesh["name"])
+                    self.assertEqual(accessor["max"][axis], max(p[axis] for p in positions), mesh["name"])
+                _, normals = values(part["attributes"]["NORMAL"])
+                self.assertEqual(len(normals), len(positions))
+                self.assertTrue(all(abs(sum(x * x for x in n) - 1) < 1e-5 for n in normals), mesh["name"])
+                _, indices = values(part["indices"])
+                self.assertLess(max(i for (i,) in indices), len(positions))
+                self.assertEqual(len(indices) % 3, 0)
+                triangles += len(indices) // 3
+                self.assertLess(part["material"], len(model["materials"]))
+        self.assertIn(": %d triangles" % triangles, outcome.out)
+        looks = [material["name"] for material in model["materials"]]
+        self.assertEqual(len(looks), len(set(looks)))
 
     def test_refuses_what_is_no_map(self):
         good = map_xml()

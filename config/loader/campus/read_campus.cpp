@@ -3,6 +3,7 @@
 #include <array>
 
 #include "config/loader/campus/read_collider.h"
+#include "config/loader/campus/read_places.h"
 #include "config/loader/campus/read_popup.h"
 #include "config/loader/values/checked_map.h"
 #include "config/loader/values/names.h"
@@ -16,7 +17,6 @@ using scene::CampusDescription;
 using scene::CampusOrigin;
 using scene::ColliderDescription;
 using scene::GeographicPlace;
-using scene::Place;
 using scene::SceneFile;
 using scene::Spawn;
 using scene::UpAxis;
@@ -186,8 +186,7 @@ std::vector<ColliderDescription> read_colliders(const CheckedNode& section, cons
     return colliders;
 }
 
-// Spawns and places are keyed by name: the YAML map rules out duplicates, but not one name in two spellings.
-
+/// Keyed by name: the YAML map rules out duplicates, but not one name in two spellings.
 std::vector<Spawn> read_spawns(const CheckedNode& section) {
     std::vector<Spawn> spawns;
     UniqueNames names("spawn");
@@ -196,18 +195,6 @@ std::vector<Spawn> read_spawns(const CheckedNode& section) {
         names.add(spawns.back().name, entry.value);
     }
     return spawns;
-}
-
-std::vector<Place> read_places(const CheckedNode& section) {
-    std::vector<Place> places;
-    UniqueNames names("place");
-    for (const CheckedNode::Entry& entry : section.entries()) {
-        std::string name = id_key(entry);
-        names.add(name, entry.value);
-        const auto position = entry.value.vector(kCoordinate);
-        places.push_back({entry.key_mark, std::move(name), position.value_or(Eigen::Vector3d::Zero())});
-    }
-    return places;
 }
 
 }  // namespace
@@ -234,7 +221,7 @@ CampusDescription read_campus(const CheckedNode& root, const fs::path& folder, c
         campus.spawns = read_spawns(*section);
     }
     if (const auto section = map.find("places")) {
-        campus.places = read_places(*section);
+        read_places(*section, folder, roots, campus);  // after the origin, which their files may need
     }
     map.refuse_other_keys();
     return campus;

@@ -22,7 +22,6 @@ bool is_id_path(std::string_view path) {
            (slash == std::string_view::npos || is_id_path(path.substr(slash + 1)));
 }
 
-constexpr std::size_t kMaxNameBytes = 200;
 constexpr const char* kKebabForm = "lower-case letters, digits and single hyphens, such as main-gate";
 constexpr const char* kIdForm = "letters and digits of any script, with '-', '_' or '.' between them";
 constexpr const char* kPathForm =

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
@@ -10,6 +11,8 @@ namespace campuswalk::config {
 
 // Names appear in logs and in patterns, ids in any script (scene/base/unicode_words.h); those of profiles and
 // snapshots are also file names, and those of tags and fields words of options: they are kebab-case.
+
+inline constexpr std::size_t kMaxNameBytes = 200;
 
 /// A kebab-case word, as in "main-gate"; reports anything else (bad-value).
 std::optional<std::string> kebab_name(const CheckedNode& node);

@@ -81,8 +81,11 @@ engine::CameraTarget CampusNames::camera_target(const CheckedNode& node) const {
         return {};
     }
     const Target target = this->target(node);
-    if (node.is_sequence() && !target.label.empty() && !target.has_height) {
-        node.diagnose("bad-value", node.what() + " needs a height too: [x, y, z]");
+    if (!target.label.empty() && !target.has_height) {
+        node.diagnose("bad-value", node.is_sequence()
+                                       ? node.what() + " needs a height too: [x, y, z]"
+                                       : node.what() + " needs a place with a height, which the file that " +
+                                             in_quotes(target.label) + " is from doesn't give");
     }
     return {target.label, std::nullopt, target.point};
 }
@@ -120,6 +123,7 @@ Target CampusNames::target_named(const CheckedNode& node, const std::string& nam
     const auto spawn = std::ranges::find(campus_->spawns, name, &Spawn::name);
     if (place != campus_->places.end()) {
         target.point = place->position;
+        target.has_height = place->has_height;
     } else if (spawn != campus_->spawns.end()) {
         target.point = spawn->position;
     } else {

@@ -99,8 +99,8 @@ std::string shown_path(const std::filesystem::path& path) {
     return path.lexically_normal().generic_string();
 }
 
-std::optional<std::string> read_source(const std::filesystem::path& path, const SourceMark& named_at,
-                                       DiagnosticList& diagnostics) {
+std::optional<std::string> read_bytes(const std::filesystem::path& path, const SourceMark& named_at,
+                                      DiagnosticList& diagnostics) {
     const std::string shown = shown_path(path);
     const auto missing = [&](const std::string& why) {
         diagnostics.error(named_at, "missing-file", named_at.line > 0 ? "'" + shown + "': " + why : why);
@@ -117,13 +117,22 @@ std::optional<std::string> read_source(const std::filesystem::path& path, const 
         return std::nullopt;
     }
     std::ifstream in(path, std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
     if (!in || in.bad()) {
         return missing("cannot be read; check its permissions");
     }
-    std::string text = with_plain_lines(bytes);
+    return bytes;
+}
+
+std::optional<std::string> read_source(const std::filesystem::path& path, const SourceMark& named_at,
+                                       DiagnosticList& diagnostics) {
+    const std::optional<std::string> bytes = read_bytes(path, named_at, diagnostics);
+    if (!bytes) {
+        return std::nullopt;
+    }
+    std::string text = with_plain_lines(*bytes);
     if (const auto fault = first_fault(text)) {
-        diagnostics.error({shown, fault->line, fault->column}, "yaml-syntax", fault->message);
+        diagnostics.error({shown_path(path), fault->line, fault->column}, "yaml-syntax", fault->message);
         return std::nullopt;
     }
     return text;

@@ -119,28 +119,30 @@ std::string in_megabytes(std::uint64_t bytes) {
 }
 
 /// Why there is no response; empty if there is one.
-std::string failure_of(const ExitStatus& end, bool timed_out, const ImportLimits& limits) {
+std::string failure_of(const ExitStatus& end, bool timed_out, const ImportLimits& limits,
+                       const HelperAdvice& advice) {
     if (timed_out) {
-        return "its import was stopped after " + std::to_string(limits.cpu + limits.waiting) +
-               " s; re-export, simplify or split it";
+        return "its import was stopped after " + std::to_string(limits.cpu + limits.waiting) + " s; " +
+               advice.if_too_large;
     }
     if (end.signal == SIGXCPU || (end.signal == SIGKILL && end.cpu_seconds >= limits.cpu)) {
         return "its import was stopped after " + std::to_string(limits.cpu) +
-               " s of CPU time: it is damaged or too large; re-export, simplify or split it";
+               " s of CPU time: it is damaged or too large; " + advice.if_too_large;
     }
     if (end.signal == SIGXFSZ) {
-        return "the imported model exceeds " + in_megabytes(limits.response) + "; simplify or split it";
+        return "what is made from it exceeds " + in_megabytes(limits.response) + "; " + advice.if_too_large;
     }
     if (end.signal == SIGKILL) {
-        return "its import was killed, probably because it ran out of memory; simplify or split it";
+        return std::string("its import was killed, probably because it ran out of memory; ") +
+               advice.if_too_large;
     }
     if (end.signal != 0) {
         return "its reader crashed (signal " + std::to_string(end.signal) +
-               "); the file is damaged or uses unsupported features: convert it to glTF";
+               "); the file is damaged or uses unsupported features: " + advice.if_unreadable;
     }
     if (end.exit_code != 0) {
         return "its import ended without producing a model (exit code " + std::to_string(end.exit_code) +
-               ", perhaps more than " + in_megabytes(limits.memory) + " of memory); simplify or split it";
+               ", perhaps more than " + in_megabytes(limits.memory) + " of memory); " + advice.if_too_large;
     }
     return {};
 }
@@ -158,7 +160,7 @@ ImportLimits limits_for(const std::filesystem::path& file, ImportLimits limits) 
 }
 
 HelperResponse ask_helper(const HelperProgram& helper, std::span<const std::byte> request,
-                          const ImportLimits& limits) {
+                          const ImportLimits& limits, const HelperAdvice& advice) {
     const MemoryFile request_file("campuswalk-import-request");
     const MemoryFile response_file("campuswalk-import-response");
     request_file.write(request);
@@ -167,7 +169,7 @@ HelperResponse ask_helper(const HelperProgram& helper, std::span<const std::byte
     const bool timed_out = !process.ends_within(time_limit);
     process.kill_group();  // whatever it may have left running
     HelperResponse response;
-    response.failure = failure_of(process.wait(), timed_out, limits);
+    response.failure = failure_of(process.wait(), timed_out, limits, advice);
     if (!response.failure.empty()) {
         return response;
     }

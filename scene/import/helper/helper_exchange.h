@@ -21,7 +21,14 @@ struct HelperProgram {
 struct HelperResponse {
     std::span<const std::byte> bytes;
     std::shared_ptr<const void> owner;  ///< keeps the bytes
-    std::string failure;  ///< why there are none, after "FILE can't be read: "; empty if there are
+    std::string
+        failure;  ///< why there are none, after "FILE can't be read: " or the like; empty if there are
+};
+
+/// What users can do about a failure.
+struct HelperAdvice {
+    const char* if_too_large = "re-export, simplify or split it";
+    const char* if_unreadable = "convert it to glTF";
 };
 
 /// The limits for one file: with the CPU time for its size added.
@@ -30,6 +37,6 @@ ImportLimits limits_for(const std::filesystem::path& file, ImportLimits limits);
 /// Starts the helper with the request as its standard input, and waits for its response. A helper that
 /// crashes or exceeds a limit is a failure; one that can't be started, std::runtime_error.
 HelperResponse ask_helper(const HelperProgram& helper, std::span<const std::byte> request,
-                          const ImportLimits& limits);
+                          const ImportLimits& limits, const HelperAdvice& advice = {});
 
 }  // namespace campuswalk::scene

@@ -8,19 +8,14 @@
 
 namespace campuswalk::scene::osm {
 
-/// An imported map as the contents of files, and what a walk through it can visit.
+/// An imported map as it leaves the helper: the model as bytes, the rest as plain data.
 struct MapFiles {
     std::string glb;
-    std::string campus_yaml;
-    std::string attribution;
-    std::vector<DraftSpawn> spawns;
-    std::vector<DraftPlace> places;
-    std::size_t buildings = 0;  ///< that have a title, and facilities
+    CampusDraft draft;
     std::size_t triangles = 0;
     std::vector<Diagnostic> warnings;
 };
 
-/// The map's file is named in the texts.
-MapFiles files_of(const ImportedMap& imported, const std::string& name);
+MapFiles files_of(ImportedMap imported);
 
 }  // namespace campuswalk::scene::osm

@@ -15,7 +15,7 @@ namespace {
 
 MapFiles response_to(const MapRequest& request) {
     try {
-        return files_of(import_map(request), std::filesystem::path(request.mark.file).filename().string());
+        return files_of(import_map(request));
     } catch (const InputError& error) {
         MapFiles refusal;
         refusal.warnings = error.diagnostics();
@@ -47,7 +47,9 @@ MapFiles import_map_in_process(const HelperProgram& helper, const MapRequest& re
     if (!request.heights.empty()) {
         asked.map.heights = without_links(request.heights);
     }
-    const HelperResponse response = ask_helper(helper, write_request(asked), asked.limits);
+    const HelperResponse response =
+        ask_helper(helper, write_request(asked), asked.limits,
+                   {"choose a part of it with --bbox or --center", "download it again, or report it"});
     if (!response.failure.empty()) {
         refuse(response.failure);
     }

@@ -1,51 +1,15 @@
 #include "scene/osm/helper/map_protocol.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
+
+#include "scene/osm/helper/draft_archive.h"
 
 namespace campuswalk::scene::osm {
 namespace {
 
-constexpr FileKind kMapRequest = {{'c', 'w', ' ', 'm', 'a', 'p', 'r', 'q'}, 1};
-constexpr FileKind kMapResponse = {{'c', 'w', ' ', 'm', 'a', 'p', 'r', 's'}, 1};
-constexpr std::size_t kMinText = 8;
-
-void put_mark(ArchiveWriter& out, const SourceMark& mark) {
-    out.put_text(mark.file);
-    out.put(std::int32_t{mark.line});
-    out.put(std::int32_t{mark.column});
-}
-
-SourceMark take_mark(ArchiveReader& in) {
-    SourceMark mark;
-    mark.file = in.take_text();
-    mark.line = in.take<std::int32_t>();
-    mark.column = in.take<std::int32_t>();
-    return mark;
-}
-
-double take_finite(ArchiveReader& in) {
-    const auto value = in.take<double>();
-    if (!std::isfinite(value)) {
-        throw DamagedFile("a coordinate is not finite");
-    }
-    return value;
-}
-
-void put_point(ArchiveWriter& out, const Eigen::Vector3d& p) {
-    for (Eigen::Index i = 0; i < 3; ++i) {
-        out.put(p[i]);
-    }
-}
-
-Eigen::Vector3d take_point(ArchiveReader& in) {
-    Eigen::Vector3d p;
-    for (Eigen::Index i = 0; i < 3; ++i) {
-        p[i] = take_finite(in);
-    }
-    return p;
-}
+constexpr FileKind kMapRequest = {{'c', 'w', ' ', 'm', 'a', 'p', 'r', 'q'}, 2};
+constexpr FileKind kMapResponse = {{'c', 'w', ' ', 'm', 'a', 'p', 'r', 's'}, 2};
 
 void put_section(ArchiveWriter& out, const MapSection& section) {
     out.put(std::uint32_t{section.box.has_value()});
@@ -86,6 +50,7 @@ std::vector<std::byte> write_request(const MapHelperRequest& request) {
     ArchiveWriter out(kMapRequest);
     put_mark(out, request.map.mark);
     out.put_text(request.map.file.string());
+    put_mark(out, request.map.heights_mark);
     out.put_text(request.map.heights.string());
     put_section(out, request.map.section);
     out.put(request.limits.memory);
@@ -100,6 +65,7 @@ MapHelperRequest read_map_request(std::span<const std::byte> bytes) {
     MapHelperRequest request;
     request.map.mark = take_mark(in);
     request.map.file = in.take_text();
+    request.map.heights_mark = take_mark(in);
     request.map.heights = in.take_text();
     request.map.section = take_section(in);
     request.limits.memory = in.take<std::uint64_t>();
@@ -112,29 +78,8 @@ MapHelperRequest read_map_request(std::span<const std::byte> bytes) {
 
 ArchiveWriter archive_files(const MapFiles& files) {
     ArchiveWriter out(kMapResponse);
-    out.put(std::uint64_t{files.warnings.size()});
-    for (const Diagnostic& diagnostic : files.warnings) {
-        out.put(static_cast<std::uint32_t>(diagnostic.severity));
-        put_mark(out, diagnostic.mark);
-        out.put_text(diagnostic.code);
-        out.put_text(diagnostic.message);
-    }
-    out.put_text(files.campus_yaml);
-    out.put_text(files.attribution);
-    out.put(std::uint64_t{files.spawns.size()});
-    for (const DraftSpawn& spawn : files.spawns) {
-        out.put_text(spawn.name);
-        put_point(out, spawn.at);
-        out.put(spawn.yaw_deg);
-    }
-    out.put(std::uint64_t{files.places.size()});
-    for (const DraftPlace& place : files.places) {
-        out.put_text(place.name);
-        put_point(out, place.at);
-        out.put_text(place.trigger);
-        out.put(std::int32_t{place.importance});
-    }
-    out.put(std::uint64_t{files.buildings});
+    put_diagnostics(out, files.warnings);
+    put_draft(out, files.draft);
     out.put(std::uint64_t{files.triangles});
     out.put_text(files.glb);
     return out;
@@ -143,29 +88,8 @@ ArchiveWriter archive_files(const MapFiles& files) {
 MapFiles read_map_response(std::span<const std::byte> bytes) {
     ArchiveReader in(bytes, kMapResponse);
     MapFiles files;
-    files.warnings.resize(in.take_count(4 * kMinText));
-    for (Diagnostic& diagnostic : files.warnings) {
-        diagnostic.severity = static_cast<Severity>(in.take_below(2, "severity"));
-        diagnostic.mark = take_mark(in);
-        diagnostic.code = in.take_text();
-        diagnostic.message = in.take_text();
-    }
-    files.campus_yaml = in.take_text();
-    files.attribution = in.take_text();
-    files.spawns.resize(in.take_count(5 * kMinText));
-    for (DraftSpawn& spawn : files.spawns) {
-        spawn.name = in.take_text();
-        spawn.at = take_point(in);
-        spawn.yaw_deg = take_finite(in);
-    }
-    files.places.resize(in.take_count(5 * kMinText));
-    for (DraftPlace& place : files.places) {
-        place.name = in.take_text();
-        place.at = take_point(in);
-        place.trigger = in.take_text();
-        place.importance = in.take<std::int32_t>();
-    }
-    files.buildings = static_cast<std::size_t>(in.take<std::uint64_t>());
+    files.warnings = take_diagnostics(in);
+    files.draft = take_draft(in);
     files.triangles = static_cast<std::size_t>(in.take<std::uint64_t>());
     files.glb = in.take_text();
     in.finish();

@@ -61,6 +61,23 @@ void read_campus(Bytes bytes) {
          [](const auto& file) { config::load_campus_description(file); });
 }
 
+/// A file of places, as longitudes and as metres.
+void read_places(Bytes bytes) {
+    static const config::test::ConfigFolder folder;
+    folder.write("fuzzed.geojson", as_text(bytes));
+    for (const char* keys : {"", ", coordinates: campus, name: a, height: 1, where: {b: [1, c]}"}) {
+        folder.write("places.campus.yaml",
+                     "scenes: [{file: a.obj}]\ncolliders: []\norigin: {latitude_deg: 48, longitude_deg: 11}\n"
+                     "places: {from: {file: fuzzed.geojson" +
+                         std::string(keys) + "}}\n");
+        try {
+            config::load_campus_description(folder.path("places.campus.yaml"));
+        } catch (const scene::InputError& error) {
+            check(error);
+        }
+    }
+}
+
 void read_profiles(Bytes bytes) {
     load("fuzzed.avatar.yaml", as_text(bytes), [](const auto& file) { config::load_avatar(file); });
     load("fuzzed.light.yaml", as_text(bytes), [](const auto& file) { config::load_light(file); });
@@ -133,10 +150,10 @@ void read_logs(Bytes bytes) {
     }
 }
 
-constexpr std::array kTargets = {Target{"walk", read_walk},         Target{"campus", read_campus},
-                                 Target{"profiles", read_profiles}, Target{"steps", read_steps},
-                                 Target{"config", read_config},     Target{"pattern", read_pattern},
-                                 Target{"report", read_report},     Target{"logs", read_logs}};
+constexpr std::array kTargets = {
+    Target{"walk", read_walk},     Target{"campus", read_campus}, Target{"profiles", read_profiles},
+    Target{"steps", read_steps},   Target{"config", read_config}, Target{"pattern", read_pattern},
+    Target{"report", read_report}, Target{"logs", read_logs},     Target{"places", read_places}};
 
 }  // namespace
 

@@ -10,7 +10,6 @@
 
 #include "scene/osm/areas.h"
 #include "scene/osm/plan_geometry.h"
-#include "scene/osm/projection.h"
 #include "scene/osm/tag_values.h"
 #include "tests/scene/osm/imported_map.h"
 
@@ -18,24 +17,6 @@ namespace campuswalk::scene::osm {
 namespace {
 
 using test::MapText;
-
-TEST(Projection, IsThatOfTheTangentPlane) {
-    // Against the textbook formula with libm's functions, 3 km away.
-    const Projection projection(-0.2, -78.5);
-    const double radians = std::numbers::pi / 180.0;
-    const auto geocentric = [&](double latitude, double longitude) {
-        const double e2 = 0.00669437999014;
-        const double n = 6378137.0 / std::sqrt(1.0 - e2 * std::pow(std::sin(latitude * radians), 2));
-        return Eigen::Vector3d(n * std::cos(latitude * radians) * std::cos(longitude * radians),
-                               n * std::cos(latitude * radians) * std::sin(longitude * radians),
-                               n * (1.0 - e2) * std::sin(latitude * radians));
-    };
-    const Eigen::Vector3d d = geocentric(-0.17, -78.48) - geocentric(-0.2, -78.5);
-    const Point p = projection.project(-0.17, -78.48);
-    EXPECT_NEAR(p.x(), -std::sin(-78.5 * radians) * d.x() + std::cos(-78.5 * radians) * d.y(), 1e-5);
-    EXPECT_NEAR(p.norm(), d.norm(), 1e-3);
-    EXPECT_GT(p.y(), 3000.0);
-}
 
 TEST(TagValues, ReadsLengthsAndColors) {
     EXPECT_DOUBLE_EQ(*length_of("3.5"), 3.5);
@@ -69,48 +50,6 @@ TEST_F(ImportMap, MakesBuildingsOfTheirAreaAndHeight) {
     EXPECT_NEAR(bounds_of(model, above).min.y(), 5.5, 0.01);
     EXPECT_NEAR(bounds_of(model, above).max.y(), 20.0, 0.01);
     EXPECT_NEAR(plan_area(model, *find(model, above), -1.0), 100.0, 0.1) << "it has an underside";
-}
-
-TEST_F(ImportMap, MakesTheRoofsOfSimple3dBuildings) {
-    struct Expected {
-        const char* shape;
-        double volume;  ///< of 20 by 10 m, 9 m high, of which the roof is 3
-    };
-    for (const Expected& roof : {Expected{"flat", 1800},
-                                 {"gabled", 1500},
-                                 {"hipped", 1450},
-                                 {"pyramidal", 1400},
-                                 {"skillion", 1500},
-                                 {"gambrel", 1575}}) {
-        MapText map;
-        const auto id = map.rectangle(
-            -10, -5, 10, 5,
-            {{"building", "yes"}, {"height", "9"}, {"roof:height", "3"}, {"roof:shape", roof.shape}});
-        const Model model = import(map.xml()).model;
-        const std::string name = "building/way-" + std::to_string(id);
-        EXPECT_NEAR(volume_of(model, name), roof.volume, 0.002 * roof.volume) << roof.shape;
-        EXPECT_NEAR(bounds_of(model, name).max.y(), 9.0, 0.01) << roof.shape;
-        EXPECT_NEAR(plan_area(model, *find(model, name)), 200.0, 0.2) << roof.shape;
-    }
-    for (const char* shape : {"half-hipped", "mansard", "round", "dome"}) {
-        MapText map;
-        const auto id = map.rectangle(
-            -10, -5, 10, 5,
-            {{"building", "yes"}, {"height", "9"}, {"roof:height", "3"}, {"roof:shape", shape}});
-        const Model model = import(map.xml()).model;
-        const std::string name = "building/way-" + std::to_string(id);
-        EXPECT_NEAR(bounds_of(model, name).max.y(), 9.0, 0.01) << shape;
-        EXPECT_GT(volume_of(model, name), 1400.0) << shape;
-        EXPECT_LT(volume_of(model, name), 1800.0) << shape;
-    }
-}
-
-TEST_F(ImportMap, ReportsARoofThatItsFootprintForbids) {
-    MapText map;
-    map.ring({{0, 0}, {40, 0}, {40, 4}, {4, 4}, {4, 40}, {0, 40}},
-             {{"building", "yes"}, {"height", "9"}, {"roof:shape", "gabled"}});
-    const ImportedMap imported = import(map.xml());
-    EXPECT_TRUE(test::has_code(imported.warnings, "roof-shape"));
 }
 
 TEST_F(ImportMap, BuildsPartsInsteadOfTheirOutline) {
@@ -171,9 +110,8 @@ TEST_F(ImportMap, KeepsNamesInTheirScriptAndIdsInAscii) {
     EXPECT_EQ(imported.draft.buildings[0].id, "building-" + std::to_string(id));
     EXPECT_EQ(imported.draft.buildings[0].title, "\xEB\x8F\x84\xEC\x84\x9C\xEA\xB4\x80 {x} \"<b>");
     EXPECT_EQ(imported.draft.buildings[0].floors, 4);
-    const std::string yaml = campus_yaml(imported.draft, "a.osm");
-    EXPECT_NE(yaml.find("{{x}} \\\"<b>"), std::string::npos) << yaml;
-    EXPECT_NE(yaml.find("name-en: \"Library\""), std::string::npos) << yaml;
+    ASSERT_EQ(imported.draft.buildings[0].info.size(), 1U);
+    EXPECT_EQ(imported.draft.buildings[0].info[0], std::pair(std::string("name-en"), std::string("Library")));
 }
 
 TEST_F(ImportMap, TakesHeightsFromLevels) {

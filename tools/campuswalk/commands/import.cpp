@@ -23,6 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// Whatever the word on the command line says: there is one format.
 enum class SourceFormat { osm };
 
 struct ImportOptions {
@@ -137,27 +138,29 @@ int import_osm(const ImportOptions& options) {
     request.file = options.map;
     request.mark.file = options.map.string();
     request.heights = options.heights.value_or(fs::path());
+    request.heights_mark.file = request.heights.string();
     request.section = section_of(options);
     const scene::osm::MapFiles contents = read_osm_map(request);
     print_warnings(contents.warnings);
-    const std::size_t visits = write_campus_files(contents, files, options.map);
-    if (visits == 0) {
+    const WrittenWalk walk = write_campus_files(contents, files, options.map);
+    if (walk.visits == 0) {
         scene::SourceMark mark;
         mark.file = options.map.string();
         scene::DiagnosticList warnings;
-        warnings.warning(mark, "no-visits",
-                         contents.places.empty()
-                             ? "it has no door that a walk could visit; the walk only stands at the start"
-                             : "no door near the start can be reached; the walk only stands there");
+        warnings.warning(
+            mark, "no-visits",
+            walk.obstacle.empty()
+                ? "it has no door near the start; the walk only stands there"
+                : "no door near the start can be reached; the walk only stands there: " + walk.obstacle);
         diagnose(warnings.all());
     }
     const auto shown = [](const fs::path& path) { return path.lexically_normal().generic_string(); };
     print_line("%s: %s", shown(files.model).c_str(), scene::plural(contents.triangles, "triangle").c_str());
     print_line("%s: %s with a name, %s, %s", shown(files.campus).c_str(),
-               scene::plural(contents.buildings, "building").c_str(),
-               scene::plural(contents.places.size(), "place").c_str(),
-               scene::plural(contents.spawns.size(), "spawn").c_str());
-    print_line("%s: %s, played", shown(files.walk).c_str(), scene::plural(visits, "visit").c_str());
+               scene::plural(contents.draft.buildings.size(), "building").c_str(),
+               scene::plural(contents.draft.places.size(), "place").c_str(),
+               scene::plural(contents.draft.spawns.size(), "spawn").c_str());
+    print_line("%s: %s, played", shown(files.walk).c_str(), scene::plural(walk.visits, "visit").c_str());
     print_line("%s: show it with what you publish", shown(files.attribution).c_str());
     return kPass;
 }

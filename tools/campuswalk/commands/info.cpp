@@ -1,3 +1,4 @@
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -11,10 +12,12 @@
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/base/print.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/images/images.h"
 #include "tools/campuswalk/images/rendering_backend.h"
+#include "tools/campuswalk/import/numbers.h"
 #include "tools/campuswalk/info/model_info.h"
 #include "tools/campuswalk/loading/model_importer.h"
 #include "tools/campuswalk/suggest/ground_lint.h"
@@ -29,7 +32,8 @@ struct InfoOptions {
     scene::SceneFile scene;
     bool json = false;
     std::optional<std::filesystem::path> suggest;  ///< NAME.campus.yaml to write, with NAME.walk.yaml
-    bool overwrite = false;                        ///< replace those two
+    SuggestRequest suggestion;                     ///< what else it is made from
+    std::optional<std::string> origin;             ///< of the suggested campus on the Earth
     std::optional<std::filesystem::path> map;      ///< an image from above to write
     Backend backend = engine::render::RenderingBackend::automatic;  ///< draws it
 };
@@ -77,10 +81,28 @@ ModelInfo info_of(const scene::ImportedModel& imported) {
     return info;
 }
 
+scene::GeographicPlace origin_in(const std::string& text) {
+    const std::vector<double> at = numbers_in(text, 2, "--origin");
+    if (std::abs(at[0]) > scene::kMaxLatitude || std::abs(at[1]) > scene::kMaxLongitude) {
+        throw error_about("--origin", "bad-value",
+                          "'" + text + "' is no place; write LATITUDE,LONGITUDE in degrees");
+    }
+    return {at[0], at[1]};
+}
+
 /// Prints what is in a model file and what looks wrong with it. Returns the exit code.
 int print_info(const InfoOptions& options) {
     if (options.suggest) {
-        return suggest_campus(options.scene, *options.suggest, options.overwrite);
+        SuggestRequest request = options.suggestion;
+        request.campus_file = *options.suggest;
+        if (options.origin) {
+            request.on_earth = origin_in(*options.origin);
+        }
+        return suggest_campus(options.scene, request);
+    }
+    if (options.suggestion.places || options.origin) {
+        throw error_about(options.suggestion.places ? "--places" : "--origin", "bad-value",
+                          "it is about the campus that --suggest writes; pass that, too");
     }
     if (options.map) {
         require_images(options.backend);
@@ -122,7 +144,16 @@ void add_info(Command program, CommandAction& chosen) {
          .value = "NAME.campus.yaml"},
         options->suggest);
     command.flag({.names = "--overwrite", .help = "Let --suggest replace existing files"},
-                 options->overwrite);
+                 options->suggestion.overwrite);
+    command.option(
+        {.names = "--places",
+         .help = "GeoJSON with named points that the campus of --suggest refers to and its walk visits",
+         .value = "FILE.geojson"},
+        options->suggestion.places);
+    command.option({.names = "--origin",
+                    .help = "Where [0, 0, 0] of the campus of --suggest is on the Earth, for --places",
+                    .value = "LAT,LON"},
+                   options->origin);
     command.option(
         {.names = "--map", .help = "Draw it from above, with a grid of its coordinates", .value = "FILE.png"},
         options->map);

@@ -1,10 +1,11 @@
 #include "tools/campuswalk/explore/geojson.h"
 
 #include <cmath>
-#include <numbers>
+#include <optional>
 #include <set>
 
 #include "engine/walkspace/node_numbers.h"
+#include "scene/model/projection.h"
 #include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/explore/cell_outlines.h"
 
@@ -18,46 +19,33 @@ double rounded(double value, double digits) {
     return std::floor(value * digits + 0.5) / digits;
 }
 
-/// From the campus to the map. On an area of a few kilometres the ellipsoid's own radii at the origin are
-/// exact to centimetres.
+/// From the campus to the map.
 class MapCoordinates {
 public:
-    explicit MapCoordinates(const scene::Origin& origin) : place_(origin.geographic) {
-        if (place_) {
-            constexpr double kEquator = 6378137.0;  // WGS 84
-            constexpr double kFlattening = 1.0 / 298.257223563;
-            const double e2 = kFlattening * (2.0 - kFlattening);
-            const double latitude = place_->latitude_deg * kRadians;
-            const double w = 1.0 - e2 * std::sin(latitude) * std::sin(latitude);
-            meridian_ = kEquator * (1.0 - e2) / (w * std::sqrt(w));
-            parallel_ = kEquator / std::sqrt(w) * std::cos(latitude);
+    explicit MapCoordinates(const scene::Origin& origin) {
+        if (origin.geographic) {
+            frame_.emplace(*origin.geographic);
         }
     }
 
-    bool is_geographic() const { return place_.has_value(); }
+    bool is_geographic() const { return frame_.has_value(); }
 
     Json at(double x, double z) const {
-        if (!place_) {
-            return {rounded(x, 1e5), rounded(-z, 1e5)};
-        }
-        const double east = x - place_->at.x();
-        const double north = place_->at.z() - z;
-        return {rounded(place_->longitude_deg + east / parallel_ / kRadians, 1e9),
-                rounded(place_->latitude_deg + north / meridian_ / kRadians, 1e9)};
-    }
-
-    Json at(const Vec3& p) const {
-        Json json = at(p.x(), p.z());
-        json.push_back(rounded(place_ ? p.y() - place_->at.y() + place_->height : p.y(), 1e5));
+        Json json = at(Vec3(x, 0.0, z));
+        json.erase(2);
         return json;
     }
 
-private:
-    static constexpr double kRadians = std::numbers::pi / 180.0;
+    Json at(const Vec3& p) const {
+        if (!frame_) {
+            return {rounded(p.x(), 1e5), rounded(-p.z(), 1e5), rounded(p.y(), 1e5)};
+        }
+        const Vec3 map = frame_->to_map(p);
+        return {rounded(map.x(), 1e9), rounded(map.y(), 1e9), rounded(map.z(), 1e5)};
+    }
 
-    std::optional<scene::GeographicPlace> place_;
-    double meridian_ = 0.0;  ///< metres per radian to the north
-    double parallel_ = 0.0;  ///< and to the east
+private:
+    std::optional<scene::MapFrame> frame_;
 };
 
 Json feature(const char* type, Json coordinates, Json properties) {

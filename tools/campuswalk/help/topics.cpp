@@ -79,6 +79,8 @@ Patterns may contain globs: 'collision.* bench/*', 'popup.open library', 'avatar
 std::string campus() {
     return "NAME.campus.yaml describes a campus. Its keys:\n\n" + key_table("campus.schema.json") +
            "\nAn origin's keys:\n\n" + key_table("campus.schema.json#/definitions/origin") +
+           "\nThe keys of a file of places (from: FILE, {file: FILE, …} or a list of such):\n\n" +
+           key_table("campus.schema.json#/definitions/place_file/anyOf/1") +
            "\nA collider's keys, by its shape:\n\nmesh:\n" +
            key_table("campus.schema.json#/definitions/mesh") + "\nbox, too:\n" + R"(  center, size, yaw_deg
 sphere, too:

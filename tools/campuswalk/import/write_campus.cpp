@@ -13,6 +13,7 @@
 #include "scene/base/atomic_file.h"
 #include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
+#include "tools/campuswalk/import/draft_text.h"
 #include "tools/campuswalk/loading/walk_loader.h"
 
 namespace campuswalk::tools {
@@ -69,7 +70,8 @@ std::string visit_yaml(const std::vector<const DraftPlace*>& visits, const std::
 std::vector<const DraftPlace*> nearby(const std::vector<DraftPlace>& places, const Eigen::Vector3d& here) {
     std::vector<std::pair<double, const DraftPlace*>> found;
     for (const DraftPlace& place : places) {
-        const double distance = (place.at - here).norm();
+        const Eigen::Vector3d d = place.at - here;
+        const double distance = std::sqrt(d.x() * d.x() + d.y() * d.y() + d.z() * d.z());
         if (!place.trigger.empty() && distance <= kFarthest) {
             constexpr double kWorth = 25.0;  // metres of detour
             found.emplace_back(distance - kWorth * place.importance, &place);
@@ -83,40 +85,56 @@ std::vector<const DraftPlace*> nearby(const std::vector<DraftPlace>& places, con
     return nearest;
 }
 
-bool passes(const fs::path& walk_file, WalkLoader& loader) {
+/// Why the walk fails; empty if it passes.
+std::string failure_of(const fs::path& walk_file, WalkLoader& loader) {
     const LoadedWalk loaded = loader.load_walk(walk_file);
-    return engine::run_walk(*loaded.campus, loaded.walk, {}, loaded.routes.get()).passed;
+    const engine::WalkSummary summary =
+        engine::run_walk(*loaded.campus, loaded.walk, {}, loaded.routes.get());
+    if (summary.passed) {
+        return "";
+    }
+    const std::string message =
+        summary.failures.empty() ? "the walk there fails" : summary.failures.front().message;
+    return message.substr(0, message.find("; the walk stops"));  // nobody keeps this walk
 }
 
+/// Doors to visit one after the other.
+struct Visits {
+    std::vector<const DraftPlace*> places;
+    std::string obstacle;  ///< why the first door that was tried can't be visited; empty if it can
+};
+
 /// Adds visits one by one, each played with those before it.
-std::vector<const DraftPlace*> playable_visits(const MapFiles& contents, const CampusFiles& files,
-                                               WalkLoader& loader) {
+Visits playable_visits(const MapFiles& contents, const CampusFiles& files, WalkLoader& loader) {
     constexpr std::size_t kMaxTries = 8;
-    std::vector<const DraftPlace*> visits;
+    Visits visits;
     Eigen::Vector3d here = Eigen::Vector3d::Zero();
-    for (const scene::osm::DraftSpawn& spawn : contents.spawns) {
+    for (const scene::osm::DraftSpawn& spawn : contents.draft.spawns) {
         here = spawn.name == "start" ? spawn.at : here;
     }
     std::size_t tries = 0;
-    while (visits.size() < kMaxVisits && tries < kMaxTries) {
-        const std::size_t before = visits.size();
-        for (const DraftPlace* place : nearby(contents.places, here)) {
-            if (std::ranges::find(visits, place) != visits.end()) {
+    while (visits.places.size() < kMaxVisits && tries < kMaxTries) {
+        const std::size_t before = visits.places.size();
+        for (const DraftPlace* place : nearby(contents.draft.places, here)) {
+            if (std::ranges::find(visits.places, place) != visits.places.end()) {
                 continue;
             }
-            visits.push_back(place);
-            scene::write_file_atomically(files.walk, visit_yaml(visits, files.campus.filename().string()));
+            visits.places.push_back(place);
+            scene::write_file_atomically(files.walk,
+                                         visit_yaml(visits.places, files.campus.filename().string()));
             ++tries;
-            if (passes(files.walk, loader)) {
+            const std::string failure = failure_of(files.walk, loader);
+            if (failure.empty()) {
                 here = place->at;
                 break;
             }
-            visits.pop_back();
+            visits.obstacle = visits.obstacle.empty() ? failure : visits.obstacle;
+            visits.places.pop_back();
             if (tries >= kMaxTries) {
                 break;
             }
         }
-        if (visits.size() == before) {
+        if (visits.places.size() == before) {
             break;
         }
     }
@@ -130,12 +148,13 @@ CampusFiles campus_files_in(const fs::path& folder, const std::string& name) {
             folder / "ATTRIBUTION.md"};
 }
 
-std::size_t write_campus_files(const MapFiles& contents, const CampusFiles& files, const fs::path& map) {
-    if (contents.campus_yaml.size() > config::kMaxSourceBytes) {
+WrittenWalk write_campus_files(const MapFiles& contents, const CampusFiles& files, const fs::path& map) {
+    const std::string map_name = map.filename().string();
+    const std::string campus_yaml = draft_yaml(contents.draft, map_name);
+    if (campus_yaml.size() > config::kMaxSourceBytes) {
         throw error_about(map, "too-large",
-                          "its names and doors make a campus file of " +
-                              std::to_string(contents.campus_yaml.size()) + " bytes, and the limit is " +
-                              std::to_string(config::kMaxSourceBytes) +
+                          "its names and doors make a campus file of " + std::to_string(campus_yaml.size()) +
+                              " bytes, and the limit is " + std::to_string(config::kMaxSourceBytes) +
                               "; choose a part of the map with --bbox or --center");
     }
     const Workshop workshop(files.campus.parent_path());
@@ -143,19 +162,20 @@ std::size_t write_campus_files(const MapFiles& contents, const CampusFiles& file
     const CampusFiles drafts{inside(files.model), inside(files.campus), inside(files.walk),
                              inside(files.attribution)};
     scene::write_file_atomically(drafts.model, contents.glb);
-    scene::write_file_atomically(drafts.campus, contents.campus_yaml);
-    scene::write_file_atomically(drafts.attribution, contents.attribution);
+    scene::write_file_atomically(drafts.campus, campus_yaml);
+    scene::write_file_atomically(drafts.attribution, attribution_text(map_name));
     config::SearchPaths search = search_paths();
     search.roots.push_back(fs::absolute(workshop.path()));
     WalkLoader loader([](const std::vector<scene::Diagnostic>&) {}, std::move(search));
-    std::size_t count = 0;
+    WrittenWalk written;
     try {
-        const std::vector<const DraftPlace*> visits = playable_visits(contents, drafts, loader);
-        scene::write_file_atomically(drafts.walk, visit_yaml(visits, files.campus.filename().string()));
-        if (!passes(drafts.walk, loader)) {
+        const Visits visits = playable_visits(contents, drafts, loader);
+        scene::write_file_atomically(drafts.walk,
+                                     visit_yaml(visits.places, files.campus.filename().string()));
+        if (!failure_of(drafts.walk, loader).empty()) {
             throw std::runtime_error("the walk of the imported campus doesn't pass; please report this map");
         }
-        count = visits.size();
+        written = {visits.places.size(), visits.obstacle};
     } catch (const scene::InputError& error) {  // about files that the user has never seen
         throw std::runtime_error("the imported campus isn't valid; please report this map: " +
                                  std::string(error.what()));
@@ -166,7 +186,7 @@ std::size_t write_campus_files(const MapFiles& contents, const CampusFiles& file
                                       {drafts.walk, files.walk}}) {
         fs::rename(draft, file);
     }
-    return count;
+    return written;
 }
 
 }  // namespace campuswalk::tools

@@ -86,12 +86,9 @@ Json json_of(const scene::TextureReport& texture) {
 }
 
 Json json_of(const scene::NodeReport& node) {
-    return {{"name", node.name},
-            {"parent", node.parent < 0 ? Json() : Json(node.parent)},
-            {"depth", node.depth},
-            {"triangles", node.triangles},
-            {"materials", node.materials},
-            {"bounds", json_of(node.bounds)}};
+    return {{"name", node.name},           {"parent", node.parent < 0 ? Json() : Json(node.parent)},
+            {"depth", node.depth},         {"triangles", node.triangles},
+            {"materials", node.materials}, {"bounds", json_of(node.bounds)}};
 }
 
 template <typename Part>

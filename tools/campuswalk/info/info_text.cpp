@@ -84,8 +84,8 @@ void print_doors(const scene::ModelReport& report) {
 std::string risers_text(const scene::Flight& flight) {
     constexpr double kNoticed = 0.01;  // metres
     const double usual = scene::usual_riser(flight);
-    const auto odd = std::ranges::max_element(
-        flight.risers, {}, [&](double riser) { return std::abs(riser - usual); });
+    const auto odd =
+        std::ranges::max_element(flight.risers, {}, [&](double riser) { return std::abs(riser - usual); });
     std::string text = std::to_string(flight.risers.size()) + " risers of " + fixed(usual, 3) + " m";
     if (std::abs(*odd - usual) > kNoticed) {
         const auto number = odd - flight.risers.begin() + 1;
@@ -97,10 +97,9 @@ std::string risers_text(const scene::Flight& flight) {
 void print_flights(const scene::ModelReport& report) {
     print_line("stairs     %zu", report.flights.size());
     print_list(report.flights, [&](const scene::Flight& flight) {
-        print_line("  %-28s %s, treads of %s m, %s m wide, from %s",
-                   report.nodes[flight.node].name.c_str(), risers_text(flight).c_str(),
-                   fixed(flight.tread_depth, 2).c_str(), fixed(flight.width, 2).c_str(),
-                   fixed(flight.foot).c_str());
+        print_line("  %-28s %s, treads of %s m, %s m wide, from %s", report.nodes[flight.node].name.c_str(),
+                   risers_text(flight).c_str(), fixed(flight.tread_depth, 2).c_str(),
+                   fixed(flight.width, 2).c_str(), fixed(flight.foot).c_str());
     });
 }
 

@@ -82,7 +82,8 @@ private:
         lines_.push_back(std::move(line));
     }
 
-    void count(std::size_t top, bool with_descendants, NodeLine& line, std::set<std::size_t>& materials) const {
+    void count(std::size_t top, bool with_descendants, NodeLine& line,
+               std::set<std::size_t>& materials) const {
         std::vector<std::size_t> open = {top};
         while (!open.empty()) {
             const std::size_t node = open.back();

@@ -11,10 +11,10 @@ namespace campuswalk::tools {
 /// A line of the list of nodes: one node, or four or more siblings whose names differ only in numbers, with
 /// all below them.
 struct NodeLine {
-    std::string name;             ///< `tree_*` for several
-    int depth = 0;                ///< 0 at the root
+    std::string name;  ///< `tree_*` for several
+    int depth = 0;     ///< 0 at the root
     std::size_t nodes = 1;
-    std::size_t triangles = 0;    ///< of all of them, with what isn't listed below them
+    std::size_t triangles = 0;                       ///< of all of them, with what isn't listed below them
     Eigen::Vector3d size = Eigen::Vector3d::Zero();  ///< metres, of the largest
     std::vector<std::size_t> materials;              ///< indices into ModelReport::materials, ascending
 };

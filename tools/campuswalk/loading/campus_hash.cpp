@@ -16,6 +16,13 @@ std::optional<ContentHash> hash_of_campus(const scene::Campus& campus,
     scene::ContentHasher hasher;
     hasher.add_hash(scene::program_hash(&cache));
     hasher.add_hash(*file);
+    for (const std::filesystem::path& places : campus.description.place_files) {
+        const std::optional<ContentHash> hash = scene::hash_of_file(places, &cache);
+        if (!hash) {
+            return std::nullopt;
+        }
+        hasher.add_hash(*hash);
+    }
     for (const ContentHash& model : campus.contents) {
         hasher.add_hash(model);
     }

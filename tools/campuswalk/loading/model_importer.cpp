@@ -71,7 +71,10 @@ scene::osm::MapFiles read_osm_map(const scene::osm::MapRequest& request) {
     check_sandbox();
     scene::ImportLimits limits;
     limits.memory = import_memory();
-    limits.cpu_per_megabyte = 20;  // geometry is made from it: ten times what any map has taken
+    // Geometry is made from it: ten times what any map has taken. Before that its own budgets end an import,
+    // on every machine alike.
+    limits.cpu = 150;
+    limits.cpu_per_megabyte = 20;
     return scene::osm::import_map_in_process({"/proc/self/exe", {scene::osm::kMapHelperArgument}}, request,
                                              limits, sandbox);
 }

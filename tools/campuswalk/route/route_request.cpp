@@ -31,7 +31,7 @@ engine::Target parse_target(const scene::CampusDescription& campus, const std::s
     std::vector<std::string> names;
     for (const scene::Place& place : campus.places) {
         if (place.name == text) {
-            return {text, place.position, true};
+            return {text, place.position, place.has_height};
         }
         names.push_back(place.name);
     }

@@ -22,6 +22,17 @@ std::string list_of(const Eigen::Vector3d& v) {
     return "[" + fixed(v.x(), 3) + ", " + fixed(v.y(), 3) + ", " + fixed(v.z(), 3) + "]";
 }
 
+/// Of the campus's [0, 0, 0]; empty if that is the model's and nowhere on the Earth.
+std::string origin_yaml(const SuggestedCampus& campus) {
+    std::string keys = campus.origin.isZero(0.0) ? "" : ", at: " + list_of(campus.origin);
+    if (campus.on_earth) {
+        keys += ", latitude_deg: " + fixed(campus.on_earth->latitude_deg, 9) +
+                ", longitude_deg: " + fixed(campus.on_earth->longitude_deg, 9);
+        keys += campus.on_earth->height == 0.0 ? "" : ", height: " + fixed(campus.on_earth->height, 3);
+    }
+    return keys.empty() ? "" : "origin: {" + keys.substr(2) + "}\n";
+}
+
 std::string box_yaml(const scene::UprightBox& box) {
     const double yaw_deg = engine::degrees(std::atan2(-box.along.z(), box.along.x()));
     return "shape: box, center: " + list_of(box.center) + ", size: " + list_of(box.size) +
@@ -116,7 +127,7 @@ std::string campus_yaml(const SuggestedCampus& campus) {
     text += campus.scene.up == scene::UpAxis::z ? ", up: z" : "";
     text += campus.scene.scale != 1.0 ? ", scale: " + json_text(campus.scene.scale) : "";
     text += "}\n";
-    text += campus.origin.isZero(0.0) ? "" : "origin: {at: " + list_of(campus.origin) + "}\n";
+    text += origin_yaml(campus);
     text += campus.buildings.empty() ? "" : "buildings:\n";
     for (const scene::SuggestedBuilding& building : campus.buildings) {
         text += "  - {id: " + quoted(building.id) +
@@ -146,18 +157,21 @@ std::string campus_yaml(const SuggestedCampus& campus) {
             add_trigger("/inside", *inside, ", popup: false");
         }
     }
-    return text + "spawns:\n  start: {at: " + list_of(campus.spawn) +
-           ", yaw_deg: " + fixed(campus.yaw_deg, 1) + "}\n";
+    text +=
+        "spawns:\n  start: {at: " + list_of(campus.spawn) + ", yaw_deg: " + fixed(campus.yaw_deg, 1) + "}\n";
+    return text + (campus.places.empty() ? "" : "places:\n  from: " + quoted(campus.places) + "\n");
 }
 
 std::string walk_yaml(const SuggestedCampus& campus, const std::string& campus_file, std::size_t visits) {
     std::string steps = "  - spawn: start\n";
     std::string expect = "  - never: \"avatar.fell *\"\n";
     for (std::size_t v = 0; v < visits; ++v) {
-        steps += "  - go_to: " + list_of(campus.visits[v].to) + "\n";
-        if (!campus.visits[v].trigger.empty()) {
-            expect += "  - sequence: [" + quoted("trigger.enter " + campus.visits[v].trigger) + "]\n";
+        const SuggestedVisit& visit = campus.visits[v];
+        steps += "  - go_to: " + (visit.place.empty() ? list_of(visit.to) : quoted(visit.place)) + "\n";
+        if (!visit.trigger.empty()) {
+            expect += "  - sequence: [" + quoted("trigger.enter " + visit.trigger) + "]\n";
         }
+        expect += visit.place.empty() ? "" : "  - reaches: " + quoted(visit.place) + "\n";
     }
     return "# Beside " + campus_file + ", by `campuswalk info --suggest`.\n" +
            (campus.ground ? "# The visitor walks on the box `ground` of that file: the model has no ground.\n"

@@ -13,10 +13,11 @@
 
 namespace campuswalk::tools {
 
-/// A way from the end of the previous visit into a trigger of a building.
+/// A way from the end of the previous visit into a trigger of a building, or to a place.
 struct SuggestedVisit {
     std::string trigger;  ///< its id; empty: the way leads to no building
     Eigen::Vector3d to = Eigen::Vector3d::Zero();
+    std::string place = {};  ///< its name; empty: the way leads to no place
 };
 
 /// What the files of a suggested campus say.
@@ -24,6 +25,8 @@ struct SuggestedCampus {
     scene::SceneFile scene;
     std::string model;  ///< path relative to the campus file
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+    std::optional<scene::GeographicPlace> on_earth;  ///< of [0, 0, 0]; none if nothing needs it
+    std::string places;                              ///< path of the file of places, likewise; may be empty
     std::vector<scene::SuggestedBuilding> buildings;
     std::vector<bool> can_be_entered;                ///< by building
     std::vector<std::vector<std::string>> doors_of;  ///< by building: globs of its closed doors

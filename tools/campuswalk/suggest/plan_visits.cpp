@@ -1,6 +1,9 @@
 #include "tools/campuswalk/suggest/plan_visits.h"
 
+#include <algorithm>
 #include <optional>
+
+#include "engine/walkspace/reach_point.h"
 
 namespace campuswalk::tools {
 
@@ -11,6 +14,7 @@ using engine::WalkSpace;
 namespace {
 
 constexpr std::size_t kMaxVisits = 3;
+constexpr std::size_t kMaxPlaceVisits = 5;
 constexpr double kInside = 0.5;  // metres: the breadth of a shoulder, and where in its cell it is
 
 /// The reached node nearest to `from` whose foot point satisfies `is_target`.
@@ -88,6 +92,35 @@ std::vector<SuggestedVisit> plan_visits(const WalkSpace& reached, engine::Stride
         }
     }
     return visits;
+}
+
+void add_place_visits(const WalkSpace& reached, engine::Strider& strider, const Vector3d& spawn,
+                      const std::vector<scene::Place>& places, std::vector<SuggestedVisit>& visits) {
+    const bool leads_nowhere = visits.size() == 1 && visits.front().trigger.empty();
+    Vector3d here = visits.empty() || leads_nowhere ? spawn : visits.back().to;
+    std::vector<const scene::Place*> left;
+    left.reserve(places.size());
+    for (const scene::Place& place : places) {
+        left.push_back(&place);
+    }
+    std::vector<SuggestedVisit> to_places;
+    while (!left.empty() && to_places.size() < kMaxPlaceVisits) {
+        const auto nearest = std::ranges::min_element(left, {}, [&](const scene::Place* place) {
+            return collision::horizontal_norm(place->position - here);
+        });
+        const scene::Place& place = **nearest;
+        left.erase(nearest);
+        const engine::PointReach reach =
+            engine::reach_point(reached, strider, place.position, place.has_height);
+        if (reach.node) {
+            here = reach.foot;
+            to_places.push_back({"", here, place.name});
+        }
+    }
+    if (leads_nowhere && !to_places.empty()) {
+        visits.clear();
+    }
+    visits.insert(visits.end(), to_places.begin(), to_places.end());
 }
 
 }  // namespace campuswalk::tools

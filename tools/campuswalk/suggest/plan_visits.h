@@ -17,4 +17,10 @@ std::vector<SuggestedVisit> plan_visits(const engine::WalkSpace& reached, engine
                                         const std::vector<scene::SuggestedBuilding>& buildings,
                                         const std::vector<std::optional<engine::WalkNodeId>>& interiors);
 
+/// Adds visits, from where those so far end, to the nearest place that is reached and from each to the next,
+/// five at most. They replace a walk that leads nowhere.
+void add_place_visits(const engine::WalkSpace& reached, engine::Strider& strider,
+                      const Eigen::Vector3d& spawn, const std::vector<scene::Place>& places,
+                      std::vector<SuggestedVisit>& visits);
+
 }  // namespace campuswalk::tools

@@ -18,6 +18,7 @@
 #include "scene/base/glob.h"
 #include "scene/lint/model_report.h"
 #include "scene/lint/wording.h"
+#include "scene/model/projection.h"
 #include "scene/suggest/first_view.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/print.h"
@@ -137,7 +138,8 @@ bool place_visitor(const UprightModel& model, const scene::Campus& solid, Sugges
     }
     settings.starts = {*spawn};
     settings.steer_falls = false;  // visitors don't jump off roofs
-    const double far = campus.buildings.empty() ? kFarthestStroll : kFarthestVisit;
+    const bool has_goals = !campus.buildings.empty() || !campus.places.empty();
+    const double far = has_goals ? kFarthestVisit : kFarthestStroll;
     settings.max_ticks =
         static_cast<std::uint32_t>(far / settings.strides.walk_speed / settings.strides.seconds);
     const engine::WalkSpace reached = engine::explore(worlds, settings);
@@ -151,6 +153,7 @@ bool place_visitor(const UprightModel& model, const scene::Campus& solid, Sugges
         campus.can_be_entered[b] = interiors[b].has_value();
     }
     campus.visits = plan_visits(reached, strider, campus.spawn, campus.buildings, interiors);
+    add_place_visits(reached, strider, campus.spawn, solid.description.places, campus.visits);
     const auto* target = nearest_building(campus.buildings, campus.spawn);
     campus.yaw_deg = engine::degrees(
         scene::first_view(solid.world, campus.spawn, target == nullptr ? middle : target->box.center));
@@ -174,15 +177,51 @@ std::vector<std::string> doors_of(const scene::Model& model, const scene::Sugges
     return globs;
 }
 
+/// The file as a campus refers to it.
+std::string seen_from(const fs::path& campus_file, const fs::path& file) {
+    return fs::absolute(file)
+        .lexically_normal()
+        .lexically_relative(fs::absolute(campus_file).lexically_normal().parent_path())
+        .generic_string();
+}
+
+/// Where the campus's [0, 0, 0] is on the Earth, if that is known.
+std::optional<scene::GeographicPlace> origin_on_earth(const UprightModel& model,
+                                                      const SuggestRequest& request) {
+    if (request.on_earth || !model.report.geographic) {
+        return request.on_earth;
+    }
+    const Vector3d map = scene::MapFrame(*model.report.geographic).to_map(Vector3d::Zero());
+    return scene::GeographicPlace{map.y(), map.x(), map.z()};
+}
+
+/// Before the model is walked on: an error in the file is about that, not about a draft.
+void check_places(const SuggestRequest& request, const std::optional<scene::GeographicPlace>& on_earth) {
+    config::SearchPaths search = search_paths();
+    search.roots.push_back(fs::absolute(*request.places).parent_path());
+    try {
+        diagnose(config::check_place_file(*request.places, on_earth, search));
+    } catch (const scene::InputError& error) {
+        if (error.diagnostics().front().code != "no-origin") {
+            throw;
+        }
+        throw error_about(*request.places, "no-origin",
+                          "it has longitudes and latitudes, but the model doesn't say where it is; pass "
+                          "--origin LAT,LON");
+    }
+}
+
 /// Everything but the spawn and the visits.
-SuggestedCampus without_visitor(const UprightModel& model, const fs::path& campus_file) {
+SuggestedCampus without_visitor(const UprightModel& model, const SuggestRequest& request) {
     SuggestedCampus campus;
     campus.scene = model.file;
     campus.origin = model.origin;
-    campus.model = fs::absolute(model.file.path)
-                       .lexically_normal()
-                       .lexically_relative(fs::absolute(campus_file).lexically_normal().parent_path())
-                       .generic_string();
+    campus.model = seen_from(request.campus_file, model.file.path);
+    if (request.places) {
+        campus.places = seen_from(request.campus_file, *request.places);
+        campus.on_earth = origin_on_earth(model, request);
+        check_places(request, campus.on_earth);
+    }
     campus.buildings = scene::suggest_buildings(model.models[0], model.report);
     campus.can_be_entered.assign(campus.buildings.size(), true);  // as far as is known
     const std::vector<std::string> doors = closed_door_names(model.report);
@@ -196,17 +235,20 @@ SuggestedCampus without_visitor(const UprightModel& model, const fs::path& campu
     return campus;
 }
 
-/// Reads the model wherever it is: the user named it.
-WalkLoader quiet_loader(const UprightModel& model) {
+/// Reads the model and the places wherever they are: the user named them.
+WalkLoader quiet_loader(const UprightModel& model, const SuggestRequest& request) {
     config::SearchPaths search = search_paths();
     search.roots.push_back(fs::absolute(model.file.path).parent_path());
+    if (request.places) {
+        search.roots.push_back(fs::absolute(*request.places).parent_path());
+    }
     return WalkLoader([](const std::vector<scene::Diagnostic>&) {}, std::move(search));
 }
 
 /// Places the visitor and writes the campus. As a large model's tree takes seconds to build, the visitor is
 /// placed on the campus in `loader`, which the walk then uses.
-void write_campus(const UprightModel& model, const fs::path& campus_file, SuggestedCampus& campus,
-                  WalkLoader& loader) {
+void write_campus(const UprightModel& model, const SuggestRequest& request, const fs::path& campus_file,
+                  SuggestedCampus& campus, WalkLoader& loader) {
     const double size = (model.report.bounds.max - model.report.bounds.min).maxCoeff();
     const bool tiny = has_lint(model.report, "odd-scale") && size < 1.0;
     bool placed = false;
@@ -215,7 +257,7 @@ void write_campus(const UprightModel& model, const fs::path& campus_file, Sugges
         placed = place_visitor(model, *loader.load_campus(campus_file), campus);
     }
     if (!placed && !tiny) {
-        loader = quiet_loader(model);  // without the campus that lacks the ground
+        loader = quiet_loader(model, request);  // without the campus that lacks the ground
         campus.ground = substitute_ground(model.report, campus.buildings);
         scene::write_file_atomically(campus_file, campus_yaml(campus));
         placed = place_visitor(model, *loader.load_campus(campus_file), campus);
@@ -296,18 +338,27 @@ private:
     }
 };
 
+/// That walks on the campus must be allowed to read the file, if so.
+void print_outside(const fs::path& campus_file, const fs::path& file, const char* what) {
+    if (!config::read_roots(campus_file, search_paths()).why_unreadable(file).empty()) {
+        print_line("%s isn't in the project: run the walk with --root %s", what,
+                   file.parent_path().string().c_str());
+    }
+}
+
 }  // namespace
 
-int suggest_campus(const scene::SceneFile& model, const fs::path& campus_file, bool overwrite) {
-    const fs::path walk_file = walk_beside(campus_file, overwrite);
+int suggest_campus(const scene::SceneFile& model, const SuggestRequest& request) {
+    const fs::path& campus_file = request.campus_file;
+    const fs::path walk_file = walk_beside(campus_file, request.overwrite);
     for (const fs::path& file : {campus_file, walk_file}) {
         require_writable_file(file, "the suggestion can't be written here");
     }
     const UprightModel upright = load_upright(model);
-    SuggestedCampus campus = without_visitor(upright, campus_file);
-    WalkLoader loader = quiet_loader(upright);
+    SuggestedCampus campus = without_visitor(upright, request);
+    WalkLoader loader = quiet_loader(upright, request);
     const Drafts drafts(campus_file);
-    write_campus(upright, drafts.campus, campus, loader);
+    write_campus(upright, request, drafts.campus, campus, loader);
     const std::size_t visits = write_walk(campus, drafts.campus, drafts.walk, loader);
     scene::write_file_atomically(campus_file, campus_yaml(campus));
     scene::write_file_atomically(walk_file, walk_yaml(campus, campus_file.filename().string(), visits));
@@ -315,9 +366,9 @@ int suggest_campus(const scene::SceneFile& model, const fs::path& campus_file, b
                scene::plural(campus.buildings.size(), "building").c_str());
     print_line("%s: %s, played%s", walk_file.string().c_str(), scene::plural(visits, "visit").c_str(),
                campus.ground ? ", on a box: the model has no ground" : "");
-    if (!config::read_roots(campus_file, search_paths()).why_unreadable(model.path).empty()) {
-        print_line("the model isn't in the project: run the walk with --root %s",
-                   model.path.parent_path().string().c_str());
+    print_outside(campus_file, model.path, "the model");
+    if (request.places) {
+        print_outside(campus_file, *request.places, "the file of places");
     }
     const RemainingLints left = remaining_lints(upright);
     if (left.opened > 0) {

@@ -1,17 +1,26 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "scene/campus/campus_description.h"
 
 namespace campuswalk::tools {
 
+/// What to suggest a campus for, and where to write it.
+struct SuggestRequest {
+    std::filesystem::path campus_file;               ///< NAME.campus.yaml
+    bool overwrite = false;                          ///< replace it and the walk
+    std::optional<std::filesystem::path> places;     ///< GeoJSON that the campus is to refer to
+    std::optional<scene::GeographicPlace> on_earth;  ///< of the campus's [0, 0, 0]; none: as the model says
+};
+
 /// Writes a first campus for a model and a walk on it (NAME.walk.yaml beside NAME.campus.yaml), which has
-/// been played and passes. Returns the exit code. Throws scene::InputError as the import does, and with the
-/// codes
+/// been played and passes. Returns the exit code. Throws scene::InputError as the import does, as reading
+/// the places does, and with the codes
 ///   file-name     the file is not called NAME.campus.yaml
 ///   file-exists   one of the two exists and must not be overwritten
 ///   no-ground     there is no place to stand
-int suggest_campus(const scene::SceneFile& model, const std::filesystem::path& campus_file, bool overwrite);
+int suggest_campus(const scene::SceneFile& model, const SuggestRequest& request);
 
 }  // namespace campuswalk::tools

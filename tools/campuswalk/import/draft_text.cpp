@@ -1,23 +1,33 @@
-#include "scene/osm/campus_draft.h"
+#include "tools/campuswalk/import/draft_text.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 
-namespace campuswalk::scene::osm {
+#include "tools/campuswalk/base/json_text.h"
+
+namespace campuswalk::tools {
+
+using scene::osm::CampusDraft;
+using scene::osm::DraftBuilding;
+using scene::osm::DraftPlace;
+using scene::osm::DraftSolid;
+using scene::osm::DraftSpawn;
+using scene::osm::DraftTrigger;
+
 namespace {
 
-/// JSON's strings are YAML's, too. Texts were cleaned of control characters when they were read.
+/// JSON's strings are YAML's, too.
 std::string yaml_string(const std::string& text) {
-    std::string result = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') {
-            result += '\\';
-        }
-        result += c;
-    }
-    return result + "\"";
+    return json_text(text);
+}
+
+/// In a comment and in code of Markdown.
+std::string plain_name(const std::string& map_file) {
+    std::string name = map_file;
+    std::ranges::replace_if(
+        name, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f || c == '`'; }, '_');
+    return name;
 }
 
 /// Pop-ups replace {words}: braces of the map are doubled.
@@ -100,8 +110,8 @@ std::string trigger_yaml(const DraftTrigger& trigger) {
 
 }  // namespace
 
-std::string campus_yaml(const CampusDraft& draft, const std::string& map_file) {
-    std::string text = "# Made from " + map_file +
+std::string draft_yaml(const CampusDraft& draft, const std::string& map_file) {
+    std::string text = "# Made from " + plain_name(map_file) +
                        " by `campuswalk import osm`. © OpenStreetMap contributors, see ATTRIBUTION.md.\n"
                        "scenes:\n  - {file: campus.glb}\n"
                        "# [0, 0, 0] on the Earth; +X is east, -Z is north.\n"
@@ -139,7 +149,7 @@ std::string campus_yaml(const CampusDraft& draft, const std::string& map_file) {
 std::string attribution_text(const std::string& map_file) {
     return "# Attribution\n\n"
            "`campus.glb` and the campus file in this folder were made from `" +
-           map_file +
+           plain_name(map_file) +
            "`, which is a part of OpenStreetMap.\n\n"
            "© [OpenStreetMap contributors](https://www.openstreetmap.org/copyright). The data is available "
            "under the [Open Database License](https://opendatacommons.org/licenses/odbl/) (ODbL) 1.0.\n\n"
@@ -147,4 +157,4 @@ std::string attribution_text(const std::string& map_file) {
            "whoever passes on the files, or data made from them, must do so under the same licence.\n";
 }
 
-}  // namespace campuswalk::scene::osm
+}  // namespace campuswalk::tools

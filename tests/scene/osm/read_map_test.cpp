@@ -1,0 +1,141 @@
+#include "scene/osm/read_map.h"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/scene/osm/imported_map.h"
+
+namespace campuswalk::scene::osm {
+namespace {
+
+using test::MapText;
+
+class ReadMap : public testing::Test {
+protected:
+    Map read(const std::string& xml, const MapSection& section = {}) {
+        folder_.write("a.osm", xml);
+        return read_map(folder_.path() / "a.osm", mark_, section, warnings_);
+    }
+    std::vector<std::int64_t> ids_of_ways(const Map& map) {
+        std::vector<std::int64_t> ids;
+        for (const MapWay& way : map.ways) {
+            ids.push_back(way.id);
+        }
+        return ids;
+    }
+
+    test::TemporaryFolder folder_;
+    SourceMark mark_{"a.osm", 0, 0};
+    DiagnosticList warnings_;
+};
+
+/// The square of 100 m about the middle of what MapText writes.
+MapSection middle() {
+    MapSection section;
+    section.center = {48.0, 11.0};
+    section.radius = 50.0;
+    return section;
+}
+
+TEST_F(ReadMap, KeepsWholeOfASectionOnlyWhatOverlapsIt) {
+    MapText map(8000.0);
+    const auto inside = map.way({{-10, 0}, {10, 0}}, {{"highway", "footway"}});
+    const auto crossing = map.way({{-3000, 20}, {3000, 20}}, {{"highway", "primary"}});  // no node is near
+    const auto around = map.rectangle(-2000, -2000, 2000, 2000, {{"landuse", "grass"}});
+    map.way({{1000, 1000}, {2000, 1500}}, {{"highway", "footway"}});
+    const auto begins = map.way({{0, 30}, {5000, 30}}, {{"highway", "track"}});
+    map.node(10, 10, {{"natural", "tree"}});
+    map.node(900, 10, {{"natural", "tree"}});
+    // A lake whose far shore is a way of its own.
+    const auto near_shore = map.way({{-40, -40}, {40, -40}});
+    const auto far_shore = map.way({{40, -40}, {40, -4000}, {-40, -4000}, {-40, -40}});
+    map.relation({{near_shore, "outer"}, {far_shore, "outer"}},
+                 {{"type", "multipolygon"}, {"natural", "water"}});
+    const auto other = map.way({{3000, 3000}, {3100, 3000}});
+    map.relation({{other, "outer"}}, {{"type", "multipolygon"}, {"natural", "water"}});
+
+    const Map part = read(map.xml(), middle());
+    EXPECT_EQ(ids_of_ways(part), (std::vector{inside, crossing, around, begins, near_shore, far_shore}));
+    for (const MapWay& way : part.ways) {
+        EXPECT_TRUE(way.complete) << way.id;
+    }
+    EXPECT_EQ(part.nodes.size(), 1U);
+    EXPECT_EQ(part.relations.size(), 1U);
+    EXPECT_NEAR(part.way(begins)->points.back().x(), 5000.0, 1.0);
+    EXPECT_TRUE(warnings_.all().empty());
+}
+
+TEST_F(ReadMap, TakesFilesInAnyOrder) {
+    MapText map(1000.0);
+    map.way({{-10, 0}, {10, 0}}, {{"highway", "footway"}});
+    const auto building = map.rectangle(-30, 10, -10, 30, {{"building", "yes"}});
+    const std::string xml = map.xml();
+    // Ways before nodes.
+    const std::size_t first_node = xml.find(" <node");
+    const std::size_t first_way = xml.find(" <way");
+    const std::size_t end = xml.rfind("</osm>");
+    const std::string turned = xml.substr(0, first_node) + xml.substr(first_way, end - first_way) +
+                               xml.substr(first_node, first_way - first_node) + xml.substr(end);
+    const Map whole = read(turned, middle());
+    EXPECT_EQ(whole.ways.size(), 2U);
+    ASSERT_NE(whole.way(building), nullptr);
+    EXPECT_TRUE(whole.way(building)->complete);
+}
+
+TEST_F(ReadMap, LeavesOutWhatTheDatabaseForbids) {
+    MapText map;
+    MapText::Points many;
+    for (int i = 0; i < 2001; ++i) {
+        many.emplace_back(-90.0 + 0.09 * i, 0.0);
+    }
+    const auto too_long = map.way(many, {{"highway", "footway"}});
+    many.pop_back();
+    const auto longest = map.way(many, {{"highway", "footway"}});
+    map.node(1, 1,
+             {{"name", "\xE2\x80\x8B \xE2\x80\xAE"}, {"ref", std::string(300, 'x')}, {"shop", "kiosk"}});
+    const Map read_back = read(map.xml());
+    EXPECT_EQ(read_back.way(too_long), nullptr);
+    EXPECT_NE(read_back.way(longest), nullptr);
+    ASSERT_TRUE(test::has_code(warnings_.all(), "oversized-element"));
+    EXPECT_NE(warnings_.all()[0].message.find("way-" + std::to_string(too_long)), std::string::npos);
+    ASSERT_EQ(read_back.nodes.size(), 1U);
+    EXPECT_FALSE(read_back.nodes[0].tags.has("name")) << "nobody sees it";
+    EXPECT_EQ(read_back.nodes[0].tags.get("ref").size(), 255U);
+}
+
+TEST_F(ReadMap, TakesTheFormatFromTheGivenName) {
+    MapText map;
+    map.way({{-10, 0}, {10, 0}}, {{"highway", "footway"}});
+    folder_.write("abc123", map.xml());
+    mark_.file = "campus.osm";
+    EXPECT_EQ(read_map(folder_.path() / "abc123", mark_, {}, warnings_).ways.size(), 1U);
+    mark_.file = "campus.osm.pbf";
+    const auto errors = test::errors_of([&] { read_map(folder_.path() / "abc123", mark_, {}, warnings_); });
+    ASSERT_EQ(errors.size(), 1U);
+    EXPECT_EQ(errors[0].code, "bad-map");
+}
+
+TEST_F(ReadMap, RefusesALargeMapBeforeItIsRead) {
+    std::string xml =
+        "<osm version=\"0.6\"><bounds minlat=\"47\" minlon=\"10\" maxlat=\"48\" maxlon=\"11\"/>";
+    for (int i = 1; i < 60'000; ++i) {
+        xml += "<node id=\"" + std::to_string(i) + "\" lat=\"47.5\" lon=\"10.5\"/>\n";
+    }
+    const auto errors = test::errors_of([&] { read(xml + "</broken>"); });
+    ASSERT_EQ(errors.size(), 1U);
+    EXPECT_EQ(errors[0].code, "bad-size");
+}
+
+/// A building of 17 km with 200 levels of windows would take gigabytes.
+TEST_F(ImportMap, LimitsTheTrianglesOfAMap) {
+    MapText map(9000.0);
+    map.rectangle(-8500, -8500, 8500, 8500, {{"building", "yes"}, {"building:levels", "200"}});
+    const auto errors = test::errors_of([&] { import(map.xml()); });
+    ASSERT_EQ(errors.size(), 1U);
+    EXPECT_EQ(errors[0].code, "bad-size");
+    EXPECT_NE(errors[0].message.find("10 million triangles"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace campuswalk::scene::osm
