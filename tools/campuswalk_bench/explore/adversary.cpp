@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <optional>
 
 #include "collision/geometry/trigonometry.h"
@@ -21,7 +22,6 @@ using engine::WalkSpace;
 
 namespace {
 
-constexpr double kTurn = 6.283185307179586;
 constexpr double kHighFall = 2.0;  ///< metres
 /// Nodes are looked for in this many cells around.
 constexpr int kFarthest = 40;
@@ -81,7 +81,7 @@ public:
 private:
     /// Until some time has passed; short times are more frequent.
     void turn(double longest) {
-        const auto angle = collision::sin_cos(random_.between(0.0, kTurn));
+        const auto angle = collision::sin_cos(random_.between(0.0, 2.0 * std::numbers::pi));
         direction_ = Vec3(angle.sin, 0.0, angle.cos);
         const double part = random_.between(0.0, 1.0);
         left_ = longest * part * part;

@@ -68,7 +68,7 @@ ExploredCampus load_shared(const SharedModel& model, const fs::path& data) {
     scene.path = file;
     scene::ColliderDescription& all = description.colliders.emplace_back();
     all.id = model.name;
-    all.nodes = {{{}, "*"}};
+    all.nodes.emplace_back().pattern = "*";
     all.modes.solid = true;
     std::vector<scene::Diagnostic> warnings;
     ExploredCampus campus{model.name, nullptr, model.spawn, {}};

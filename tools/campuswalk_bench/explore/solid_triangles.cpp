@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <numbers>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -17,7 +18,6 @@ using collision::Vec3;
 namespace {
 
 constexpr int kFacets = 24;
-constexpr double kTurn = 6.283185307179586;
 
 /// A profile of (distance from the axis, height along it), turned about an axis.
 using Outline = std::vector<std::pair<double, double>>;
@@ -62,7 +62,7 @@ private:
         Outline outline;
         const auto add_cap = [&](int first, int last, double middle) {
             for (int i = first; i <= last; ++i) {
-                const auto angle = collision::sin_cos(kTurn * i / kFacets);
+                const auto angle = collision::sin_cos(2.0 * std::numbers::pi * i / kFacets);
                 outline.emplace_back(capsule.radius * angle.sin, middle - capsule.radius * angle.cos);
             }
         };
@@ -83,7 +83,7 @@ private:
         const auto first = static_cast<std::uint32_t>(mesh_.positions.size());
         const auto count = static_cast<std::uint32_t>(outline.size());
         for (int i = 0; i < kFacets; ++i) {
-            const auto angle = collision::sin_cos(kTurn * i / kFacets);
+            const auto angle = collision::sin_cos(2.0 * std::numbers::pi * i / kFacets);
             for (const auto& [radius, along] : outline) {
                 vertex(place(radius * angle.sin, along, radius * angle.cos));
             }
