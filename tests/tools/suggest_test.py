@@ -46,6 +46,16 @@ def box(x0, y0, z0, x1, y1, z1):
     return vertices + ["f 1 3 4 2", "f 5 6 8 7", "f 1 2 6 5", "f 3 7 8 4", "f 1 5 7 3", "f 2 4 8 6"]
 
 
+def boxes_obj(boxes):
+    """An OBJ file of boxes: name and both corners of each."""
+    lines = []
+    for i, (name, *numbers) in enumerate(boxes):
+        lines += ["o " + name]
+        lines += [re.sub(r"\d+", lambda m, i=i: str(int(m[0]) + 8 * i), line) if line[0] == "f" else line
+                  for line in box(*numbers)]
+    return "\n".join(lines) + "\n"
+
+
 # The room's wall as a hut of 4 m x 3 m x 4 m.
 HUT = ROOM.replace("o wall", "o Hut_1").replace("v -1 ", "v -2 ").replace("v 1 ", "v 2 ").replace(" -5\n", " -8\n")
 
@@ -92,12 +102,7 @@ class Suggest(ProgramCase):
         boxes = [("meadow", -20, -1, -20, 20, 0, 20), ("l", -3, 0, -8, -2.8, 3, -4), ("r", 2.8, 0, -8, 3, 3, -4),
                  ("back", -3, 0, -8, 3, 3, -7.8), ("roof", -3, 3, -8, 3, 3.2, -4), ("f1", -3, 0, -4.1, -0.5, 3, -4),
                  ("f2", 0.5, 0, -4.1, 3, 3, -4), ("Tür", *door[0], *door[1])]
-        lines = []
-        for i, (name, *numbers) in enumerate(boxes):
-            faces = [re.sub(r"\d+", lambda m, i=i: str(int(m[0]) + 8 * i), line) if line[0] == "f" else line
-                     for line in box(*(100 * number for number in numbers))]
-            lines += ["o " + name] + faces
-        self.write("hut.obj", "\n".join(lines) + "\n")
+        self.write("hut.obj", boxes_obj([(name, *(100 * number for number in numbers)) for name, *numbers in boxes]))
         out = self.passes("info", "hut.obj", "--suggest", "new.campus.yaml").out
         self.assertRegex(out, "(?m)^1 closed door .*\n0 warnings ")
         campus = self.read("new.campus.yaml").decode()
@@ -116,6 +121,31 @@ class Suggest(ProgramCase):
         closed = self.run_program("run", "new.walk.yaml")
         self.assertEqual(closed.code, 1, closed.out)
         self.assertIn("hut/tür", closed.out)
+
+    def test_rooms_behind_doorways_become_triggers_that_the_walk_visits(self):
+        # A house of 12 m x 8 m in two halves, with a doorway between.
+        self.write("house.obj", boxes_obj([
+            ("meadow", -30, -1, -30, 30, 0, 30), ("House_n", -6, 0, -12, 6, 3, -11.8), ("House_w", -6, 0, -12, -5.8, 3, -4),
+            ("House_e", 5.8, 0, -12, 6, 3, -4), ("House_s1", -6, 0, -4.2, 3, 3, -4), ("House_s2", 4, 0, -4.2, 6, 3, -4),
+            ("House_s3", 3, 2.1, -4.2, 4, 3, -4), ("House_roof", -6, 3, -12, 6, 3.2, -4),
+            ("House_mid1", -0.1, 0, -12, 0.1, 3, -7), ("House_mid2", -0.1, 0, -6, 0.1, 3, -4),
+            ("House_mid3", -0.1, 2.1, -7, 0.1, 3, -6)]))
+        campus, log = self.suggest("house.obj")
+        rooms = re.findall(r'"(house/room-\d)", building: "house", shape: box, center: \[(.*?)\], size: \[(.*?)\], '
+                           'mode: trigger, popup: false', campus)
+        self.assertEqual([name for name, _, _ in rooms], ["house/room-1", "house/room-2"])
+        for (_, center, size), x in zip(rooms, (2.95, -2.95)):
+            self.assertTrue(all(abs(float(a) - b) < 0.15 for a, b in zip(center.split(","), (x, 1, -8))), center)
+            # A visitor's middle keeps 0.3 m off the walls.
+            self.assertTrue(all(abs(float(a) - b) < 0.26 for a, b in zip(size.split(","), (5.1, 2, 7.0))), size)
+        self.assertRegex(log, r"(?s)trigger\.enter +house/room-1.*trigger\.enter +house/room-2")
+        # Somebody closes the inner doorway: the walk tells.
+        self.assertIn('sequence: ["trigger.enter house/room-2"]', self.read("new.walk.yaml").decode())
+        self.write("new.campus.yaml", campus.replace(
+            "colliders:\n", "colliders:\n  - {id: leaf, shape: box, center: [0, 1, -6.5], size: [0.05, 2, 1], mode: solid}\n"))
+        closed = self.run_program("run", "new.walk.yaml")
+        self.assertEqual(closed.code, 1, closed.out)
+        self.assertIn("leaf stands in the way", closed.out)
 
     def test_nothing_is_overwritten_without_a_flag(self):
         for taken in ("new.campus.yaml", "new.walk.yaml"):

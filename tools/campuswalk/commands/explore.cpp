@@ -146,6 +146,10 @@ void add_explore(Command program, CommandAction& chosen) {
                    all->merge);
     add_import_options(command);
     add_root_option(command);
+    command.footer(
+        "Exit code: 0 explored, 1 the report has what --require, --fail-on or --fail-under forbids, 2 bad usage "
+        "or\n"
+        "input, 3 something failed on the way.");
     command.choose(chosen, [all, command] {
         check_slurm(all->slurm);
         return explore_campuses(*all, command.given_except(options_of_exploration()));

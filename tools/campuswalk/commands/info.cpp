@@ -159,6 +159,7 @@ void add_info(Command program, CommandAction& chosen) {
         options->map);
     add_rendering_backend(command, options->backend);
     add_import_options(command);
+    command.footer("Exit code: 0 read, whatever its warnings; 2 bad usage or input.");
     command.choose(chosen, [options] { return print_info(*options); });
 }
 

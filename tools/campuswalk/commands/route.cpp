@@ -154,6 +154,7 @@ void add_route(Command program, CommandAction& chosen) {
     command.flag({.names = "--json", .help = "Print it for programs"}, options->json);
     add_import_options(command);
     add_root_option(command);
+    command.footer("Exit code: 0 there is a route, 1 there is none, 2 bad usage or input.");
     command.choose(chosen, [options] { return find_route(*options); });
 }
 

@@ -199,6 +199,7 @@ void add_snapshot(Command program, CommandAction& chosen) {
     add_rendering_backend(command, options->backend);
     add_import_options(command);
     add_root_option(command);
+    command.footer("Exit code: 0 drawn, 2 bad usage or input, 3 it can't be drawn or written.");
     command.choose(chosen, [options] { return draw_snapshot(*options); });
 }
 

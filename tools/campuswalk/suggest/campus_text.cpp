@@ -119,6 +119,10 @@ scene::UprightBox trigger_about(const scene::SuggestedBuilding& building) {
     return box;
 }
 
+std::string room_trigger(std::size_t room) {
+    return "/room-" + std::to_string(room + 1);
+}
+
 std::string campus_yaml(const SuggestedCampus& campus) {
     std::string text =
         "# A first draft by `campuswalk info --suggest`: rename, describe, and split what is solid.\n"
@@ -147,14 +151,17 @@ std::string campus_yaml(const SuggestedCampus& campus) {
     }
     for (std::size_t b = 0; b < campus.buildings.size(); ++b) {
         const scene::SuggestedBuilding& building = campus.buildings[b];
-        const auto add_trigger = [&](const char* name, const scene::UprightBox& box, const char* more) {
+        const auto add_trigger = [&](const std::string& name, const scene::UprightBox& box, const char* more) {
             text += "  - {id: " + quoted(building.id + name) + ", building: " + quoted(building.id) + ", " +
                     box_yaml(box) + ", mode: trigger" + more + "}\n";
         };
         add_trigger("/around", trigger_about(building), "");
         const std::optional<scene::UprightBox> inside = trigger_inside(building);
-        if (inside && campus.can_be_entered[b]) {
+        if (inside && campus.interiors[b].can_be_entered) {
             add_trigger("/inside", *inside, ", popup: false");
+        }
+        for (std::size_t r = 0; r < campus.interiors[b].rooms.size(); ++r) {
+            add_trigger(room_trigger(r), campus.interiors[b].rooms[r], ", popup: false");
         }
     }
     text +=

@@ -20,6 +20,15 @@ struct SuggestedVisit {
     std::string place = {};  ///< its name; empty: the way leads to no place
 };
 
+/// What becomes of the inside of a building.
+struct SuggestedInterior {
+    bool can_be_entered = false;
+    std::vector<scene::UprightBox> rooms = {};  ///< triggers; room_trigger names them
+};
+
+/// The part of a room's trigger id behind its building's; `room` counts from 0.
+std::string room_trigger(std::size_t room);
+
 /// What the files of a suggested campus say.
 struct SuggestedCampus {
     scene::SceneFile scene;
@@ -28,7 +37,7 @@ struct SuggestedCampus {
     std::optional<scene::GeographicPlace> on_earth;  ///< of [0, 0, 0]; none if nothing needs it
     std::string places;                              ///< path of the file of places, likewise; may be empty
     std::vector<scene::SuggestedBuilding> buildings;
-    std::vector<bool> can_be_entered;                ///< by building
+    std::vector<SuggestedInterior> interiors;        ///< by building
     std::vector<std::vector<std::string>> doors_of;  ///< by building: globs of its closed doors
     scene::SolidParts solids;                        ///< besides the buildings
     std::vector<scene::NodeGlob> doors;              ///< closed ones, which must not be solid

@@ -63,8 +63,8 @@ std::optional<std::size_t> building_with_solids(const scene::Campus& campus, std
     return has_solids ? std::optional(building) : std::nullopt;
 }
 
-std::optional<engine::WalkNodeId> interior_of(const scene::Campus& campus, const engine::WalkSpace& reached,
-                                              const scene::SuggestedBuilding& building, std::size_t index) {
+std::optional<engine::WalkNodeId> place_inside(const scene::Campus& campus, const engine::WalkSpace& reached,
+                                               const scene::SuggestedBuilding& building, std::size_t index) {
     constexpr std::size_t kTried = 2000;
     constexpr double kStoreyWeight = 4.0;  // metres to the side that a metre up counts as much as
     const std::optional<scene::UprightBox> box = trigger_inside(building);
@@ -89,15 +89,98 @@ std::optional<engine::WalkNodeId> interior_of(const scene::Campus& campus, const
     return inside == places.end() ? std::nullopt : std::optional(inside->second);
 }
 
+/// Most of the places that are looked at, spread over the floor.
+bool is_mostly_enclosed(const scene::Campus& campus, std::optional<std::size_t> of_building,
+                        const engine::WalkSpace& reached, const engine::Room& room,
+                        const scene::UprightBox& box) {
+    constexpr std::size_t kSamples = 16;
+    std::size_t enclosed = 0;
+    for (std::size_t i = 0; i < kSamples; ++i) {
+        const std::size_t node = (2 * i + 1) * room.nodes.size() / (2 * kSamples);
+        enclosed += is_enclosed(campus, of_building, reached.position(room.nodes[node]), box) ? 1U : 0U;
+    }
+    return 4 * enclosed >= 3 * kSamples;
+}
+
+/// Along the building's walls, about the cells of the floor.
+scene::UprightBox box_of(const engine::WalkSpace& reached, const engine::Room& room,
+                         const Vector3d& along) {
+    constexpr double kHeight = 2.0;  // metres
+    scene::UprightBox box{Vector3d::Zero(), Vector3d::Zero(), along};
+    Vector3d low = Vector3d::Constant(1e300);
+    Vector3d high = -low;
+    for (const engine::WalkNodeId& node : room.nodes) {
+        const Vector3d foot = reached.position(node);
+        const Vector3d at(foot.dot(along), foot.y(), foot.dot(box.across()));
+        low = low.cwiseMin(at);
+        high = high.cwiseMax(at);
+    }
+    const double half_cell = 0.5 * reached.grid.cell;
+    low -= Vector3d(half_cell, 0.0, half_cell);
+    high += Vector3d(half_cell, kHeight, half_cell);
+    const Vector3d middle = 0.5 * (low + high);
+    box.center = middle.x() * along + middle.y() * Vector3d::UnitY() + middle.z() * box.across();
+    box.size = high - low;
+    return box;
+}
+
+/// Whether the box tells that one is in this room.
+bool stands_for(const engine::WalkSpace& reached, const scene::UprightBox& box, const engine::Room& room) {
+    constexpr double kLeastSize = 2.0;    // m²
+    constexpr double kLeastFilled = 0.5;  // of the box by the room's floor: there may be furniture
+    constexpr double kMostForeign = 0.05;
+    const auto own = static_cast<double>(room.nodes.size());
+    double all = 0.0;
+    for (const engine::WalkNodeId& node : reached.nodes_in(box_about(box))) {
+        const Vector3d foot = reached.position(node);
+        const bool is_inside = box.depth_of(foot + kWaist * Vector3d::UnitY()) >= 0.0;
+        all += is_inside && reached.node(node).hangs == 0 ? 1.0 : 0.0;
+    }
+    return box.footprint() >= kLeastSize &&
+           own * reached.grid.cell * reached.grid.cell >= kLeastFilled * box.footprint() &&
+           all - own <= kMostForeign * own;
+}
+
+engine::WalkNodeId nearest_to_middle(const engine::WalkSpace& reached, const engine::Room& room,
+                                     const scene::UprightBox& box) {
+    return *std::ranges::min_element(room.nodes, {}, [&](const engine::WalkNodeId& node) {
+        return (reached.position(node) - box.center).squaredNorm();
+    });
+}
+
+std::vector<SuggestedRoom> rooms_of(const scene::Campus& campus, const engine::WalkSpace& reached,
+                                    const scene::SuggestedBuilding& building, std::size_t index,
+                                    const std::vector<engine::KnownDoor>& doors) {
+    constexpr double kStorey = 1.0;  // metres: floors nearer to one another are of one storey
+    const std::optional<std::size_t> of_building = building_with_solids(campus, index);
+    std::vector<SuggestedRoom> rooms;
+    for (const engine::Room& room : engine::find_rooms(campus.world, reached, box_about(building.box), doors)) {
+        const scene::UprightBox box = box_of(reached, room, building.box.along);
+        if (stands_for(reached, box, room) &&
+            is_mostly_enclosed(campus, of_building, reached, room, building.box)) {
+            rooms.push_back({box, nearest_to_middle(reached, room, box)});
+        }
+    }
+    if (rooms.size() < 2) {
+        return {};
+    }
+    std::ranges::stable_sort(rooms, {}, [](const SuggestedRoom& room) {
+        return std::floor((room.box.center.y() - 0.5 * room.box.size.y()) / kStorey + 0.5);
+    });
+    return rooms;
+}
+
 }  // namespace
 
-std::vector<std::optional<engine::WalkNodeId>> find_interiors(
-    const scene::Campus& campus, const engine::WalkSpace& reached,
-    const std::vector<scene::SuggestedBuilding>& buildings) {
-    std::vector<std::optional<engine::WalkNodeId>> interiors;
-    interiors.reserve(buildings.size());
+std::vector<Interior> find_interiors(const scene::Campus& campus, const engine::WalkSpace& reached,
+                                     const std::vector<scene::SuggestedBuilding>& buildings,
+                                     const std::vector<engine::KnownDoor>& doors) {
+    std::vector<Interior> interiors(buildings.size());
     for (std::size_t b = 0; b < buildings.size(); ++b) {
-        interiors.push_back(interior_of(campus, reached, buildings[b], b));
+        interiors[b].place = place_inside(campus, reached, buildings[b], b);
+        if (interiors[b].place) {
+            interiors[b].rooms = rooms_of(campus, reached, buildings[b], b, doors);
+        }
     }
     return interiors;
 }

@@ -3,17 +3,32 @@
 #include <optional>
 #include <vector>
 
+#include "engine/walkspace/rooms.h"
 #include "engine/walkspace/walk_space.h"
 #include "scene/campus/campus.h"
 #include "scene/suggest/suggested_buildings.h"
 
 namespace campuswalk::tools {
 
-/// By building: a place inside it that a visitor reaches, near its middle and on its lowest storey; none if
-/// it can't be entered. Inside is where there are walls in five of eight directions under a roof, or in seven
-/// without one.
-std::vector<std::optional<engine::WalkNodeId>> find_interiors(
-    const scene::Campus& campus, const engine::WalkSpace& reached,
-    const std::vector<scene::SuggestedBuilding>& buildings);
+/// A level floor behind doorways.
+struct SuggestedRoom {
+    scene::UprightBox box;     ///< about where a visitor's foot gets to, up to 2 m above it
+    engine::WalkNodeId place;  ///< of its floor, near the middle
+};
+
+/// What a visitor gets to of a building.
+struct Interior {
+    /// Inside, near its middle and on its lowest storey; none if it can't be entered.
+    std::optional<engine::WalkNodeId> place;
+    /// From the lowest storey up, each storey's in the order in which they were reached. Empty if there are
+    /// fewer than two: then the building is its only room.
+    std::vector<SuggestedRoom> rooms;
+};
+
+/// By building. Inside is where there are walls in five of eight directions under a roof, or in seven without
+/// one. A room has a box of at least 2 m² that holds no other room's floor, and fills half of it or more.
+std::vector<Interior> find_interiors(const scene::Campus& campus, const engine::WalkSpace& reached,
+                                     const std::vector<scene::SuggestedBuilding>& buildings,
+                                     const std::vector<engine::KnownDoor>& doors);
 
 }  // namespace campuswalk::tools

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 
 #include "engine/walkspace/reach_point.h"
 
@@ -13,7 +14,8 @@ using engine::WalkSpace;
 
 namespace {
 
-constexpr std::size_t kMaxVisits = 3;
+constexpr std::size_t kMaxBuildings = 3;
+constexpr std::size_t kMaxRooms = 2;  // of each
 constexpr std::size_t kMaxPlaceVisits = 5;
 constexpr double kInside = 0.5;  // metres: the breadth of a shoulder, and where in its cell it is
 
@@ -34,64 +36,133 @@ std::optional<WalkNodeId> nearest_node(const WalkSpace& reached, const collision
     return best;
 }
 
-}  // namespace
+bool holds(const scene::UprightBox& box, const Vector3d& foot) {
+    return box.depth_of(foot + kWaist * Vector3d::UnitY()) >= 0.0;
+}
 
-std::vector<SuggestedVisit> plan_visits(const WalkSpace& reached, engine::Strider& strider,
-                                        const Vector3d& spawn,
-                                        const std::vector<scene::SuggestedBuilding>& buildings,
-                                        const std::vector<std::optional<WalkNodeId>>& interiors) {
-    std::vector<SuggestedVisit> visits;
-    std::vector<bool> visited(buildings.size(), false);
-    Vector3d here = spawn;
-    const auto visit = [&](const std::string& trigger, const WalkNodeId& node) {
-        here = reached.state_at(node, strider).foot;
-        visits.push_back({trigger, here});
-    };
-    const auto beside = [&](std::size_t b) {
-        const scene::UprightBox box = trigger_about(buildings[b]);
-        if (box.depth_of(spawn + kWaist * Vector3d::UnitY()) >= 0.0) {
-            return std::optional<WalkNodeId>();
+/// Plans visits of buildings one by one, each from where the one before ended.
+class BuildingVisits {
+public:
+    BuildingVisits(const WalkSpace& reached, engine::Strider& strider, const Vector3d& spawn,
+                   const std::vector<scene::SuggestedBuilding>& buildings,
+                   const std::vector<Interior>& interiors)
+        : reached_(reached),
+          strider_(strider),
+          spawn_(spawn),
+          buildings_(buildings),
+          interiors_(interiors),
+          is_visited_(buildings.size(), false),
+          here_(spawn) {}
+
+    /// Enters the nearest building that can be, and two of its rooms. False if there is none.
+    bool enter_nearest() {
+        const auto building =
+            visit_nearest([this](std::size_t b) { return place_inside(b); }, "/inside");
+        if (building) {
+            visit_rooms(*building);
         }
-        return nearest_node(reached, box_about(box), here, [&](const Vector3d& foot) {
+        return building.has_value();
+    }
+
+    bool approach_nearest() {
+        return visit_nearest([this](std::size_t b) { return place_beside(b); }, "/around").has_value();
+    }
+
+    void stroll() {
+        constexpr double kStroll = 5.0;  // metres
+        const Vector3d far = Vector3d::Constant(4.0 * kStroll);
+        const auto end = nearest_node(reached_, {here_ - far, here_ + far}, here_, [&](const Vector3d& foot) {
+            return (foot - here_).norm() >= kStroll;
+        });
+        if (end) {
+            visit("", *end);
+        }
+    }
+
+    std::vector<SuggestedVisit> visits;
+
+private:
+    /// To be where one starts says nothing about a door.
+    std::optional<WalkNodeId> place_inside(std::size_t b) const {
+        const std::optional<scene::UprightBox> box = trigger_inside(buildings_[b]);
+        return box && holds(*box, spawn_) ? std::nullopt : interiors_[b].place;
+    }
+
+    std::optional<WalkNodeId> place_beside(std::size_t b) const {
+        const scene::UprightBox box = trigger_about(buildings_[b]);
+        if (holds(box, spawn_)) {
+            return std::nullopt;
+        }
+        return nearest_node(reached_, box_about(box), here_, [&](const Vector3d& foot) {
             return box.depth_of(foot + kWaist * Vector3d::UnitY()) >= kInside;
         });
-    };
-    const auto visit_nearest = [&](const auto& place_at, const char* trigger) {
+    }
+
+    double distance(const WalkNodeId& node) const { return (reached_.position(node) - here_).norm(); }
+
+    void visit(const std::string& trigger, const WalkNodeId& node) {
+        here_ = reached_.state_at(node, strider_).foot;
+        visits.push_back({trigger, here_});
+    }
+
+    /// The building, if there was any.
+    template <typename PlaceAt>
+    std::optional<std::size_t> visit_nearest(const PlaceAt& place_at, const char* trigger) {
         std::optional<WalkNodeId> nearest;
         std::size_t chosen = 0;
-        const auto distance = [&](const WalkNodeId& node) { return (reached.position(node) - here).norm(); };
-        for (std::size_t b = 0; b < buildings.size(); ++b) {
-            const std::optional<WalkNodeId> node = visited[b] ? std::nullopt : place_at(b);
+        for (std::size_t b = 0; b < buildings_.size(); ++b) {
+            const std::optional<WalkNodeId> node = is_visited_[b] ? std::nullopt : place_at(b);
             if (node && (!nearest || distance(*node) < distance(*nearest))) {
                 nearest = node;
                 chosen = b;
             }
         }
-        if (nearest) {
-            visited[chosen] = true;
-            visit(buildings[chosen].id + trigger, *nearest);
+        if (!nearest) {
+            return std::nullopt;
         }
-        return nearest.has_value();
-    };
-    // To be where one starts says nothing about a door.
-    const auto inside = [&](std::size_t b) {
-        const std::optional<scene::UprightBox> box = trigger_inside(buildings[b]);
-        const bool starts_there = box && box->depth_of(spawn + kWaist * Vector3d::UnitY()) >= 0.0;
-        return starts_there ? std::nullopt : interiors[b];
-    };
-    while (visits.size() < kMaxVisits &&
-           (visit_nearest(inside, "/inside") || visit_nearest(beside, "/around"))) {
+        is_visited_[chosen] = true;
+        visit(buildings_[chosen].id + trigger, *nearest);
+        return chosen;
     }
-    if (visits.empty()) {
-        constexpr double kStroll = 5.0;  // metres
-        const Vector3d far = Vector3d::Constant(4.0 * kStroll);
-        if (const auto end = nearest_node(reached, {here - far, here + far}, here, [&](const Vector3d& foot) {
-                return (foot - here).norm() >= kStroll;
-            })) {
-            visit("", *end);
+
+    void visit_rooms(std::size_t building) {
+        const std::vector<SuggestedRoom>& rooms = interiors_[building].rooms;
+        std::vector<std::size_t> left;
+        for (std::size_t r = 0; r < rooms.size(); ++r) {
+            if (!holds(rooms[r].box, here_) && !holds(rooms[r].box, spawn_)) {
+                left.push_back(r);
+            }
+        }
+        for (std::size_t i = 0; i < kMaxRooms && !left.empty(); ++i) {
+            const auto nearest = std::ranges::min_element(
+                left, {}, [&](std::size_t r) { return distance(rooms[r].place); });
+            visit(buildings_[building].id + room_trigger(*nearest), rooms[*nearest].place);
+            left.erase(nearest);
         }
     }
-    return visits;
+
+    const WalkSpace& reached_;
+    engine::Strider& strider_;
+    const Vector3d& spawn_;
+    const std::vector<scene::SuggestedBuilding>& buildings_;
+    const std::vector<Interior>& interiors_;
+    std::vector<bool> is_visited_;
+    Vector3d here_;
+};
+
+}  // namespace
+
+std::vector<SuggestedVisit> plan_visits(const WalkSpace& reached, engine::Strider& strider,
+                                        const Vector3d& spawn,
+                                        const std::vector<scene::SuggestedBuilding>& buildings,
+                                        const std::vector<Interior>& interiors) {
+    BuildingVisits plan(reached, strider, spawn, buildings, interiors);
+    for (std::size_t i = 0; i < kMaxBuildings && (plan.enter_nearest() || plan.approach_nearest()); ++i) {
+    }
+    if (plan.visits.empty()) {
+        plan.stroll();
+    }
+    return plan.visits;
 }
 
 void add_place_visits(const WalkSpace& reached, engine::Strider& strider, const Vector3d& spawn,

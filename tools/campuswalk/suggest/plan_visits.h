@@ -1,21 +1,21 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "engine/walkspace/walk_space.h"
 #include "scene/suggest/suggested_buildings.h"
 #include "tools/campuswalk/suggest/campus_text.h"
+#include "tools/campuswalk/suggest/interiors.h"
 
 namespace campuswalk::tools {
 
 /// Plans visits from the spawn to the nearest building that is reached and from each to the next, three at
-/// most, first of those that are entered; if there is none, a walk of a few metres. `interiors` are
-/// find_interiors of the buildings.
+/// most, first of those that are entered, with two of their rooms each; if there is none, a walk of a few
+/// metres. `interiors` are find_interiors of the buildings.
 std::vector<SuggestedVisit> plan_visits(const engine::WalkSpace& reached, engine::Strider& strider,
                                         const Eigen::Vector3d& spawn,
                                         const std::vector<scene::SuggestedBuilding>& buildings,
-                                        const std::vector<std::optional<engine::WalkNodeId>>& interiors);
+                                        const std::vector<Interior>& interiors);
 
 /// Adds visits, from where those so far end, to the nearest place that is reached and from each to the next,
 /// five at most. They replace a walk that leads nowhere.

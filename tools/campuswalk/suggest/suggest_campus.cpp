@@ -1,25 +1,17 @@
 #include "tools/campuswalk/suggest/suggest_campus.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <memory>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
-#include "collision/world/bullet_broad_phase.h"
-#include "engine/events/decimals.h"
 #include "engine/simulation/run_walk.h"
-#include "engine/walkspace/start_place.h"
-#include "engine/walkspace/walk_report.h"
 #include "scene/base/atomic_file.h"
 #include "scene/base/glob.h"
 #include "scene/lint/model_report.h"
 #include "scene/lint/wording.h"
 #include "scene/model/projection.h"
-#include "scene/suggest/first_view.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
@@ -27,9 +19,8 @@
 #include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/loading/walk_loader.h"
 #include "tools/campuswalk/suggest/campus_text.h"
-#include "tools/campuswalk/suggest/interiors.h"
 #include "tools/campuswalk/suggest/lint_text.h"
-#include "tools/campuswalk/suggest/plan_visits.h"
+#include "tools/campuswalk/suggest/place_visitor.h"
 #include "tools/campuswalk/suggest/substitute_ground.h"
 #include "tools/campuswalk/suggest/upright_model.h"
 
@@ -40,13 +31,6 @@ namespace fs = std::filesystem;
 using Eigen::Vector3d;
 
 namespace {
-
-constexpr double kMinGround = 4.0;  // m²
-/// Visits are looked for where one gets to by walking so far, metres.
-constexpr double kFarthestVisit = 100.0;
-constexpr double kFarthestStroll = 8.0;
-/// A spawn is at least this far outside of the buildings' triggers, if possible.
-constexpr double kOutside = 0.5;  // metres
 
 /// The walk file beside a campus file. Throws if one of them must not be written.
 fs::path walk_beside(const fs::path& campus_file, bool overwrite) {
@@ -63,69 +47,6 @@ fs::path walk_beside(const fs::path& campus_file, bool overwrite) {
         }
     }
     return walk;
-}
-
-const scene::SuggestedBuilding* nearest_building(const std::vector<scene::SuggestedBuilding>& buildings,
-                                                 const Vector3d& place) {
-    const auto nearest = std::ranges::min_element(
-        buildings, {}, [&](const scene::SuggestedBuilding& b) { return (b.box.center - place).norm(); });
-    return nearest == buildings.end() ? nullptr : &*nearest;
-}
-
-/// A place for the visitor is looked for this far around the middle.
-constexpr double kHalfExtent = 75.0;  // metres
-
-engine::ExploreSettings settings_around(const scene::Campus& campus, const Vector3d& middle) {
-    engine::ExploreSettings settings =
-        engine::explore_settings(campus, engine::AvatarProfile(), engine::SimSettings().ticks_per_second);
-    settings.within = campus.world.bounds().grown(1.0);
-    settings.within.min = settings.within.min.cwiseMax(
-        Vector3d(middle.x() - kHalfExtent, settings.within.min.y(), middle.z() - kHalfExtent));
-    settings.within.max = settings.within.max.cwiseMin(
-        Vector3d(middle.x() + kHalfExtent, settings.within.max.y(), middle.z() + kHalfExtent));
-    return settings;
-}
-
-/// Chooses a spawn, where to look from it and where to go. False if there is hardly any ground.
-bool place_visitor(const UprightModel& model, const scene::Campus& solid, SuggestedCampus& campus) {
-    Vector3d middle = model.report.bounds.center();
-    if (const auto* building = nearest_building(campus.buildings, middle)) {
-        middle = building->box.center;
-    }
-    engine::ExploreSettings settings = settings_around(solid, middle);
-    const engine::WorkerWorlds worlds(solid.world, std::max(1U, std::thread::hardware_concurrency()),
-                                      collision::make_bullet_broad_phase);
-    const auto is_inside = [&](const Vector3d& foot) {
-        return std::ranges::any_of(campus.buildings, [&](const scene::SuggestedBuilding& building) {
-            return trigger_about(building).depth_of(foot) > -kOutside;
-        });
-    };
-    const auto spawn = engine::best_start(worlds, settings, {middle, is_inside});
-    if (!spawn) {
-        return false;
-    }
-    settings.starts = {*spawn};
-    settings.steer_falls = false;  // visitors don't jump off roofs
-    const bool has_goals = !campus.buildings.empty() || !campus.places.empty();
-    const double far = has_goals ? kFarthestVisit : kFarthestStroll;
-    settings.max_ticks =
-        static_cast<std::uint32_t>(far / settings.strides.walk_speed / settings.strides.seconds);
-    const engine::WalkSpace reached = engine::explore(worlds, settings);
-    if (reached.area() < kMinGround) {
-        return false;
-    }
-    campus.spawn = *spawn;
-    engine::Strider strider(worlds[0], settings.strides, settings.solids);
-    const auto interiors = find_interiors(solid, reached, campus.buildings);
-    for (std::size_t b = 0; b < interiors.size(); ++b) {
-        campus.can_be_entered[b] = interiors[b].has_value();
-    }
-    campus.visits = plan_visits(reached, strider, campus.spawn, campus.buildings, interiors);
-    add_place_visits(reached, strider, campus.spawn, solid.description.places, campus.visits);
-    const auto* target = nearest_building(campus.buildings, campus.spawn);
-    campus.yaw_deg = engine::degrees(
-        scene::first_view(solid.world, campus.spawn, target == nullptr ? middle : target->box.center));
-    return true;
 }
 
 /// Globs of the doors that are nodes of the building.
@@ -191,7 +112,7 @@ SuggestedCampus without_visitor(const UprightModel& model, const SuggestRequest&
         check_places(request, campus.on_earth);
     }
     campus.buildings = scene::suggest_buildings(model.models[0], model.report);
-    campus.can_be_entered.assign(campus.buildings.size(), true);  // as far as is known
+    campus.interiors.assign(campus.buildings.size(), SuggestedInterior{true, {}});  // as far as is known
     const std::vector<std::string> doors = closed_door_names(model.report);
     for (const scene::SuggestedBuilding& building : campus.buildings) {
         campus.doors_of.push_back(doors_of(model.models[0], building, doors));
@@ -214,7 +135,7 @@ WalkLoader quiet_loader(const UprightModel& model, const SuggestRequest& request
 }
 
 /// Places the visitor and writes the campus. As a large model's tree takes seconds to build, the visitor is
-/// placed on the campus in `loader`, which the walk then uses.
+/// placed on the campus in `loader`, which the walk then uses unless triggers of rooms were found.
 void write_campus(const UprightModel& model, const SuggestRequest& request, const fs::path& campus_file,
                   SuggestedCampus& campus, WalkLoader& loader) {
     const double size = (model.report.bounds.max - model.report.bounds.min).maxCoeff();
@@ -222,13 +143,13 @@ void write_campus(const UprightModel& model, const SuggestRequest& request, cons
     bool placed = false;
     if (!tiny && !has_lint(model.report, "no-ground")) {
         scene::write_file_atomically(campus_file, campus_yaml(campus));  // its spawn isn't known yet
-        placed = place_visitor(model, *loader.load_campus(campus_file), campus);
+        placed = place_visitor(model.report, *loader.load_campus(campus_file), campus);
     }
     if (!placed && !tiny) {
         loader = quiet_loader(model, request);  // without the campus that lacks the ground
         campus.ground = substitute_ground(model.report, campus.buildings);
         scene::write_file_atomically(campus_file, campus_yaml(campus));
-        placed = place_visitor(model, *loader.load_campus(campus_file), campus);
+        placed = place_visitor(model.report, *loader.load_campus(campus_file), campus);
     }
     if (!placed) {
         throw error_about(
@@ -237,6 +158,9 @@ void write_campus(const UprightModel& model, const SuggestRequest& request, cons
             "then pass --scale or --up");
     }
     scene::write_file_atomically(campus_file, campus_yaml(campus));
+    if (std::ranges::any_of(campus.interiors, [](const SuggestedInterior& i) { return !i.rooms.empty(); })) {
+        loader = quiet_loader(model, request);
+    }
 }
 
 /// Writes a walk with as many of the planned visits as pass.

@@ -1,0 +1,127 @@
+#include "engine/walkspace/rooms.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "collision/geometry/disjoint_sets.h"
+#include "collision/world/cast.h"
+
+namespace campuswalk::engine {
+
+using collision::Vec3;
+
+namespace {
+
+/// Neighbours whose heights differ by more are a step or a ramp, metres.
+constexpr double kLevelFloor = 0.1;
+/// Where a body's middle gets to in a doorway of 1.6 m, and one cell more, metres.
+constexpr double kNarrow = 1.26;
+constexpr double kWidestDoor = 2.5;  // metres: what is wider is a gate
+constexpr double kBesideDoor = 0.15;
+
+constexpr double kLowestLintel = 1.85;  // metres above the feet
+constexpr double kHighestLintel = 2.8;
+constexpr double kRise = 0.1;  // from one height at which it is looked for to the next
+/// A lintel is looked for so far before and behind a place: more than a cell's half diagonal, so that those
+/// below it bar the passage. Beyond begin the rooms.
+constexpr double kLintelReach = 0.25;
+constexpr std::array<double, 3> kIntoRoom{0.4, 0.65, 0.9};
+
+bool is_free(const collision::World& world, const Vec3& from, const Vec3& to) {
+    return !collision::cast(world, {}, {from, to}, collision::Detection::solid);
+}
+
+/// Whether there is air beside a place, from the height of a head to this one.
+bool has_room_above(const collision::World& world, const Vec3& foot, const Vec3& aside, double height) {
+    return std::ranges::any_of(kIntoRoom, [&](double reach) {
+        const Vec3 at = foot + reach * aside;
+        return is_free(world, at + kLowestLintel * Vec3::UnitY(), at + height * Vec3::UnitY());
+    });
+}
+
+/// Whether one who goes ahead from the place, or comes from there, passes below a lintel.
+bool is_below_lintel(const collision::World& world, const Vec3& foot, const Vec3& ahead) {
+    const Vec3 reach = kLintelReach * ahead;
+    for (double height = kLowestLintel; height <= kHighestLintel; height += kRise) {
+        const Vec3 above = foot + height * Vec3::UnitY();
+        if (!is_free(world, above - reach, above + reach)) {
+            return has_room_above(world, foot, ahead, height + kRise) &&
+                   has_room_above(world, foot, -ahead, height + kRise);
+        }
+    }
+    return false;
+}
+
+/// The length of the row of reached cells through this one, metres; enough of it to tell that it isn't narrow.
+double row_length(const WalkSpace& reached, const WalkNodeId& node, const GridDirection& direction) {
+    const GridCell cell = reached.cell_of(node);
+    const auto y = static_cast<double>(reached.node(node).y);
+    const double pitch = reached.grid.cell * (direction.x != 0 && direction.z != 0 ? 1.0 / kDiagonal : 1.0);
+    const auto most = static_cast<int>(kNarrow / pitch) + 1;
+    int cells = 1;
+    for (const int side : {-1, 1}) {
+        for (int i = 1; cells <= most && reached.find({cell.x + side * i * direction.x,
+                                                       cell.z + side * i * direction.z}, y, kLevelFloor);
+             ++i) {
+            ++cells;
+        }
+    }
+    return cells * pitch;
+}
+
+bool is_in_doorway(const collision::World& world, const WalkSpace& reached, const WalkNodeId& node) {
+    // Four directions and, two farther on, what lies across them.
+    constexpr std::array<std::pair<std::size_t, std::size_t>, 4> kAcross{{{0, 1}, {1, 0}, {4, 5}, {5, 4}}};
+    return std::ranges::any_of(kAcross, [&](const auto& pair) {
+        return row_length(reached, node, grid_directions()[pair.first]) <= kNarrow &&
+               is_below_lintel(world, reached.position(node), grid_directions()[pair.second].unit);
+    });
+}
+
+bool is_at(const KnownDoor& door, const Vec3& foot) {
+    constexpr double kThreshold = 0.5;  // metres in height
+    return door.width <= kWidestDoor && std::abs(door.foot.y() - foot.y()) <= kThreshold &&
+           collision::horizontal_norm(door.foot - foot) <= 0.5 * door.width + kBesideDoor;
+}
+
+}  // namespace
+
+std::vector<Room> find_rooms(const collision::World& world, const WalkSpace& reached,
+                             const collision::Aabb& within, std::span<const KnownDoor> doors) {
+    std::vector<WalkNodeId> floor = reached.nodes_in(within);
+    std::erase_if(floor, [&](const WalkNodeId& node) {
+        const Vec3 foot = reached.position(node);
+        return reached.node(node).hangs != 0 ||
+               std::ranges::any_of(doors, [&](const KnownDoor& door) { return is_at(door, foot); }) ||
+               is_in_doorway(world, reached, node);
+    });
+    collision::DisjointSets sets(floor.size());
+    for (std::size_t i = 0; i < floor.size(); ++i) {
+        const GridCell cell = reached.cell_of(floor[i]);
+        const auto y = static_cast<double>(reached.node(floor[i]).y);
+        for (const GridDirection& to : grid_directions()) {
+            const auto beside = reached.find({cell.x + to.x, cell.z + to.z}, y, kLevelFloor);
+            const auto found = beside ? std::ranges::lower_bound(floor, *beside) : floor.end();
+            if (found != floor.end() && *found == *beside) {
+                sets.join(i, static_cast<std::size_t>(found - floor.begin()));
+            }
+        }
+    }
+    std::vector<Room> rooms;
+    std::vector<std::size_t> room_of(floor.size());
+    for (std::size_t i = 0; i < floor.size(); ++i) {
+        const std::size_t first = sets.root(i);
+        if (first == i) {
+            room_of[i] = rooms.size();
+            rooms.emplace_back();
+        }
+        rooms[room_of[first]].nodes.push_back(floor[i]);
+    }
+    return rooms;
+}
+
+}  // namespace campuswalk::engine

@@ -1,0 +1,109 @@
+#include "tools/campuswalk/suggest/place_visitor.h"
+
+#include <algorithm>
+#include <thread>
+#include <vector>
+
+#include "collision/world/bullet_broad_phase.h"
+#include "engine/events/decimals.h"
+#include "engine/script/walk.h"
+#include "engine/walkspace/start_place.h"
+#include "engine/walkspace/walk_report.h"
+#include "scene/suggest/first_view.h"
+#include "tools/campuswalk/suggest/interiors.h"
+#include "tools/campuswalk/suggest/plan_visits.h"
+
+namespace campuswalk::tools {
+
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr double kMinGround = 4.0;  // m²
+/// Visits are looked for where one gets to by walking so far, metres.
+constexpr double kFarthestVisit = 100.0;
+constexpr double kFarthestStroll = 8.0;
+/// A spawn is at least this far outside of the buildings' triggers, if possible.
+constexpr double kOutside = 0.5;  // metres
+
+const scene::SuggestedBuilding* nearest_building(const std::vector<scene::SuggestedBuilding>& buildings,
+                                                 const Vector3d& place) {
+    const auto nearest = std::ranges::min_element(
+        buildings, {}, [&](const scene::SuggestedBuilding& b) { return (b.box.center - place).norm(); });
+    return nearest == buildings.end() ? nullptr : &*nearest;
+}
+
+/// A place for the visitor is looked for this far around the middle.
+constexpr double kHalfExtent = 75.0;  // metres
+
+engine::ExploreSettings settings_around(const scene::Campus& campus, const Vector3d& middle) {
+    engine::ExploreSettings settings =
+        engine::explore_settings(campus, engine::AvatarProfile(), engine::SimSettings().ticks_per_second);
+    settings.within = campus.world.bounds().grown(1.0);
+    settings.within.min = settings.within.min.cwiseMax(
+        Vector3d(middle.x() - kHalfExtent, settings.within.min.y(), middle.z() - kHalfExtent));
+    settings.within.max = settings.within.max.cwiseMin(
+        Vector3d(middle.x() + kHalfExtent, settings.within.max.y(), middle.z() + kHalfExtent));
+    return settings;
+}
+
+std::vector<engine::KnownDoor> doors_in(const scene::ModelReport& report) {
+    std::vector<engine::KnownDoor> doors;
+    for (const scene::Door& door : report.doors) {
+        doors.push_back({door.foot, door.width});
+    }
+    return doors;
+}
+
+SuggestedInterior as_written(const Interior& interior) {
+    SuggestedInterior written{interior.place.has_value(), {}};
+    for (const SuggestedRoom& room : interior.rooms) {
+        written.rooms.push_back(room.box);
+    }
+    return written;
+}
+
+}  // namespace
+
+bool place_visitor(const scene::ModelReport& report, const scene::Campus& solid, SuggestedCampus& campus) {
+    Vector3d middle = report.bounds.center();
+    if (const auto* building = nearest_building(campus.buildings, middle)) {
+        middle = building->box.center;
+    }
+    engine::ExploreSettings settings = settings_around(solid, middle);
+    const engine::WorkerWorlds worlds(solid.world, std::max(1U, std::thread::hardware_concurrency()),
+                                      collision::make_bullet_broad_phase);
+    const auto is_inside = [&](const Vector3d& foot) {
+        return std::ranges::any_of(campus.buildings, [&](const scene::SuggestedBuilding& building) {
+            return trigger_about(building).depth_of(foot) > -kOutside;
+        });
+    };
+    const auto spawn = engine::best_start(worlds, settings, {middle, is_inside});
+    if (!spawn) {
+        return false;
+    }
+    settings.starts = {*spawn};
+    settings.steer_falls = false;  // visitors don't jump off roofs
+    const bool has_goals = !campus.buildings.empty() || !campus.places.empty();
+    const double far = has_goals ? kFarthestVisit : kFarthestStroll;
+    settings.max_ticks =
+        static_cast<std::uint32_t>(far / settings.strides.walk_speed / settings.strides.seconds);
+    const engine::WalkSpace reached = engine::explore(worlds, settings);
+    if (reached.area() < kMinGround) {
+        return false;
+    }
+    campus.spawn = *spawn;
+    engine::Strider strider(worlds[0], settings.strides, settings.solids);
+    const auto interiors = find_interiors(solid, reached, campus.buildings, doors_in(report));
+    for (std::size_t b = 0; b < interiors.size(); ++b) {
+        campus.interiors[b] = as_written(interiors[b]);
+    }
+    campus.visits = plan_visits(reached, strider, campus.spawn, campus.buildings, interiors);
+    add_place_visits(reached, strider, campus.spawn, solid.description.places, campus.visits);
+    const auto* target = nearest_building(campus.buildings, campus.spawn);
+    campus.yaw_deg = engine::degrees(
+        scene::first_view(solid.world, campus.spawn, target == nullptr ? middle : target->box.center));
+    return true;
+}
+
+}  // namespace campuswalk::tools
