@@ -56,7 +56,8 @@ bool is_below_lintel(const collision::World& world, const Vec3& foot, const Vec3
     return false;
 }
 
-/// The length of the row of reached cells through this one, metres; enough of it to tell that it isn't narrow.
+/// The length of the row of reached cells through this one, metres; enough of it to tell that it isn't
+/// narrow.
 double row_length(const WalkSpace& reached, const WalkNodeId& node, const GridDirection& direction) {
     const GridCell cell = reached.cell_of(node);
     const auto y = static_cast<double>(reached.node(node).y);
@@ -64,8 +65,9 @@ double row_length(const WalkSpace& reached, const WalkNodeId& node, const GridDi
     const auto most = static_cast<int>(kNarrow / pitch) + 1;
     int cells = 1;
     for (const int side : {-1, 1}) {
-        for (int i = 1; cells <= most && reached.find({cell.x + side * i * direction.x,
-                                                       cell.z + side * i * direction.z}, y, kLevelFloor);
+        for (int i = 1;
+             cells <= most &&
+             reached.find({cell.x + side * i * direction.x, cell.z + side * i * direction.z}, y, kLevelFloor);
              ++i) {
             ++cells;
         }

@@ -147,7 +147,8 @@ void add_explore(Command program, CommandAction& chosen) {
     add_import_options(command);
     add_root_option(command);
     command.footer(
-        "Exit code: 0 explored, 1 the report has what --require, --fail-on or --fail-under forbids, 2 bad usage "
+        "Exit code: 0 explored, 1 the report has what --require, --fail-on or --fail-under forbids, 2 bad "
+        "usage "
         "or\n"
         "input, 3 something failed on the way.");
     command.choose(chosen, [all, command] {

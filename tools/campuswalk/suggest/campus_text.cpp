@@ -151,7 +151,8 @@ std::string campus_yaml(const SuggestedCampus& campus) {
     }
     for (std::size_t b = 0; b < campus.buildings.size(); ++b) {
         const scene::SuggestedBuilding& building = campus.buildings[b];
-        const auto add_trigger = [&](const std::string& name, const scene::UprightBox& box, const char* more) {
+        const auto add_trigger = [&](const std::string& name, const scene::UprightBox& box,
+                                     const char* more) {
             text += "  - {id: " + quoted(building.id + name) + ", building: " + quoted(building.id) + ", " +
                     box_yaml(box) + ", mode: trigger" + more + "}\n";
         };

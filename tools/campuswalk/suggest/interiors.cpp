@@ -103,8 +103,7 @@ bool is_mostly_enclosed(const scene::Campus& campus, std::optional<std::size_t> 
 }
 
 /// Along the building's walls, about the cells of the floor.
-scene::UprightBox box_of(const engine::WalkSpace& reached, const engine::Room& room,
-                         const Vector3d& along) {
+scene::UprightBox box_of(const engine::WalkSpace& reached, const engine::Room& room, const Vector3d& along) {
     constexpr double kHeight = 2.0;  // metres
     scene::UprightBox box{Vector3d::Zero(), Vector3d::Zero(), along};
     Vector3d low = Vector3d::Constant(1e300);
@@ -154,7 +153,8 @@ std::vector<SuggestedRoom> rooms_of(const scene::Campus& campus, const engine::W
     constexpr double kStorey = 1.0;  // metres: floors nearer to one another are of one storey
     const std::optional<std::size_t> of_building = building_with_solids(campus, index);
     std::vector<SuggestedRoom> rooms;
-    for (const engine::Room& room : engine::find_rooms(campus.world, reached, box_about(building.box), doors)) {
+    for (const engine::Room& room :
+         engine::find_rooms(campus.world, reached, box_about(building.box), doors)) {
         const scene::UprightBox box = box_of(reached, room, building.box.along);
         if (stands_for(reached, box, room) &&
             is_mostly_enclosed(campus, of_building, reached, room, building.box)) {

@@ -7,7 +7,8 @@
 namespace campuswalk::tools {
 
 /// Chooses a spawn, where to look from it, where to go and what can be entered: the last four members of
-/// `campus` and its interiors. `solid` is what it describes without them. False if there is hardly any ground.
+/// `campus` and its interiors. `solid` is what it describes without them. False if there is hardly any
+/// ground.
 bool place_visitor(const scene::ModelReport& report, const scene::Campus& solid, SuggestedCampus& campus);
 
 }  // namespace campuswalk::tools

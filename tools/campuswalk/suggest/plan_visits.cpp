@@ -56,8 +56,7 @@ public:
 
     /// Enters the nearest building that can be, and two of its rooms. False if there is none.
     bool enter_nearest() {
-        const auto building =
-            visit_nearest([this](std::size_t b) { return place_inside(b); }, "/inside");
+        const auto building = visit_nearest([this](std::size_t b) { return place_inside(b); }, "/inside");
         if (building) {
             visit_rooms(*building);
         }
@@ -71,9 +70,8 @@ public:
     void stroll() {
         constexpr double kStroll = 5.0;  // metres
         const Vector3d far = Vector3d::Constant(4.0 * kStroll);
-        const auto end = nearest_node(reached_, {here_ - far, here_ + far}, here_, [&](const Vector3d& foot) {
-            return (foot - here_).norm() >= kStroll;
-        });
+        const auto end = nearest_node(reached_, {here_ - far, here_ + far}, here_,
+                                      [&](const Vector3d& foot) { return (foot - here_).norm() >= kStroll; });
         if (end) {
             visit("", *end);
         }
@@ -134,8 +132,8 @@ private:
             }
         }
         for (std::size_t i = 0; i < kMaxRooms && !left.empty(); ++i) {
-            const auto nearest = std::ranges::min_element(
-                left, {}, [&](std::size_t r) { return distance(rooms[r].place); });
+            const auto nearest =
+                std::ranges::min_element(left, {}, [&](std::size_t r) { return distance(rooms[r].place); });
             visit(buildings_[building].id + room_trigger(*nearest), rooms[*nearest].place);
             left.erase(nearest);
         }
