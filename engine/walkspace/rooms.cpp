@@ -23,6 +23,10 @@ constexpr double kNarrow = 1.26;
 constexpr double kWidestDoor = 2.5;  // metres: what is wider is a gate
 constexpr double kBesideDoor = 0.15;
 
+/// From the middle of a row's last cell into the wall beside: more than a body's radius and half a cell.
+constexpr double kIntoWall = 0.45;
+/// It may be as narrow so far before and behind a doorway's middle, metres.
+constexpr double kDoorwayDepth = 0.75;
 constexpr double kLowestLintel = 1.85;  // metres above the feet
 constexpr double kHighestLintel = 2.8;
 constexpr double kRise = 0.1;  // from one height at which it is looked for to the next
@@ -56,31 +60,72 @@ bool is_below_lintel(const collision::World& world, const Vec3& foot, const Vec3
     return false;
 }
 
-/// The length of the row of reached cells through this one, metres; enough of it to tell that it isn't
-/// narrow.
-double row_length(const WalkSpace& reached, const WalkNodeId& node, const GridDirection& direction) {
-    const GridCell cell = reached.cell_of(node);
-    const auto y = static_cast<double>(reached.node(node).y);
-    const double pitch = reached.grid.cell * (direction.x != 0 && direction.z != 0 ? 1.0 / kDiagonal : 1.0);
+/// Reached cells side by side, through one of them.
+struct Row {
+    double before = 0.0;  ///< metres from the cell's middle to that of the first
+    double behind = 0.0;  ///< to that of the last
+    double pitch = 0.0;   ///< from one middle to the next
+
+    bool is_narrow() const { return before + behind + pitch <= kNarrow; }
+};
+
+double pitch_along(const WalkSpace& reached, const GridDirection& direction) {
+    return reached.grid.cell * (direction.x != 0 && direction.z != 0 ? 1.0 / kDiagonal : 1.0);
+}
+
+/// The cell so many cells farther on, if it is reached at about this height.
+std::optional<WalkNodeId> node_along(const WalkSpace& reached, const WalkNodeId& from,
+                                     const GridDirection& direction, int cells) {
+    const GridCell cell = reached.cell_of(from);
+    return reached.find({cell.x + cells * direction.x, cell.z + cells * direction.z},
+                        static_cast<double>(reached.node(from).y), kLevelFloor);
+}
+
+/// No longer than what isn't narrow.
+Row row_through(const WalkSpace& reached, const WalkNodeId& node, const GridDirection& direction) {
+    const double pitch = pitch_along(reached, direction);
     const auto most = static_cast<int>(kNarrow / pitch) + 1;
-    int cells = 1;
-    for (const int side : {-1, 1}) {
-        for (int i = 1;
-             cells <= most &&
-             reached.find({cell.x + side * i * direction.x, cell.z + side * i * direction.z}, y, kLevelFloor);
-             ++i) {
+    const auto cells_to = [&](int side) {
+        int cells = 0;
+        while (cells < most && node_along(reached, node, direction, side * (cells + 1))) {
             ++cells;
         }
-    }
-    return cells * pitch;
+        return cells;
+    };
+    return {cells_to(-1) * pitch, cells_to(1) * pitch, pitch};
+}
+
+/// Whether a wall stands at both ends of the row: at the height of a head, over most furniture, one doesn't
+/// get ahead there either.
+bool is_between_walls(const collision::World& world, const Vec3& foot, const Row& row, const Vec3& across,
+                      const Vec3& ahead) {
+    const auto has_wall = [&](double aside) {
+        const Vec3 at = foot + aside * across + kLowestLintel * Vec3::UnitY();
+        return !is_free(world, at - kLintelReach * ahead, at + kLintelReach * ahead);
+    };
+    return has_wall(-row.before - kIntoWall) && has_wall(row.behind + kIntoWall);
+}
+
+/// Whether it is wider than a doorway both in front and behind.
+bool is_constriction(const WalkSpace& reached, const WalkNodeId& node, const GridDirection& across,
+                     const GridDirection& ahead) {
+    const auto cells = static_cast<int>(kDoorwayDepth / pitch_along(reached, ahead) + 0.5);
+    return std::ranges::all_of(std::array{-cells, cells}, [&](int away) {
+        const auto beyond = node_along(reached, node, ahead, away);
+        return beyond && !row_through(reached, *beyond, across).is_narrow();
+    });
 }
 
 bool is_in_doorway(const collision::World& world, const WalkSpace& reached, const WalkNodeId& node) {
-    // Four directions and, two farther on, what lies across them.
-    constexpr std::array<std::pair<std::size_t, std::size_t>, 4> kAcross{{{0, 1}, {1, 0}, {4, 5}, {5, 4}}};
-    return std::ranges::any_of(kAcross, [&](const auto& pair) {
-        return row_length(reached, node, grid_directions()[pair.first]) <= kNarrow &&
-               is_below_lintel(world, reached.position(node), grid_directions()[pair.second].unit);
+    constexpr std::array<std::pair<std::size_t, std::size_t>, 4> kAcrossAndAhead{
+        {{0, 1}, {1, 0}, {4, 5}, {5, 4}}};
+    const Vec3 foot = reached.position(node);
+    return std::ranges::any_of(kAcrossAndAhead, [&](const auto& pair) {
+        const GridDirection& across = grid_directions()[pair.first];
+        const GridDirection& ahead = grid_directions()[pair.second];
+        const Row row = row_through(reached, node, across);
+        return row.is_narrow() && is_between_walls(world, foot, row, across.unit, ahead.unit) &&
+               (is_constriction(reached, node, across, ahead) || is_below_lintel(world, foot, ahead.unit));
     });
 }
 

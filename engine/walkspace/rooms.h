@@ -22,8 +22,8 @@ struct Room {
 
 /// The rooms whose floors are in the box, seen from above and by height, in the order in which they were
 /// reached; ground outside of buildings counts as one. A doorway is a known door of at most 2.5 m, or a
-/// passage of at most 1.6 m below a lintel: the room above one's head is lower there than in front and
-/// behind.
+/// passage of at most 1.6 m between walls that is wider in front and behind, or has a lintel: there the room
+/// above one's head is lower than in front and behind. Furniture lower than a head is no wall.
 std::vector<Room> find_rooms(const collision::World& world, const WalkSpace& reached,
                              const collision::Aabb& within, std::span<const KnownDoor> doors);
 

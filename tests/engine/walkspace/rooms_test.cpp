@@ -19,6 +19,7 @@ struct House {
     double wall = 0.2;  ///< thickness, metres
     bool has_lintel = true;
     bool is_furnished = false;
+    double doorway = 1.0;  ///< width of the inner one, about z = 1.5
 };
 
 scene::Campus campus_with(const House& house) {
@@ -32,8 +33,8 @@ scene::Campus campus_with(const House& house) {
     add_box(campus, "south-west", {-6, 0, 4 - half}, {3, kRoof, 4 + half});
     add_box(campus, "south-east", {4, 0, 4 - half}, {6, kRoof, 4 + half});
     add_box(campus, "entrance", {3, kDoor, 4 - half}, {4, kRoof, 4 + half});
-    add_box(campus, "partition-north", {-half, 0, -4}, {half, kRoof, 1});
-    add_box(campus, "partition-south", {-half, 0, 2}, {half, kRoof, 4});
+    add_box(campus, "partition-north", {-half, 0, -4}, {half, kRoof, 1.5 - 0.5 * house.doorway});
+    add_box(campus, "partition-south", {-half, 0, 1.5 + 0.5 * house.doorway}, {half, kRoof, 4});
     if (house.has_lintel) {
         add_box(campus, "lintel", {-half, kDoor, 1}, {half, kRoof, 2});
     }
@@ -119,11 +120,16 @@ TEST(Rooms, AislesBetweenFurnitureAreNoDoorways) {
     nodes_by_place(found);
 }
 
-TEST(Rooms, APassageWithoutALintelIsADoorwayIfADoorHangsThere) {
-    EXPECT_EQ(rooms_of({.has_lintel = false}).rooms.size(), 2U) << "both rooms are one";
-    const Found found = rooms_of({.has_lintel = false}, {{{0.0, 0.0, 1.5}, 1.0}});
+TEST(Rooms, ADoorwayMayReachUpToTheCeiling) {
+    const Found found = rooms_of({.has_lintel = false});
     EXPECT_EQ(found.rooms.size(), 3U);
     nodes_by_place(found);
+}
+
+TEST(Rooms, AWidePassageIsADoorwayIfADoorHangsThere) {
+    const House wide{.has_lintel = false, .doorway = 2.2};
+    EXPECT_EQ(rooms_of(wide).rooms.size(), 2U) << "both rooms are one";
+    EXPECT_EQ(rooms_of(wide, {{{0.0, 0.0, 1.5}, 2.2}}).rooms.size(), 3U);
 }
 
 TEST(Rooms, AGateDoesNotPartAYard) {

@@ -127,7 +127,7 @@ scene::UprightBox box_of(const engine::WalkSpace& reached, const engine::Room& r
 bool stands_for(const engine::WalkSpace& reached, const scene::UprightBox& box, const engine::Room& room) {
     constexpr double kLeastSize = 2.0;    // m²
     constexpr double kLeastFilled = 0.5;  // of the box by the room's floor: there may be furniture
-    constexpr double kMostForeign = 0.05;
+    constexpr double kMostForeign = 0.1;  // doorways among it
     const auto own = static_cast<double>(room.nodes.size());
     double all = 0.0;
     for (const engine::WalkNodeId& node : reached.nodes_in(box_about(box))) {

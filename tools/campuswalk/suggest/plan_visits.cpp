@@ -54,6 +54,15 @@ public:
           is_visited_(buildings.size(), false),
           here_(spawn) {}
 
+    /// Of the building that one starts in, if so.
+    void visit_own_rooms() {
+        for (std::size_t b = 0; b < buildings_.size(); ++b) {
+            if (starts_inside(b)) {
+                visit_rooms(b);
+            }
+        }
+    }
+
     /// Enters the nearest building that can be, and two of its rooms. False if there is none.
     bool enter_nearest() {
         const auto building = visit_nearest([this](std::size_t b) { return place_inside(b); }, "/inside");
@@ -80,10 +89,14 @@ public:
     std::vector<SuggestedVisit> visits;
 
 private:
+    bool starts_inside(std::size_t b) const {
+        const std::optional<scene::UprightBox> box = trigger_inside(buildings_[b]);
+        return box && holds(*box, spawn_);
+    }
+
     /// To be where one starts says nothing about a door.
     std::optional<WalkNodeId> place_inside(std::size_t b) const {
-        const std::optional<scene::UprightBox> box = trigger_inside(buildings_[b]);
-        return box && holds(*box, spawn_) ? std::nullopt : interiors_[b].place;
+        return starts_inside(b) ? std::nullopt : interiors_[b].place;
     }
 
     std::optional<WalkNodeId> place_beside(std::size_t b) const {
@@ -155,6 +168,7 @@ std::vector<SuggestedVisit> plan_visits(const WalkSpace& reached, engine::Stride
                                         const std::vector<scene::SuggestedBuilding>& buildings,
                                         const std::vector<Interior>& interiors) {
     BuildingVisits plan(reached, strider, spawn, buildings, interiors);
+    plan.visit_own_rooms();
     for (std::size_t i = 0; i < kMaxBuildings && (plan.enter_nearest() || plan.approach_nearest()); ++i) {
     }
     if (plan.visits.empty()) {
