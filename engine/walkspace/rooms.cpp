@@ -17,7 +17,8 @@ using collision::Vec3;
 namespace {
 
 /// Neighbours whose heights differ by more are a step or a ramp, metres.
-constexpr double kLevelFloor = 0.1;
+constexpr double kLevelFloor = 0.03;
+constexpr double kThreshold = 0.1;  // of a doorway, metres
 /// Where a body's middle gets to in a doorway of 1.6 m, and one cell more, metres.
 constexpr double kNarrow = 1.26;
 constexpr double kWidestDoor = 2.5;  // metres: what is wider is a gate
@@ -78,7 +79,7 @@ std::optional<WalkNodeId> node_along(const WalkSpace& reached, const WalkNodeId&
                                      const GridDirection& direction, int cells) {
     const GridCell cell = reached.cell_of(from);
     return reached.find({cell.x + cells * direction.x, cell.z + cells * direction.z},
-                        static_cast<double>(reached.node(from).y), kLevelFloor);
+                        static_cast<double>(reached.node(from).y), kThreshold);
 }
 
 /// No longer than what isn't narrow.
@@ -130,8 +131,8 @@ bool is_in_doorway(const collision::World& world, const WalkSpace& reached, cons
 }
 
 bool is_at(const KnownDoor& door, const Vec3& foot) {
-    constexpr double kThreshold = 0.5;  // metres in height
-    return door.width <= kWidestDoor && std::abs(door.foot.y() - foot.y()) <= kThreshold &&
+    constexpr double kMostApart = 0.5;  // metres in height
+    return door.width <= kWidestDoor && std::abs(door.foot.y() - foot.y()) <= kMostApart &&
            collision::horizontal_norm(door.foot - foot) <= 0.5 * door.width + kBesideDoor;
 }
 

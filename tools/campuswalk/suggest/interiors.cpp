@@ -102,9 +102,10 @@ bool is_mostly_enclosed(const scene::Campus& campus, std::optional<std::size_t> 
     return 4 * enclosed >= 3 * kSamples;
 }
 
+constexpr double kRoomHeight = 2.0;  // metres
+
 /// Along the building's walls, about the cells of the floor.
 scene::UprightBox box_of(const engine::WalkSpace& reached, const engine::Room& room, const Vector3d& along) {
-    constexpr double kHeight = 2.0;  // metres
     scene::UprightBox box{Vector3d::Zero(), Vector3d::Zero(), along};
     Vector3d low = Vector3d::Constant(1e300);
     Vector3d high = -low;
@@ -116,7 +117,7 @@ scene::UprightBox box_of(const engine::WalkSpace& reached, const engine::Room& r
     }
     const double half_cell = 0.5 * reached.grid.cell;
     low -= Vector3d(half_cell, 0.0, half_cell);
-    high += Vector3d(half_cell, kHeight, half_cell);
+    high += Vector3d(half_cell, kRoomHeight, half_cell);
     const Vector3d middle = 0.5 * (low + high);
     box.center = middle.x() * along + middle.y() * Vector3d::UnitY() + middle.z() * box.across();
     box.size = high - low;
@@ -126,6 +127,7 @@ scene::UprightBox box_of(const engine::WalkSpace& reached, const engine::Room& r
 /// Whether the box tells that one is in this room.
 bool stands_for(const engine::WalkSpace& reached, const scene::UprightBox& box, const engine::Room& room) {
     constexpr double kLeastSize = 2.0;    // m²
+    constexpr double kMostRise = 0.5;     // metres: there may be a gentle ramp in it
     constexpr double kLeastFilled = 0.5;  // of the box by the room's floor: there may be furniture
     constexpr double kMostForeign = 0.1;  // doorways among it
     const auto own = static_cast<double>(room.nodes.size());
@@ -135,7 +137,7 @@ bool stands_for(const engine::WalkSpace& reached, const scene::UprightBox& box, 
         const bool is_inside = box.depth_of(foot + kWaist * Vector3d::UnitY()) >= 0.0;
         all += is_inside && reached.node(node).hangs == 0 ? 1.0 : 0.0;
     }
-    return box.footprint() >= kLeastSize &&
+    return box.footprint() >= kLeastSize && box.size.y() <= kRoomHeight + kMostRise &&
            own * reached.grid.cell * reached.grid.cell >= kLeastFilled * box.footprint() &&
            all - own <= kMostForeign * own;
 }
