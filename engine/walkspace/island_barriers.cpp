@@ -27,6 +27,9 @@ constexpr double kApart = 0.5;
 constexpr double kOneLevel = 0.5;
 /// A spot's ground, in its cell, metres.
 constexpr double kSameGround = 0.3;
+/// Stairs to an island begin no farther away than this from it, metres, and lead no longer way to it.
+constexpr double kStairs = 12.0;
+constexpr double kLongestStairs = 30.0;
 
 /// Places by blocks of 2 m.
 template <typename Place>
@@ -126,6 +129,46 @@ Heights heights_of(const Island& island, const WalkGrid& grid, const collision::
     return heights;
 }
 
+/// Whether a node is on the island, for PassageQuery.
+auto on_island(const Island& island, const WalkGrid& grid, const collision::Aabb& within) {
+    return [heights = heights_of(island, grid, within)](const GridCell& cell, double y) {
+        const auto there = heights.find(cell);
+        return there != heights.end() && std::ranges::any_of(there->second, [&](double height) {
+                   return std::abs(height - y) <= kSameGround;
+               });
+    };
+}
+
+/// A riser of the stairs to an island, if such are what would lead there. Where their treads are too narrow
+/// to stand on, they are no part of the island, and begin farther away from it than other barriers are.
+std::optional<Barrier> riser_of_stairs(const WorkerWorlds& worlds, const ExploreSettings& settings,
+                                       const WalkSpace& reached, const Island& island, const Rim& rim) {
+    std::vector<Approach> feet;
+    for (const auto& [block, there] : rim.all()) {
+        for (const GroundState& from : there) {
+            const Vec3 nearest = from.foot.cwiseMax(island.bounds.min).cwiseMin(island.bounds.max);
+            const double apart = collision::horizontal_norm(nearest - from.foot);
+            if (apart <= kStairs && from.foot.y() < island.bounds.max.y()) {
+                feet.push_back({from, nullptr, apart});
+            }
+        }
+    }
+    std::ranges::stable_sort(feet, {}, &Approach::apart);
+    thin_out(feet);
+    PassageQuery query;
+    query.within = island.bounds;
+    for (const Approach& foot : feet) {
+        query.from.push_back(foot.from);
+        query.within.extend(foot.from.foot);
+    }
+    query.within = query.within.grown(kAround);
+    query.is_beyond = on_island(island, reached.grid, query.within);
+    query.known = &reached;
+    query.only_risers = true;
+    query.longest_crossing = kLongestStairs;
+    return query.from.empty() ? std::nullopt : why_not(worlds, settings, query);
+}
+
 std::optional<Barrier> barrier_before(const WorkerWorlds& worlds, const ExploreSettings& settings,
                                       const WalkSpace& reached, const Island& island, const Rim& rim,
                                       const scene::NodeTriangles* nodes) {
@@ -154,13 +197,7 @@ std::optional<Barrier> barrier_before(const WorkerWorlds& worlds, const ExploreS
         query.within.extend(approach.spot->at.foot);
     }
     query.within = query.within.grown(kAround);
-    const Heights heights = heights_of(island, reached.grid, query.within);
-    query.is_beyond = [&](const GridCell& cell, double y) {
-        const auto there = heights.find(cell);
-        return there != heights.end() && std::ranges::any_of(there->second, [&](double height) {
-                   return std::abs(height - y) <= kSameGround;
-               });
-    };
+    query.is_beyond = on_island(island, reached.grid, query.within);
     query.known = &reached;
     query.nodes = nodes;
     std::optional<Barrier> barrier = why_not(worlds, settings, query);
@@ -172,9 +209,12 @@ std::optional<Barrier> barrier_before(const WorkerWorlds& worlds, const ExploreS
 
 }  // namespace
 
-std::vector<std::optional<Barrier>> find_island_barriers(
-    const WorkerWorlds& worlds, const ExploreSettings& settings, const WalkSpace& reached,
-    const std::vector<Island>& islands, std::size_t count, const scene::NodeTriangles* nodes) {
+std::vector<std::optional<Barrier>> find_island_barriers(const WorkerWorlds& worlds,
+                                                         const ExploreSettings& settings,
+                                                         const WalkSpace& reached,
+                                                         const std::vector<Island>& islands,
+                                                         std::size_t count, const scene::NodeTriangles* nodes,
+                                                         const std::vector<bool>& with_stairs) {
     Rim rim;
     for (const WalkTile& tile : reached.tiles) {
         for (const WalkTile::Keyframe& at : tile.rim) {
@@ -184,7 +224,13 @@ std::vector<std::optional<Barrier>> find_island_barriers(
     std::vector<std::optional<Barrier>> barriers(std::min(count, islands.size()));
     for_each_item(barriers.size(), worlds.size(), [&](std::size_t worker, std::size_t island) {
         const WorkerWorlds own(worlds[worker], 1, {});
-        barriers[island] = barrier_before(own, settings, reached, islands[island], rim, nodes);
+        std::optional<Barrier>& barrier = barriers[island];
+        barrier = barrier_before(own, settings, reached, islands[island], rim, nodes);
+        const bool asks_for_stairs = island < with_stairs.size() && with_stairs[island];
+        if (asks_for_stairs && barrier && barrier->kind == BarrierKind::ledge) {
+            const auto riser = riser_of_stairs(own, settings, reached, islands[island], rim);
+            barrier = riser ? riser : barrier;
+        }
     });
     return barriers;
 }

@@ -165,7 +165,8 @@ std::string why_unreachable(const scene::Campus& campus, const RouteSettings& se
     const std::vector<Island> islands{
         part_to_cross_to(ground, none.reached, request.from.foot, place.ground->foot)};
     const scene::NodeTriangles nodes(campus, islands.front().bounds.grown(kAroundCrossing));
-    const auto barrier = find_island_barriers(worlds, exploration, none.reached, islands, 1, &nodes).front();
+    const auto barrier =
+        find_island_barriers(worlds, exploration, none.reached, islands, 1, &nodes, {true}).front();
     return barrier ? barrier_text(campus, *barrier) : nearest_text(none.reached, none.target);
 }
 

@@ -25,6 +25,17 @@ std::size_t explained(const std::vector<Island>& islands, const std::vector<Subj
     return count;
 }
 
+/// By island: whether somebody wants to get there.
+std::vector<bool> wanted(const std::vector<Island>& islands, const std::vector<Subject>& subjects) {
+    std::vector<bool> is_wanted(islands.size(), false);
+    for (const Subject& subject : subjects) {
+        if (subject.island && subject.kind != SubjectKind::solid) {
+            is_wanted[*subject.island] = true;
+        }
+    }
+    return is_wanted;
+}
+
 /// An object that is no larger may be a door, metres.
 constexpr double kLargestDoor = 5.0;
 
@@ -93,7 +104,8 @@ WalkReport report_walks(const scene::Campus& campus, const AvatarProfile& avatar
         find_subjects({campus, avatar, worlds, settings, report.space, islands});
     const scene::NodeTriangles nodes(campus, campus.world.bounds());
     std::vector<std::optional<Barrier>> barriers = find_island_barriers(
-        worlds, settings, report.space, islands, explained(islands, subjects, report.space.grid), &nodes);
+        worlds, settings, report.space, islands, explained(islands, subjects, report.space.grid), &nodes,
+        wanted(islands, subjects));
     barriers.resize(islands.size());
     for (std::size_t i = 0; i < islands.size(); ++i) {
         report.islands.push_back({std::move(islands[i]), std::move(barriers[i])});

@@ -20,8 +20,6 @@ namespace {
 
 /// A local search that has reached this many cells has found no barrier, but another place.
 constexpr std::size_t kMostNodes = 4'000;
-/// A way across a barrier is no longer than this, metres.
-constexpr double kLongestCrossing = 6.0;
 /// Once the searches for one barrier have reached so many, no other change is tried: what is closed off for
 /// good would take minutes.
 constexpr std::size_t kMostNodesInAll = 50'000;
@@ -69,8 +67,8 @@ public:
         settings_.known = query.known;
         settings_.is_goal = query.is_beyond;
         settings_.max_nodes = std::min(settings.max_nodes, kMostNodes);
-        settings_.max_ticks = static_cast<std::uint32_t>(kLongestCrossing / settings.strides.walk_speed /
-                                                         settings.strides.seconds);
+        settings_.max_ticks = static_cast<std::uint32_t>(
+            query.longest_crossing / settings.strides.walk_speed / settings.strides.seconds);
         settings_.keep_cell = true;  // the query speaks of these cells
         settings_.keep_rim = false;
         settings_.steer_falls = false;  // that would be no barrier
@@ -82,6 +80,9 @@ public:
         const collision::MoverSettings& body = settings_.strides.body;
         if (find_path(body, query_.from)) {
             return std::nullopt;
+        }
+        if (query_.only_risers) {
+            return try_risers(body);
         }
         const std::vector<ObjectId> touched = touched_;
         const std::vector<Ability> abilities = abilities_of(body);
@@ -189,6 +190,18 @@ private:
             }
         }
         return measured(ability, passes, body, *path);
+    }
+
+    std::optional<Barrier> try_risers(const collision::MoverSettings& body) {
+        std::vector<Ability> abilities = abilities_of(body);
+        std::erase_if(abilities, [](const Ability& ability) { return ability.kind != BarrierKind::riser; });
+        for (Ability& step : abilities) {
+            std::erase_if(step.easier, [](double height) { return height > kHighestRiser; });
+            if (!step.easier.empty()) {
+                return try_ability(step, body);
+            }
+        }
+        return std::nullopt;
     }
 
     Barrier measured(const Ability& ability, double value, const collision::MoverSettings& body,

@@ -48,12 +48,14 @@ struct PassageQuery {
     collision::Aabb within;                       ///< where to look for ways, horizontally and vertically
     const WalkSpace* known = nullptr;             ///< where the body got to; may be null
     const scene::NodeTriangles* nodes = nullptr;  ///< what meshes consist of; may be null
-    bool single_change = false;  ///< don't look for ways that take several changes at once, which is slow
+    bool single_change = false;     ///< don't look for ways that take several changes at once, which is slow
+    bool only_risers = false;       ///< don't change anything but the step, up to kHighestRiser
+    double longest_crossing = 6.0;  ///< a way across the barrier is no longer than this, metres
 };
 
 /// The smallest change that would let the body through: of its step, its slope, its width or its height, or
 /// one object or node less. Found by walking with a changed body, measured to a millimetre and a tenth of a
-/// degree. None if the body gets through as it is.
+/// degree. None if the body gets through as it is, or if there are only risers to look for and none is found.
 std::optional<Barrier> why_not(const WorkerWorlds& worlds, const ExploreSettings& settings,
                                const PassageQuery& query);
 

@@ -126,7 +126,7 @@ scene::UprightBox box_of(const engine::WalkSpace& reached, const engine::Room& r
 
 /// Whether the box tells that one is in this room.
 bool stands_for(const engine::WalkSpace& reached, const scene::UprightBox& box, const engine::Room& room) {
-    constexpr double kLeastSize = 2.0;    // m²
+    constexpr double kLeastWidth = 1.0;   // metres, of where feet get to
     constexpr double kMostRise = 0.5;     // metres: there may be a gentle ramp in it
     constexpr double kLeastFilled = 0.5;  // of the box by the room's floor: there may be furniture
     constexpr double kMostForeign = 0.1;  // doorways among it
@@ -137,7 +137,7 @@ bool stands_for(const engine::WalkSpace& reached, const scene::UprightBox& box, 
         const bool is_inside = box.depth_of(foot + kWaist * Vector3d::UnitY()) >= 0.0;
         all += is_inside && reached.node(node).hangs == 0 ? 1.0 : 0.0;
     }
-    return box.footprint() >= kLeastSize && box.size.y() <= kRoomHeight + kMostRise &&
+    return std::min(box.size.x(), box.size.z()) >= kLeastWidth && box.size.y() <= kRoomHeight + kMostRise &&
            own * reached.grid.cell * reached.grid.cell >= kLeastFilled * box.footprint() &&
            all - own <= kMostForeign * own;
 }

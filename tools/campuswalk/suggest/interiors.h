@@ -26,7 +26,7 @@ struct Interior {
 };
 
 /// By building. Inside is where there are walls in five of eight directions under a roof, or in seven without
-/// one. A room has a box of at least 2 m² that holds no other room's floor, and fills half of it or more.
+/// one. A room has a box, over a metre wide, that holds hardly any other room's floor, and fills half of it.
 std::vector<Interior> find_interiors(const scene::Campus& campus, const engine::WalkSpace& reached,
                                      const std::vector<scene::SuggestedBuilding>& buildings,
                                      const std::vector<engine::KnownDoor>& doors);
