@@ -9,6 +9,7 @@
 
 #include "engine/script/avatar_body.h"
 #include "engine/script/travel.h"
+#include "engine/walkspace/standing_room.h"
 #include "engine/walkspace/taut_path.h"
 #include "engine/walkspace/trial_walk.h"
 #include "engine/walkspace/worker_worlds.h"
@@ -87,7 +88,7 @@ public:
         target_ = target;
         within_ = within;
         if (!land()) {
-            return NoRoute{target_, WalkSpace(WalkGrid{}), false};
+            return NoRoute{target_, WalkSpace(WalkGrid{})};
         }
         const Mark start = mark();
         std::optional<Pull> straight;
@@ -105,6 +106,9 @@ public:
             if (!looks_free && goes_straight()) {  // the map is wrong
                 append(*straight);
                 return std::nullopt;
+            }
+            if (!may_stand_at(worlds_[0], settings_.solids, settings_.strides.body, target_, within_)) {
+                return NoRoute{target_, WalkSpace(WalkGrid{}), false, true};
             }
             if (auto none = search()) {
                 return none;
@@ -185,7 +189,7 @@ private:
                 return NoRoute{target_, std::move(space), true};
             }
             if (!land()) {
-                return NoRoute{target_, WalkSpace(WalkGrid{}), false};
+                return NoRoute{target_, WalkSpace(WalkGrid{})};
             }
             if (follow_guess()) {
                 return std::nullopt;

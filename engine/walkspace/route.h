@@ -40,6 +40,7 @@ struct NoRoute {
     /// All that is reached from the target before it, with its rim. Empty if the body doesn't come to stand.
     WalkSpace reached;
     bool incomplete = false;  ///< the most nodes were explored, and there is more
+    bool no_room = false;     ///< nothing was explored: nobody can stand at the target (may_stand_at)
 };
 
 /// Straight on where that leads there. Else along a path that is guessed from the geometry, and only where

@@ -133,6 +133,12 @@ std::string nearest_text(const WalkSpace& reached, const Target& target) {
 
 std::string why_unreachable(const scene::Campus& campus, const RouteSettings& settings,
                             const RouteRequest& request, const NoRoute& none) {
+    Strider strider(campus.world, settings.strides, settings.solids);
+    if (none.no_room) {
+        const PlaceCheck place = check_place(campus, strider, none.target.point);
+        return (place.ground ? "there is no room to stand" : place.problem) + ", at " +
+               coordinates_text(none.target.point);
+    }
     if (none.reached.tiles.empty()) {
         return "the avatar falls out of the world";
     }
@@ -147,14 +153,13 @@ std::string why_unreachable(const scene::Campus& campus, const RouteSettings& se
             return "every way leads where it is to be avoided";
         }
     }
-    Strider strider(campus.world, settings.strides, settings.solids);
     Vec3 point = none.target.point;
     if (!none.target.has_height) {
         point.y() = request.from.foot.y();
     }
     const PlaceCheck place = check_place(campus, strider, point);
     if (!place.ground) {
-        return place.problem;
+        return place.problem + ", at " + coordinates_text(point);
     }
     const WorkerWorlds worlds(campus.world, 1, {});
     ExploreSettings exploration;

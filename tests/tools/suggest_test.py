@@ -157,6 +157,12 @@ class Suggest(ProgramCase):
         self.write("new.walk.yaml", "mine")
         self.suggest("hut.obj", "--overwrite")
 
+    def test_nothing_else_is_written_with_a_suggestion(self):
+        for flag, *value in (["--map", "map.png"], ["--json"]):
+            outcome = self.run_program("info", "hut.obj", "--suggest", "new.campus.yaml", flag, *value)
+            self.assert_refused(outcome, flag + ": error bad-value: nothing but the campus and its walk")
+        self.assertNotIn("new.campus.yaml", self.contents())
+
     def test_a_campus_must_be_named_as_one(self):
         outcome = self.run_program("info", "hut.obj", "--suggest", "new.yaml")
         self.assertEqual(outcome.code, 2)

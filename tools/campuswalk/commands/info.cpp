@@ -92,6 +92,11 @@ scene::GeographicPlace origin_in(const std::string& text) {
 
 /// Prints what is in a model file and what looks wrong with it. Returns the exit code.
 int print_info(const InfoOptions& options) {
+    if (options.suggest && (options.map || options.json)) {
+        throw error_about(
+            options.map ? "--map" : "--json", "bad-value",
+            "with --suggest, nothing but the campus and its walk is written; run info without it");
+    }
     if (options.suggest) {
         SuggestRequest request = options.suggestion;
         request.campus_file = *options.suggest;
