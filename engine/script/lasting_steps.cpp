@@ -196,7 +196,9 @@ std::optional<StepEnd> ScriptPlayer::end_of(const GoToStep& step, const AvatarSt
                        0.0,          true,    code,       "go_to " + step.target.label + why};
     };
     if (!route_.why_not.empty()) {
-        return fatal("unreachable", " can't be reached: " + route_.why_not);
+        StepEnd end = fatal("unreachable", " can't be reached: " + route_.why_not);
+        end.at = route_.why_at;
+        return end;
     }
     const RoutePiece& piece = route_.route.pieces[piece_];
     ++piece_ticks_;

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <string>
+
+#include <Eigen/Core>
 
 #include "engine/script/route.h"
 #include "engine/script/step.h"
@@ -10,7 +13,8 @@ namespace campuswalk::engine {
 /// What came of planning a step's route.
 struct PlannedRoute {
     Route route;
-    std::string why_not;  ///< there is none, and this is why; empty: there is one
+    std::string why_not;                         ///< there is none, and this is why; empty: there is one
+    std::optional<Eigen::Vector3d> why_at = {};  ///< where that was found
 };
 
 /// Where a script's player gets its routes from: what knows where exactly the avatar is, its body and the

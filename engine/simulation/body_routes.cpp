@@ -70,7 +70,8 @@ PlannedRoute BodyRoutes::plan_anew(const GoToStep& step, RouteSettings settings)
     if (auto* route = std::get_if<Route>(&found)) {
         return {std::move(*route), ""};
     }
-    return {{}, why_unreachable(campus_, settings, request, std::get<NoRoute>(found))};
+    UnreachableReason why = why_unreachable(campus_, settings, request, std::get<NoRoute>(found));
+    return {{}, std::move(why.text), why.at};
 }
 
 std::string BodyRoutes::describe_route_round(const Target& target, double within) const {

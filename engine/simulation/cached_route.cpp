@@ -19,7 +19,7 @@ namespace {
 
 const scene::CacheFolder::Kind kRouteKind = "route";
 /// Increment the version whenever the layout changes.
-constexpr scene::FileKind kRouteFile = {{'c', 'w', ' ', 'r', 'o', 'u', 't', 'e'}, 1};
+constexpr scene::FileKind kRouteFile = {{'c', 'w', ' ', 'r', 'o', 'u', 't', 'e'}, 2};
 
 // ---- what it depends on -------------------------------------------------------------------------------
 
@@ -117,6 +117,8 @@ void put_flag(ArchiveWriter& out, bool value) {
 std::vector<std::byte> archive_route(const PlannedRoute& planned) {
     ArchiveWriter out(kRouteFile);
     out.put_text(planned.why_not);
+    put_flag(out, planned.why_at.has_value());
+    put_point(out, planned.why_at.value_or(Vector3d::Zero()));
     out.put(std::uint64_t{planned.route.pieces.size()});
     for (const RoutePiece& piece : planned.route.pieces) {
         out.put_text(piece.target.label);
@@ -145,6 +147,9 @@ PlannedRoute read_route_file(std::span<const std::byte> bytes) {
     ArchiveReader in(bytes, kRouteFile);
     PlannedRoute planned;
     planned.why_not = in.take_text();
+    const bool is_anywhere = in.take_flag();
+    const Vector3d why_at = take_point(in);
+    planned.why_at = is_anywhere ? std::optional(why_at) : std::nullopt;
     const std::size_t pieces = in.take_count(kMinPieceBytes);
     for (std::size_t i = 0; i < pieces; ++i) {
         RoutePiece& piece = planned.route.pieces.emplace_back();

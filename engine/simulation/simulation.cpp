@@ -165,7 +165,7 @@ void Simulation::report_step_end(const StepEnd& end) {
         if (blocked && end.target != nullptr) {
             message += routes_.describe_route_round(*end.target, end.within);
         }
-        stop_ = Stop{*end.mark, end.code, std::move(message), {}, why.at};
+        stop_ = Stop{*end.mark, end.code, std::move(message), {}, end.at ? end.at : why.at};
     }
 }
 

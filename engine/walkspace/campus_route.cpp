@@ -36,7 +36,7 @@ std::variant<Route, std::string> route_or_reason(const scene::Campus& campus, co
     if (auto* route = std::get_if<Route>(&found)) {
         return std::move(*route);
     }
-    return why_unreachable(campus, settings, request, std::get<NoRoute>(found));
+    return why_unreachable(campus, settings, request, std::get<NoRoute>(found)).text;
 }
 
 }  // namespace campuswalk::engine

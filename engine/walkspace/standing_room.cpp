@@ -13,7 +13,8 @@ using collision::Vec3;
 
 namespace {
 
-/// A body that is this much thinner, at the nearest sample, lies within the body wherever that stands, metres.
+/// A body that is this much thinner, at the nearest sample, lies within the body wherever that stands,
+/// metres.
 constexpr double kThinner = 0.1;
 /// Samples are this far apart along each axis: none is farther from a point between than kThinner.
 constexpr double kApart = 2.0 * kThinner / 1.7320508075688772;

@@ -114,7 +114,7 @@ Island part_to_cross_to(const std::vector<UnreachedSpot>& spots, const WalkSpace
 }
 
 /// How near one gets.
-std::string nearest_text(const WalkSpace& reached, const Target& target) {
+UnreachableReason nearest_reason(const WalkSpace& reached, const Target& target) {
     std::optional<Vec3> nearest;
     double least = std::numeric_limits<double>::max();
     NodeNumbers(reached).for_each([&](const WalkNodeId& id) {
@@ -125,32 +125,40 @@ std::string nearest_text(const WalkSpace& reached, const Target& target) {
             nearest = p;
         }
     });
-    return nearest ? "one gets no nearer than " + fixed(least, 2) + " m, to " + coordinates_text(*nearest)
-                   : "the avatar falls out of the world";
+    if (!nearest) {
+        return {"the avatar falls out of the world"};
+    }
+    return {"one gets no nearer than " + fixed(least, 2) + " m, to " + coordinates_text(*nearest), nearest};
+}
+
+/// What is wrong with the target itself.
+UnreachableReason reason_at(const Vec3& point, const std::string& problem, const StrideSettings& strides) {
+    return {problem + ", at " + coordinates_text(point),
+            Vec3(point + 0.5 * strides.body.height * Vec3::UnitY())};
 }
 
 }  // namespace
 
-std::string why_unreachable(const scene::Campus& campus, const RouteSettings& settings,
-                            const RouteRequest& request, const NoRoute& none) {
+UnreachableReason why_unreachable(const scene::Campus& campus, const RouteSettings& settings,
+                                  const RouteRequest& request, const NoRoute& none) {
     Strider strider(campus.world, settings.strides, settings.solids);
     if (none.no_room) {
         const PlaceCheck place = check_place(campus, strider, none.target.point);
-        return (place.ground ? "there is no room to stand" : place.problem) + ", at " +
-               coordinates_text(none.target.point);
+        return reason_at(none.target.point, place.ground ? "there is no room to stand" : place.problem,
+                         settings.strides);
     }
     if (none.reached.tiles.empty()) {
-        return "the avatar falls out of the world";
+        return {"the avatar falls out of the world"};
     }
     if (none.incomplete) {
-        return "there is no way to it within " + fixed(none.reached.area(), 0) +
-               " m², the most that is explored";
+        return {"there is no way to it within " + fixed(none.reached.area(), 0) +
+                " m², the most that is explored"};
     }
     if (settings.keep_out) {
         RouteSettings anywhere = settings;
         anywhere.keep_out = {};
         if (std::holds_alternative<Route>(plan_route(campus.world, anywhere, request))) {
-            return "every way leads where it is to be avoided";
+            return {"every way leads where it is to be avoided"};
         }
     }
     Vec3 point = none.target.point;
@@ -159,7 +167,7 @@ std::string why_unreachable(const scene::Campus& campus, const RouteSettings& se
     }
     const PlaceCheck place = check_place(campus, strider, point);
     if (!place.ground) {
-        return place.problem + ", at " + coordinates_text(point);
+        return reason_at(point, place.problem, settings.strides);
     }
     const WorkerWorlds worlds(campus.world, 1, {});
     ExploreSettings exploration;
@@ -172,7 +180,8 @@ std::string why_unreachable(const scene::Campus& campus, const RouteSettings& se
     const scene::NodeTriangles nodes(campus, islands.front().bounds.grown(kAroundCrossing));
     const auto barrier =
         find_island_barriers(worlds, exploration, none.reached, islands, 1, &nodes, {true}).front();
-    return barrier ? barrier_text(campus, *barrier) : nearest_text(none.reached, none.target);
+    return barrier ? UnreachableReason{barrier_text(campus, *barrier), barrier->at}
+                   : nearest_reason(none.reached, none.target);
 }
 
 }  // namespace campuswalk::engine

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "engine/walkspace/route.h"
@@ -7,9 +8,16 @@
 
 namespace campuswalk::engine {
 
-/// Why there is no route, measured: "riser of 0.45 m at stair, 3.20, 0.45, -1.00; the avatar steps 0.30 m".
-/// A sentence without its full stop. Takes seconds where the way is long to look for.
-std::string why_unreachable(const scene::Campus& campus, const RouteSettings& settings,
-                            const RouteRequest& request, const NoRoute& none);
+/// Why there is no route.
+struct UnreachableReason {
+    /// Measured: "riser of 0.45 m at stair, 3.20, 0.45, -1.00; the avatar steps 0.30 m". A sentence without
+    /// its full stop.
+    std::string text;
+    std::optional<collision::Vec3> at = {};  ///< where that is, if it is anywhere
+};
+
+/// Takes seconds where the way is long to look for.
+UnreachableReason why_unreachable(const scene::Campus& campus, const RouteSettings& settings,
+                                  const RouteRequest& request, const NoRoute& none);
 
 }  // namespace campuswalk::engine

@@ -56,6 +56,9 @@ TEST(GoTo, SaysHowHighTheRiserIsThatKeepsItAway) {
     EXPECT_EQ(result.summary.failures.front().code, "unreachable");
     EXPECT_THAT(result.summary.failures.front().message, testing::HasSubstr("riser of 0.45 m at stage"));
     EXPECT_THAT(result.summary.failures.front().message, testing::HasSubstr("the avatar steps 0.30 m"));
+    const auto contact = result.summary.failures.front().scene.contact;
+    ASSERT_TRUE(contact) << "pictures of the failure show the riser";
+    EXPECT_NEAR(contact->z(), -3.0, 0.01);
     AvatarProfile climber;
     climber.step_height = 0.46;
     Walk walk = walk_of({spawn_at({0, 0, 4}), go_to(0, -6, 0.45)});
