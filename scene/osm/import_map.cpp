@@ -12,6 +12,7 @@
 #include "scene/osm/compose.h"
 #include "scene/osm/decks.h"
 #include "scene/osm/furniture.h"
+#include "scene/osm/geos_context.h"
 #include "scene/osm/ground.h"
 #include "scene/osm/heights.h"
 #include "scene/osm/meaning.h"

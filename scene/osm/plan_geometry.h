@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <exception>
 #include <memory>
 #include <vector>
 
@@ -19,12 +18,7 @@ struct Triangulation {
 
 enum class Caps { round, flat, square };
 
-/// Overlays, buffers and triangulations of one map. A campus of 1 MB makes some 6,000, each of which takes a
-/// third of a millisecond; by long paths a small file can ask for any number.
-inline constexpr std::size_t kMaxOperations = 400'000;
-
-/// Thrown when a map needs more of them.
-class TooManyOperations : public std::exception {};
+class GeosContext;
 
 /// Overlays of GEOS. Coordinates come out as multiples of kGrid, which makes its overlays robust. The same
 /// version of GEOS gives the same everywhere; triangles, buffers and rectangles may change with it. What has
@@ -63,8 +57,7 @@ private:
     Polygons buffer_in_pieces(const std::vector<Point>& line, double radius, Caps caps) const;
     void add_triangles(const Polygon& polygon, int depth, Triangulation& result) const;
 
-    struct Impl;
-    std::unique_ptr<Impl> impl_;
+    std::unique_ptr<GeosContext> geos_;
 };
 
 }  // namespace campuswalk::scene::osm
