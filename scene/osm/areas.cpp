@@ -173,8 +173,9 @@ std::vector<MapArea> areas_of(const Map& map, const PlanGeometry& geometry, cons
         }
         MapArea area{id, tags, geometry.polygon(ring_of(way)), {&way}};
         if (area.polygons.empty()) {
-            warnings.warning(mark, "empty-ring",
-                             "way " + std::to_string(way.id) + " encloses no area; left out");
+            warnings.warning(
+                mark, "empty-ring",
+                "way " + std::to_string(way.id) + " encloses no area, or crosses itself too often; left out");
         } else if (touches(area.polygons, map.box)) {
             areas.push_back(std::move(area));
         }

@@ -7,8 +7,20 @@
 #include <utility>
 
 namespace campuswalk::scene::osm {
+namespace {
 
-GeosContext::GeosContext(double grid) : context_(GEOS_init_r()), grid_(grid), per_metre_(1.0 / grid) {
+std::vector<Segment> segments_of(const std::vector<const Polygons*>& areas) {
+    std::vector<Segment> segments;
+    for (const Polygons* polygons : areas) {
+        append_segments(*polygons, segments);
+    }
+    return segments;
+}
+
+}  // namespace
+
+GeosContext::GeosContext(double grid, const OverlayBudget& budget)
+    : context_(GEOS_init_r()), grid_(grid), per_metre_(1.0 / grid), budget_(budget) {
     GEOSContext_setErrorMessageHandler_r(context_, note_error, this);
 }
 
@@ -29,10 +41,18 @@ void GeosContext::note_failure() const {
     ++failures_;
 }
 
-void GeosContext::count_operation() const {
-    if (++operations_ > kMaxOperations) {
-        throw TooManyOperations();
-    }
+std::size_t GeosContext::spend_on_areas(const std::vector<const Polygons*>& areas) const {
+    return budget_.spend(segments_of(areas));
+}
+
+void GeosContext::spend_on_union(const std::vector<const Polygons*>& areas) const {
+    budget_.spend_on_union(segments_of(areas));
+}
+
+std::size_t GeosContext::spend_on_line(const std::vector<Point>& line) const {
+    std::vector<Segment> segments;
+    append_segments(line, segments);
+    return budget_.spend(segments);
 }
 
 // Plans to geometries.
@@ -146,7 +166,6 @@ void GeosContext::append(const GEOSGeometry* geometry, Polygons& polygons) const
 }
 
 Polygons GeosContext::polygons_of(const Geometry& geometry) const {
-    count_operation();
     Polygons polygons;
     if (!geometry) {
         note_failure();

@@ -1,22 +1,15 @@
 #pragma once
 
 #include <cstddef>
-#include <exception>
 #include <memory>
 #include <vector>
 
 #include <geos_c.h>
 
+#include "scene/osm/overlay_budget.h"
 #include "scene/osm/plan.h"
 
 namespace campuswalk::scene::osm {
-
-/// Overlays, buffers and triangulations of one map. A campus of 1 MB makes some 6,000, each of which takes a
-/// third of a millisecond; by long paths a small file can ask for any number.
-inline constexpr std::size_t kMaxOperations = 400'000;
-
-/// Thrown when a map needs more of them.
-class TooManyOperations : public std::exception {};
 
 /// A context of GEOS: plans as its geometries, on a grid, and what comes back as plans. Its geometries are
 /// freed with the context that made them.
@@ -29,7 +22,7 @@ public:
     using Geometry = std::unique_ptr<GEOSGeometry, Free>;
 
     /// Coordinates become multiples of `grid`, metres.
-    explicit GeosContext(double grid);
+    GeosContext(double grid, const OverlayBudget& budget);
     ~GeosContext();
     GeosContext(const GeosContext&) = delete;
     GeosContext& operator=(const GeosContext&) = delete;
@@ -46,13 +39,17 @@ public:
 
     /// Without the repeated last point.
     Ring ring_of(const GEOSGeometry* line, bool counter_clockwise) const;
-    /// The areas in the result of an operation, which is counted; without one a failure is.
+    /// The areas in the result of an operation; without one a failure is noted.
     Polygons polygons_of(const Geometry& geometry) const;
     /// The same, rounded to the grid and valid.
     Polygons rounded(const Geometry& geometry) const;
 
-    /// Throws TooManyOperations.
-    void count_operation() const;
+    /// Before an operation on areas, or on a line. Returns how many pairs of their segments meet.
+    std::size_t spend_on_areas(const std::vector<const Polygons*>& areas) const;
+    void spend_on_union(const std::vector<const Polygons*>& areas) const;
+    std::size_t spend_on_line(const std::vector<Point>& line) const;
+    OverlayBudget& budget() const { return budget_; }
+
     /// Throws std::bad_alloc if that was the reason.
     void note_failure() const;
     std::size_t failures() const { return failures_; }
@@ -70,7 +67,7 @@ private:
     double per_metre_;
     bool out_of_memory_ = false;
     mutable std::size_t failures_ = 0;
-    mutable std::size_t operations_ = 0;
+    mutable OverlayBudget budget_;
 };
 
 }  // namespace campuswalk::scene::osm

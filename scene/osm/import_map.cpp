@@ -12,7 +12,6 @@
 #include "scene/osm/compose.h"
 #include "scene/osm/decks.h"
 #include "scene/osm/furniture.h"
-#include "scene/osm/geos_context.h"
 #include "scene/osm/ground.h"
 #include "scene/osm/heights.h"
 #include "scene/osm/meaning.h"
@@ -173,7 +172,7 @@ std::vector<std::string> layers_of(const CampusDraft& draft) {
 ImportedMap imported_map(const MapRequest& request) {
     DiagnosticList warnings;
     const Map map = read_map(request.file, request.mark, request.section, warnings);
-    const PlanGeometry geometry;
+    const PlanGeometry geometry(OverlayBudget::for_map(map.nodes_read));
     std::vector<MapArea> areas = areas_of(map, geometry, request.mark, warnings);
     std::vector<Path> paths = paths_of(map, geometry);
     const Box box = ground_box(map, areas);
@@ -225,7 +224,7 @@ ImportedMap import_map(const MapRequest& request) {
                          "it makes more than " + std::to_string(kMaxMapTriangles / 1'000'000) +
                              " million triangles; choose a part of the map with --bbox or --center, and look "
                              "for heights and levels that can't be");
-    } catch (const TooManyOperations&) {
+    } catch (const OverlaysTooCostly&) {
         throw InputError(request.mark, "bad-size",
                          "its paths and areas overlap more than can be worked out; choose a part of the map "
                          "with --bbox or --center");

@@ -10,10 +10,25 @@ namespace campuswalk::scene::osm {
 namespace {
 
 constexpr std::size_t kPieceOfLine = 128;  // points
+/// Crossings of a ring with itself. What it goes around an odd number of times would take GEOS seconds to
+/// find from a thousand on, and minutes from some thousands.
+constexpr std::size_t kScrawl = 100;
+
+std::size_t vertices_of(const Polygons& polygons) {
+    std::size_t count = 0;
+    for (const Polygon& polygon : polygons) {
+        count += polygon.outer.size();
+        for (const Ring& hole : polygon.holes) {
+            count += hole.size();
+        }
+    }
+    return count;
+}
 
 }  // namespace
 
-PlanGeometry::PlanGeometry() : geos_(std::make_unique<GeosContext>(kGrid)) {}
+PlanGeometry::PlanGeometry(const OverlayBudget& budget)
+    : geos_(std::make_unique<GeosContext>(kGrid, budget)) {}
 PlanGeometry::~PlanGeometry() = default;
 
 Polygons PlanGeometry::polygon(const Ring& ring) const {
@@ -25,12 +40,22 @@ Polygons PlanGeometry::polygon(const Ring& ring) const {
         return {};
     }
     if (GEOSisValid_r(geos_->handle(), raw.get()) == 1) {
+        geos_->budget().spend(ring.size());
         return geos_->polygons_of(raw);
+    }
+    const Polygons drawn = {Polygon{ring, {}}};
+    if (geos_->spend_on_areas({&drawn}) > kScrawl) {
+        return {};
     }
     return geos_->rounded(geos_->own(GEOSMakeValid_r(geos_->handle(), raw.get())));
 }
 
 Polygons PlanGeometry::areas_of_lines(const std::vector<std::vector<Point>>& lines) const {
+    std::vector<Segment> segments;
+    for (const std::vector<Point>& line : lines) {
+        append_segments(line, segments);
+    }
+    geos_->budget().spend(segments);
     const GeosContext::Geometry all = geos_->lines(lines);
     if (!all) {
         return {};
@@ -48,6 +73,7 @@ Polygons PlanGeometry::buffer(const std::vector<Point>& line, double radius, Cap
     if (line.size() < 2) {
         return {};
     }
+    geos_->spend_on_line(line);
     if (line.size() > kPieceOfLine && caps != Caps::square) {
         return buffer_in_pieces(line, radius, caps);
     }
@@ -79,6 +105,7 @@ Polygons PlanGeometry::left_side(const std::vector<Point>& line, double distance
     if (line.size() < 2) {
         return {};
     }
+    geos_->spend_on_line(line);
     const GeosContext::Geometry path = geos_->line(line);
     GEOSBufferParams* params = GEOSBufferParams_create_r(geos_->handle());
     GEOSBufferParams_setSingleSided_r(geos_->handle(), params, 1);
@@ -96,6 +123,7 @@ Polygons PlanGeometry::grown(const Polygons& polygons, double by) const {
     if (polygons.empty()) {
         return {};
     }
+    geos_->spend_on_areas({&polygons});
     const GeosContext::Geometry area = geos_->geometry(polygons);
     return geos_->rounded(
         geos_->own(GEOSBufferWithStyle_r(geos_->handle(), area.get(), by, kQuarterSegments, GEOSBUF_CAP_FLAT,
@@ -118,6 +146,7 @@ bool PlanGeometry::intersects(const Polygons& a, const Polygons& b) const {
     if (a.empty() || b.empty() || !box_of(a).overlaps(box_of(b))) {
         return false;
     }
+    geos_->budget().spend(vertices_of(a) + vertices_of(b));
     const GeosContext::Geometry first = geos_->geometry(a);
     const GeosContext::Geometry second = geos_->geometry(b);
     return GEOSIntersects_r(geos_->handle(), first.get(), second.get()) != 0;  // or it failed
@@ -127,6 +156,7 @@ Polygons PlanGeometry::difference(const Polygons& a, const Polygons& b) const {
     if (a.empty() || b.empty() || !box_of(a).overlaps(box_of(b))) {
         return a;
     }
+    geos_->spend_on_areas({&a, &b});
     const GeosContext::Geometry from = geos_->geometry(a);
     const GeosContext::Geometry cut = geos_->geometry(b);
     const GeosContext::Geometry rest =
@@ -139,6 +169,7 @@ Polygons PlanGeometry::intersection(const Polygons& a, const Polygons& b) const 
     if (a.empty() || b.empty() || !box_of(a).overlaps(box_of(b))) {
         return {};
     }
+    geos_->spend_on_areas({&a, &b});
     const GeosContext::Geometry first = geos_->geometry(a);
     const GeosContext::Geometry second = geos_->geometry(b);
     return geos_->polygons_of(
@@ -146,6 +177,7 @@ Polygons PlanGeometry::intersection(const Polygons& a, const Polygons& b) const 
 }
 
 Polygons PlanGeometry::united(const std::vector<const Polygons*>& all) const {
+    geos_->spend_on_union(all);
     const GeosContext::Geometry collection = geos_->collection(all);
     return geos_->polygons_of(geos_->own(GEOSUnaryUnionPrec_r(geos_->handle(), collection.get(), kGrid)));
 }
@@ -154,7 +186,7 @@ namespace {
 
 /// Triangles of what GEOS can triangulate; of the rest their area is missing.
 Triangulation triangles_of(const Polygon& polygon, const GeosContext& geos) {
-    geos.count_operation();
+    geos.budget().spend_on_triangles(vertices_of({polygon}));
     Triangulation result;
     const GeosContext::Geometry area = geos.geometry(polygon);
     const GeosContext::Geometry triangles =

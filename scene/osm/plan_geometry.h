@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "scene/osm/overlay_budget.h"
 #include "scene/osm/plan.h"
 
 namespace campuswalk::scene::osm {
@@ -27,12 +28,13 @@ class PlanGeometry {
 public:
     static constexpr double kGrid = 0.001;  ///< metres
 
-    PlanGeometry();
+    explicit PlanGeometry(const OverlayBudget& budget = OverlayBudget());
     ~PlanGeometry();
     PlanGeometry(const PlanGeometry&) = delete;
     PlanGeometry& operator=(const PlanGeometry&) = delete;
 
-    /// A valid polygon from a ring that may cross itself.
+    /// A valid polygon from a ring that may cross itself: what it goes around an odd number of times. Nothing
+    /// from one that does so more than 100 times.
     Polygons polygon(const Ring& ring) const;
     /// The areas that lines enclose, those inside others being holes: a relation's members.
     Polygons areas_of_lines(const std::vector<std::vector<Point>>& lines) const;
