@@ -31,7 +31,8 @@ bool stands_for_area(const Tags& tags) {
     const std::string_view natural = tags.get("natural");
     return (!natural.empty() && natural != "tree_row" && natural != "cliff" && natural != "coastline") ||
            tags.is("public_transport", "platform") || tags.is("man_made", "bridge") ||
-           tags.is("waterway", "riverbank") || tags.is("waterway", "dock") ||
+           affirmed(tags, "bridge:support") || tags.is("waterway", "riverbank") ||
+           tags.is("waterway", "dock") ||
            std::ranges::any_of(kAreaKeys, [&](std::string_view key) { return affirmed(tags, key); });
 }
 

@@ -9,7 +9,7 @@
 namespace campuswalk::scene::osm {
 
 BridgeNetwork::BridgeNetwork(const std::vector<MapArea>& areas, const std::vector<Path>& paths)
-    : paths_(paths) {
+    : areas_(areas), paths_(paths) {
     for (std::size_t i = 0; i < paths.size(); ++i) {
         for (std::size_t k = 0; !paths[i].unbuilt && k < paths[i].way->nodes.size(); ++k) {
             at_[paths[i].way->nodes[k]].emplace_back(i, k);
@@ -51,6 +51,7 @@ std::vector<Bridge> BridgeNetwork::bridges() const {
             find_ends(bridges.back());
         }
     }
+    find_outlines(bridges);
     std::ranges::stable_sort(bridges, {}, [&](const Bridge& bridge) { return layer(bridge); });
     return bridges;
 }
@@ -100,6 +101,31 @@ void BridgeNetwork::find_ends(Bridge& bridge) const {
             } else if (stairs) {
                 bridge.stair_ends.push_back(way.nodes[k]);
             }
+        }
+    }
+}
+
+/// Each belongs to the bridge that runs farthest in it.
+void BridgeNetwork::find_outlines(std::vector<Bridge>& bridges) const {
+    constexpr double kLeast = 1.0;  // metres
+    for (std::size_t i = 0; i < areas_.size(); ++i) {
+        if (!areas_[i].tags.is("man_made", "bridge")) {
+            continue;
+        }
+        Bridge* best = nullptr;
+        double farthest = kLeast;
+        for (Bridge& bridge : bridges) {
+            double inside = 0.0;
+            for (const std::size_t path : bridge.paths) {
+                inside += length_inside(paths_[path].way->points, areas_[i].polygons);
+            }
+            if (inside > farthest) {
+                farthest = inside;
+                best = &bridge;
+            }
+        }
+        if (best != nullptr) {
+            best->outlines.push_back(i);
         }
     }
 }

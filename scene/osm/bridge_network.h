@@ -13,7 +13,7 @@ namespace campuswalk::scene::osm {
 /// Which paths meet at which nodes, and which of them are bridges. Unbuilt paths don't count.
 class BridgeNetwork {
 public:
-    /// `paths` must outlive it; their heights may change meanwhile.
+    /// Both must outlive it; the heights of paths may change meanwhile.
     BridgeNetwork(const std::vector<MapArea>& areas, const std::vector<Path>& paths);
 
     /// Paths, each with the place of the node in it.
@@ -31,8 +31,10 @@ public:
 private:
     Bridge connected_to(std::size_t first, std::vector<bool>& taken) const;
     void find_ends(Bridge& bridge) const;
+    void find_outlines(std::vector<Bridge>& bridges) const;
     double layer(const Bridge& bridge) const;
 
+    const std::vector<MapArea>& areas_;
     const std::vector<Path>& paths_;
     std::unordered_map<std::int64_t, std::vector<std::pair<std::size_t, std::size_t>>> at_;
     std::unordered_set<std::int64_t> walls_;  ///< nodes of buildings' walls
