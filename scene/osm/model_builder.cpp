@@ -105,7 +105,7 @@ private:
 };
 
 /// Triangles with vertices shared where position and normal are the same.
-Mesh welded(const std::vector<std::array<Eigen::Vector3f, 3>>& triangles) {
+Mesh welded(const std::deque<std::array<Eigen::Vector3f, 3>>& triangles) {
     Mesh mesh;
     std::vector<Eigen::Vector3f> positions;
     std::vector<Eigen::Vector3f> normals;
