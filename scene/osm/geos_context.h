@@ -44,7 +44,8 @@ public:
     /// The same, rounded to the grid and valid.
     Polygons rounded(const Geometry& geometry) const;
 
-    /// Before an operation on areas, or on a line. Returns how many pairs of their segments meet.
+    /// Before an operation on areas, or on a line. Returns how many pairs of their segments
+    /// touch or cross, as OverlayBudget::spend.
     std::size_t spend_on_areas(const std::vector<const Polygons*>& areas) const;
     void spend_on_union(const std::vector<const Polygons*>& areas) const;
     std::size_t spend_on_line(const std::vector<Point>& line) const;

@@ -28,7 +28,8 @@ class OverlayBudget {
 public:
     explicit OverlayBudget(std::uint64_t allowed = kAnyMap) : left_(allowed) {}
 
-    /// Twenty seconds, and a millisecond for each node: real maps of cities take a seventh of that.
+    /// Twenty seconds, and a millisecond for each node: a campus is reckoned to need a tenth of that, a city
+    /// a quarter.
     static OverlayBudget for_map(std::size_t nodes) {
         return OverlayBudget(kAnyMap + 1000 * std::uint64_t{nodes});
     }

@@ -33,13 +33,13 @@ bool is_on(const WholeSegment& s, std::int64_t x, std::int64_t y) {
 }
 
 /// Touch or cross, by whole numbers and by cases.
-bool meet(const WholeSegment& a, const WholeSegment& b) {
+bool touch_or_cross(const WholeSegment& a, const WholeSegment& b) {
     return is_on(a, b[0], b[1]) || is_on(a, b[2], b[3]) || is_on(b, a[0], a[1]) || is_on(b, a[2], a[3]) ||
            (side_of(a, b[0], b[1]) * side_of(a, b[2], b[3]) < 0 &&
             side_of(b, a[0], a[1]) * side_of(b, a[2], a[3]) < 0);
 }
 
-TEST(OverlayBudget, CountsThePairsOfSegmentsThatMeet) {
+TEST(OverlayBudget, CountsThePairsOfSegmentsThatTouchOrCross) {
     std::mt19937 random(5);
     for (int round = 0; round < 200; ++round) {
         const std::int64_t size = 5 + round % 40;
@@ -55,7 +55,7 @@ TEST(OverlayBudget, CountsThePairsOfSegmentsThatMeet) {
         std::size_t pairs = 0;
         for (std::size_t i = 0; i < whole.size(); ++i) {
             for (std::size_t k = i + 1; k < whole.size(); ++k) {
-                pairs += meet(whole[i], whole[k]) ? 1U : 0U;
+                pairs += touch_or_cross(whole[i], whole[k]) ? 1U : 0U;
             }
         }
         EXPECT_EQ(OverlayBudget().spend(segments), pairs - std::min(pairs, whole.size())) << round;
