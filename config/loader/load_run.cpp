@@ -279,19 +279,21 @@ CampusDescription load_campus_description(const fs::path& campus_file, const Sea
     return std::move(*campus);
 }
 
-std::vector<scene::Diagnostic> check_place_file(const fs::path& geojson_file,
-                                                const std::optional<scene::GeographicPlace>& origin,
-                                                const SearchPaths& search) {
+PlacesRead read_place_file(const PlaceFile& file, const std::optional<scene::GeographicPlace>& origin,
+                           const SearchPaths& search) {
     DiagnosticList diagnostics;
-    const SourceMark mark = whole_file(geojson_file);
+    const SourceMark mark = whole_file(file.path);
     const YamlNode here;
-    std::vector<scene::Diagnostic> warnings;
-    PointFile file;
-    file.path = geojson_file;
-    read_points(file, CheckedNode(here, "the file", mark.file, diagnostics), read_roots(geojson_file, search),
-                origin, warnings);
+    PlacesRead read;
+    PointFile points;
+    points.path = file.path;
+    points.name_property = file.name_property;
+    for (const NamedPoint& point : read_points(points, CheckedNode(here, "the file", mark.file, diagnostics),
+                                               read_roots(file.path, search), origin, read.warnings)) {
+        read.positions.push_back(point.position);
+    }
     throw_in_order(diagnostics, mark);
-    return warnings;
+    return read;
 }
 
 std::vector<engine::Step> load_steps(const fs::path& steps_file, const SearchPaths& search) {

@@ -79,11 +79,22 @@ ReadRoots read_roots(const std::filesystem::path& file, const SearchPaths& searc
 scene::CampusDescription load_campus_description(const std::filesystem::path& campus_file,
                                                  const SearchPaths& search = {});
 
-/// Checks a file of places as `places: {from: FILE}` would, for a campus that lies there on the Earth;
-/// returns the warnings.
-std::vector<scene::Diagnostic> check_place_file(const std::filesystem::path& geojson_file,
-                                                const std::optional<scene::GeographicPlace>& origin,
-                                                const SearchPaths& search);
+/// A file of places by itself, and the property of its features that names them.
+struct PlaceFile {
+    std::filesystem::path path;
+    std::string name_property = "name";
+};
+
+/// The places of a file, and what was left out of it.
+struct PlacesRead {
+    std::vector<Eigen::Vector3d> positions;  ///< world frame, metres; without a height in the file at 0
+    std::vector<scene::Diagnostic> warnings;
+};
+
+/// Reads a file of places as `places: {from: {file: FILE, name: PROPERTY}}` does, for a campus that lies
+/// there on the Earth.
+PlacesRead read_place_file(const PlaceFile& file, const std::optional<scene::GeographicPlace>& origin,
+                           const SearchPaths& search);
 
 /// Reads `NAME.steps.yaml` and what it includes; without a walk the names of places can't be checked.
 std::vector<engine::Step> load_steps(const std::filesystem::path& steps_file, const SearchPaths& search = {});

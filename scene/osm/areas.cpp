@@ -31,7 +31,8 @@ bool stands_for_area(const Tags& tags) {
     const std::string_view natural = tags.get("natural");
     return (!natural.empty() && natural != "tree_row" && natural != "cliff" && natural != "coastline") ||
            tags.is("public_transport", "platform") || tags.is("man_made", "bridge") ||
-           tags.is("waterway", "riverbank") || tags.is("waterway", "dock") ||
+           affirmed(tags, "bridge:support") || tags.is("waterway", "riverbank") ||
+           tags.is("waterway", "dock") ||
            std::ranges::any_of(kAreaKeys, [&](std::string_view key) { return affirmed(tags, key); });
 }
 
@@ -173,8 +174,9 @@ std::vector<MapArea> areas_of(const Map& map, const PlanGeometry& geometry, cons
         }
         MapArea area{id, tags, geometry.polygon(ring_of(way)), {&way}};
         if (area.polygons.empty()) {
-            warnings.warning(mark, "empty-ring",
-                             "way " + std::to_string(way.id) + " encloses no area; left out");
+            warnings.warning(
+                mark, "empty-ring",
+                "way " + std::to_string(way.id) + " encloses no area, or crosses itself too often; left out");
         } else if (touches(area.polygons, map.box)) {
             areas.push_back(std::move(area));
         }

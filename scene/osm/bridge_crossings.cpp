@@ -96,7 +96,11 @@ CrossedByBridges::CrossedByBridges(const Map& map, const std::vector<MapArea>& a
         }
     }
     for (std::size_t i = 0; i < lines_.size(); ++i) {
-        near_lines_.add(i, box_of(lines_[i].way->points));
+        const std::vector<Point>& points = lines_[i].way->points;
+        for (std::size_t k = 1; k < points.size(); ++k) {
+            near_segments_.add(segments_.size(), box_of({points[k - 1], points[k]}));
+            segments_.emplace_back(i, k);
+        }
     }
     for (const MapArea& area : areas) {
         if (area.tags.is("natural", "water") || area.tags.is("waterway", "riverbank") ||
@@ -110,24 +114,28 @@ CrossedByBridges::CrossedByBridges(const Map& map, const std::vector<MapArea>& a
 std::vector<Crossed> CrossedByBridges::below(const Path& bridge) const {
     std::vector<Crossed> found;
     const std::vector<Point>& line = bridge.way->points;
-    for (const std::size_t number : near_lines_.near(box_of(line))) {
+    const double layer = layer_of(bridge.way->tags);
+    std::vector<std::array<std::size_t, 3>> pairs;  // of segments: the line, of the bridge, of the line
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        for (const std::size_t number : near_segments_.near(box_of({line[i - 1], line[i]}))) {
+            const auto [other, k] = segments_[number];
+            if (lines_[other].way != bridge.way && lines_[other].layer < layer) {
+                pairs.push_back({other, i, k});
+            }
+        }
+    }
+    std::ranges::sort(pairs);
+    for (const auto& [number, i, k] : pairs) {
         const Line& other = lines_[number];
-        if (other.way == bridge.way || other.layer >= layer_of(bridge.way->tags)) {
+        const Point& c = other.way->points[k - 1];
+        const Point& d = other.way->points[k];
+        double t = 0.0;
+        if (!cross(line[i - 1], line[i], c, d, t)) {
             continue;
         }
-        for (std::size_t i = 1; i < line.size(); ++i) {
-            for (std::size_t k = 1; k < other.way->points.size(); ++k) {
-                const Point& c = other.way->points[k - 1];
-                const Point& d = other.way->points[k];
-                double t = 0.0;
-                if (!cross(line[i - 1], line[i], c, d, t)) {
-                    continue;
-                }
-                const Point at = line[i - 1] + t * (line[i] - line[i - 1]);
-                if (!is_shared(*bridge.way, *other.way, at)) {
-                    found.push_back({at, unit(d - c), other.width, other.clearance, other.path, i - 1, t});
-                }
-            }
+        const Point at = line[i - 1] + t * (line[i] - line[i - 1]);
+        if (!is_shared(*bridge.way, *other.way, at)) {
+            found.push_back({at, unit(d - c), other.width, other.clearance, other.path, i - 1, t});
         }
     }
     add_water(bridge, found);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "scene/osm/areas.h"
@@ -37,8 +39,9 @@ private:
     void add_water(const Path& bridge, std::vector<Crossed>& found) const;
 
     std::vector<Line> lines_;
+    std::vector<std::pair<std::size_t, std::size_t>> segments_;  ///< of lines, by the point each ends at
     std::vector<const MapArea*> water_;
-    BoxIndex near_lines_;
+    BoxIndex near_segments_;  ///< into `segments_`
     BoxIndex near_water_;
 };
 

@@ -1,86 +1,17 @@
 #include "scene/osm/bridges.h"
 
 #include <algorithm>
-#include <cmath>
-#include <map>
-#include <numeric>
-#include <queue>
-#include <set>
 #include <unordered_map>
-#include <unordered_set>
 #include <utility>
 
 #include "scene/osm/bridge_crossings.h"
+#include "scene/osm/bridge_network.h"
 #include "scene/osm/tag_values.h"
 
 namespace campuswalk::scene::osm {
 namespace {
 
 constexpr double kHigh = 0.3;  // metres above the ground: below that it is the ground
-
-/// The paths at each node, and whether a building's wall is there.
-class Network {
-public:
-    Network(const std::vector<MapArea>& areas, const std::vector<Path>& paths) {
-        for (std::size_t i = 0; i < paths.size(); ++i) {
-            for (std::size_t k = 0; !paths[i].unbuilt && k < paths[i].way->nodes.size(); ++k) {
-                at_[paths[i].way->nodes[k]].emplace_back(i, k);
-            }
-        }
-        for (const MapArea& area : areas) {
-            for (const MapWay* way : area.outlines) {
-                if (is_building(area.tags)) {
-                    walls_.insert(way->nodes.begin(), way->nodes.end());
-                }
-            }
-        }
-    }
-    /// Paths, each with the place of the node in it.
-    const std::vector<std::pair<std::size_t, std::size_t>>& at(std::int64_t node) const {
-        static const std::vector<std::pair<std::size_t, std::size_t>> kNone;
-        const auto found = at_.find(node);
-        return found == at_.end() ? kNone : found->second;
-    }
-    bool is_wall(std::int64_t node) const { return walls_.contains(node); }
-
-private:
-    std::unordered_map<std::int64_t, std::vector<std::pair<std::size_t, std::size_t>>> at_;
-    std::unordered_set<std::int64_t> walls_;
-};
-
-bool may_be_above(const Path& path) {
-    return !path.unbuilt && !path.steps && layer_of(path.way->tags) > 0.0;
-}
-
-/// Metres from a node along connected paths to all others of them.
-std::unordered_map<std::int64_t, double> distances_from(std::int64_t start, const Bridge& bridge,
-                                                        const std::vector<Path>& paths) {
-    std::unordered_map<std::int64_t, std::vector<std::pair<std::int64_t, double>>> edges;
-    for (const std::size_t number : bridge.paths) {
-        const MapWay& way = *paths[number].way;
-        for (std::size_t i = 1; i < way.nodes.size(); ++i) {
-            const double length = (way.points[i] - way.points[i - 1]).norm();
-            edges[way.nodes[i]].emplace_back(way.nodes[i - 1], length);
-            edges[way.nodes[i - 1]].emplace_back(way.nodes[i], length);
-        }
-    }
-    std::unordered_map<std::int64_t, double> distances;
-    std::priority_queue<std::pair<double, std::int64_t>, std::vector<std::pair<double, std::int64_t>>,
-                        std::greater<>>
-        open;
-    open.emplace(0.0, start);
-    while (!open.empty()) {
-        const auto [distance, node] = open.top();
-        open.pop();
-        if (!distances.try_emplace(node, distance).second) {
-            continue;
-        }
-        for (const auto& [next, length] : edges[node]) {
-            open.emplace(distance + length, next);
-        }
-    }
-    return distances;
-}
 
 class Planner {
 public:
@@ -95,10 +26,7 @@ public:
           crossed_(map, areas, paths) {}
 
     BridgePlan plan() {
-        std::vector<Bridge> bridges = connected();
-        std::ranges::stable_sort(bridges, {}, [&](const Bridge& bridge) { return layer(bridge); });
-        for (Bridge& bridge : bridges) {
-            find_ends(bridge);
+        for (Bridge& bridge : network_.bridges()) {
             if (raise(bridge)) {
                 plan_.bridges.push_back(std::move(bridge));
             }
@@ -107,72 +35,6 @@ public:
     }
 
 private:
-    double layer(const Bridge& bridge) const {
-        double highest = 0.0;
-        for (const std::size_t i : bridge.paths) {
-            highest = std::max(highest, layer_of(paths_[i].way->tags));
-        }
-        return highest;
-    }
-
-    /// Those that share nodes are one.
-    std::vector<Bridge> connected() const {
-        std::vector<Bridge> bridges;
-        std::vector<bool> taken(paths_.size(), false);
-        for (std::size_t first = 0; first < paths_.size(); ++first) {
-            if (taken[first] || !may_be_above(paths_[first])) {
-                continue;
-            }
-            Bridge bridge;
-            std::vector<std::size_t> open = {first};
-            taken[first] = true;
-            while (!open.empty()) {
-                const std::size_t i = open.back();
-                open.pop_back();
-                bridge.paths.push_back(i);
-                for (const std::int64_t node : paths_[i].way->nodes) {
-                    for (const auto& [other, place] : network_.at(node)) {
-                        if (!taken[other] && may_be_above(paths_[other])) {
-                            taken[other] = true;
-                            open.push_back(other);
-                        }
-                    }
-                }
-            }
-            std::ranges::sort(bridge.paths);
-            bridges.push_back(std::move(bridge));
-        }
-        return bridges;
-    }
-
-    void find_ends(Bridge& bridge) const {
-        std::set<std::int64_t> seen;
-        for (const std::size_t i : bridge.paths) {
-            const MapWay& way = *paths_[i].way;
-            bridge.thickness = std::max(bridge.thickness, paths_[i].carriageway ? 0.6 : 0.4);
-            for (std::size_t k = 0; k < way.nodes.size(); ++k) {
-                if (!seen.insert(way.nodes[k]).second) {
-                    continue;
-                }
-                bool leads_on = false;
-                bool stairs = false;
-                std::size_t here = 0;
-                for (const auto& [other, place] : network_.at(way.nodes[k])) {
-                    const bool above = may_be_above(paths_[other]);
-                    here += above ? 1 : 0;
-                    stairs = stairs || paths_[other].steps;
-                    leads_on = leads_on || (!above && !paths_[other].steps);
-                }
-                const bool last = here == 1 && (k == 0 || k + 1 == way.nodes.size());
-                if (leads_on || (last && !stairs && !network_.is_wall(way.nodes[k]))) {
-                    bridge.open_ends.push_back(way.nodes[k]);
-                } else if (stairs) {
-                    bridge.stair_ends.push_back(way.nodes[k]);
-                }
-            }
-        }
-    }
-
     /// Gives its paths their heights; false if they stay at the ground.
     bool raise(Bridge& bridge) {
         std::unordered_map<std::int64_t, double> heights = heights_between_ends(bridge);
@@ -204,7 +66,7 @@ private:
             }
         }
         for (const std::int64_t end : bridge.open_ends) {
-            add_mound(end, heights.at(end) + rise, 1.0 + 0.5 * width_at(end));
+            add_mound(end, heights.at(end) + rise, 1.0 + 0.5 * network_.width_at(end));
             note_paths(end, heights.at(end) + rise, bridge);
         }
         for (const std::int64_t end : bridge.stair_ends) {
@@ -218,7 +80,7 @@ private:
         for (const auto& [path, place] : network_.at(node)) {
             if (paths_[path].steps) {
                 bridge.stairs.push_back({path, place, height});
-            } else if (!may_be_above(paths_[path])) {
+            } else if (!BridgeNetwork::may_be_above(paths_[path])) {
                 bridge.leading_on.push_back({path, place, height});
             }
         }
@@ -239,7 +101,7 @@ private:
         for (const std::int64_t end : ends) {
             const auto& [path, place] = network_.at(end).front();
             const double height = base_.height(paths_[path].way->points[place]);
-            for (const auto& [node, distance] : distances_from(end, bridge, paths_)) {
+            for (const auto& [node, distance] : network_.distances_from(end, bridge)) {
                 const double weight = 1.0 / std::max(distance, 1e-6);
                 sums[node].first += weight;
                 sums[node].second += weight * height;
@@ -285,14 +147,6 @@ private:
         }
     }
 
-    double width_at(std::int64_t node) const {
-        double width = 0.0;
-        for (const auto& [path, place] : network_.at(node)) {
-            width = std::max(width, paths_[path].width);
-        }
-        return width;
-    }
-
     void add_cutting(const Crossed& crossed, const Path& bridge) {
         constexpr double kBeside = 0.5;
         if (crossed.path == nullptr || !crossed.path->is_above()) {
@@ -334,7 +188,7 @@ private:
             if (only_steps && network_.at(other).size() > 1) {
                 hang_stairs(other, low, depth + 1);
             } else {
-                add_mound(other, low, 1.0 + 0.5 * width_at(other));
+                add_mound(other, low, 1.0 + 0.5 * network_.width_at(other));
             }
         }
     }
@@ -344,7 +198,7 @@ private:
     const SourceMark& mark_;
     std::vector<Path>& paths_;
     DiagnosticList& warnings_;
-    Network network_;
+    BridgeNetwork network_;
     CrossedByBridges crossed_;
     BridgePlan plan_;
 };

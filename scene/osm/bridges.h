@@ -23,6 +23,8 @@ struct Bridge {
     std::vector<std::int64_t> stair_ends;  ///< nodes where only steps lead on
     std::vector<PathAtBridge> leading_on;  ///< at the open ends
     std::vector<PathAtBridge> stairs;
+    /// Areas of the map with man_made=bridge: how far the deck reaches beside the paths.
+    std::vector<std::size_t> outlines;
     double thickness = 0.4;  ///< of its deck, metres
 };
 

@@ -1,6 +1,7 @@
 #include "scene/osm/building_looks.h"
 
 #include <array>
+#include <string>
 #include <string_view>
 
 #include "scene/osm/tag_values.h"
@@ -20,6 +21,16 @@ Color chosen(const std::array<Color, Count>& colors, const ElementId& id) {
     return colors[(number >> 32U) % Count];
 }
 
+/// As "building:material" and, with more weight, "building:colour" say; likewise of the roof.
+void color_by_tags(const Tags& tags, const std::string& part, Look& look) {
+    if (const auto material = material_color(tags.get(part + ":material"))) {
+        look.color = *material;
+    }
+    if (const auto color = color_of(tags, part + ":colour", part + ":color")) {
+        look.color = *color;
+    }
+}
+
 }  // namespace
 
 Look wall_look(const Volume& volume) {
@@ -30,12 +41,7 @@ Look wall_look(const Volume& volume) {
     } else if (kind == "garage" || kind == "garages" || kind == "service" || kind == "shed") {
         look.color = {170, 166, 158};
     }
-    if (const auto material = material_color(volume.tags.get("building:material"))) {
-        look.color = *material;
-    }
-    if (const auto color = color_of(volume.tags, "building:colour", "building:color")) {
-        look.color = *color;
-    }
+    color_by_tags(volume.tags, "building", look);
     return look;
 }
 
@@ -46,12 +52,7 @@ Look roof_look(const Volume& volume) {
     } else if (volume.roof.shape != RoofShape::flat) {
         look.color = chosen(kTiles, volume.id);
     }
-    if (const auto material = material_color(volume.tags.get("roof:material"))) {
-        look.color = *material;
-    }
-    if (const auto color = color_of(volume.tags, "roof:colour", "roof:color")) {
-        look.color = *color;
-    }
+    color_by_tags(volume.tags, "roof", look);
     return look;
 }
 

@@ -10,80 +10,10 @@ namespace campuswalk::scene::osm {
 namespace {
 
 constexpr double kAbove = 0.02;  // metres that a deck is above the ground beside its ends
-constexpr double kSlope = 0.16;  // of what leads down from it
 constexpr Look kConcrete = {{170, 168, 162}, 235, 255};
 constexpr Look kDeckAsphalt = {{112, 112, 114}, 235, 255};
 constexpr Look kParapet = {{120, 126, 126}, 190, 150};
 constexpr Look kRail = {{92, 98, 102}, 140, 255};
-
-double length_between(const Point& a, const Point& b) {
-    const Point d = b - a;
-    return norm(d);
-}
-
-double height_at(const DeckPart& part, const Point& p) {
-    return height_along(part.line, part.heights, p);
-}
-
-/// The line of a path from one of its nodes, forwards or backwards; of one point at its end.
-std::vector<Point> line_from(const Path& path, std::size_t place, bool forwards) {
-    const std::vector<Point>& points = path.way->points;
-    const auto at = points.begin() + static_cast<std::ptrdiff_t>(place);
-    std::vector<Point> line =
-        forwards ? std::vector<Point>(at, points.end()) : std::vector<Point>(points.begin(), at + 1);
-    if (!forwards) {
-        std::reverse(line.begin(), line.end());
-    }
-    return line;
-}
-
-/// What leads down from an open end along a path, as far as the ground is lower.
-DeckPart ramp_along(const Path& path, const std::vector<Point>& line, double height, const Terrain& terrain) {
-    constexpr double kStep = 0.5;  // metres
-    DeckPart ramp{&path, {}, {}, path.width, {}};
-    ramp.line.push_back(line.front());
-    ramp.heights.push_back(height);
-    double done = 0.0;
-    for (std::size_t i = 1; i < line.size(); ++i) {
-        const double length = length_between(line[i - 1], line[i]);
-        const int samples = std::clamp(static_cast<int>(std::ceil(length / kStep)), 1, 1000);
-        for (int k = 1; k <= samples; ++k) {
-            const Point p = line[i - 1] + (line[i] - line[i - 1]) * (static_cast<double>(k) / samples);
-            const double z = height - kSlope * (done + length * k / samples);
-            const bool last = k == samples || terrain.height(p) >= z;
-            if (last) {
-                ramp.line.push_back(p);
-                ramp.heights.push_back(std::max(z, terrain.height(p)));
-            }
-            if (terrain.height(p) >= z) {
-                return ramp;
-            }
-        }
-        done += length;
-    }
-    return ramp;
-}
-
-/// How far a line runs inside an area from its start, metres.
-double length_inside(const std::vector<Point>& line, const Polygons& area) {
-    constexpr double kStep = 0.05;  // metres
-    constexpr int kMost = 400;
-    double done = 0.0;
-    double inside = 0.0;
-    for (std::size_t i = 1; i < line.size() && done < kStep * kMost; ++i) {
-        const double length = length_between(line[i - 1], line[i]);
-        const int samples = std::clamp(static_cast<int>(length / kStep), 1, kMost);
-        for (int k = 1; k <= samples; ++k) {
-            const Point p = line[i - 1] + (line[i] - line[i - 1]) * (static_cast<double>(k) / samples);
-            if (!contains(area, p)) {
-                return inside;
-            }
-            inside = done + length * k / samples;
-        }
-        done += length;
-    }
-    return inside;
-}
 
 Polygons area_of_parts(const std::vector<DeckPart>& parts, const PlanGeometry& geometry) {
     std::vector<const Polygons*> all;
@@ -95,14 +25,15 @@ Polygons area_of_parts(const std::vector<DeckPart>& parts, const PlanGeometry& g
 
 class DeckBuilder {
 public:
-    DeckBuilder(const std::vector<DeckPart>& parts, const Bridge& bridge, Composition& composition)
-        : parts_(parts),
-          bridge_(bridge),
+    DeckBuilder(const std::vector<Deck>& decks, std::size_t number, Composition& composition)
+        : decks_(decks),
+          parts_(decks[number].parts),
+          bridge_(*decks[number].bridge),
           composition_(composition),
           mesh_(composition.model.object(
               "bridge/" +
-              ElementId{ElementKind::way, composition.paths[bridge.paths.front()].way->id}.text())) {
-        for (const PathAtBridge& stairs : bridge.stairs) {
+              ElementId{ElementKind::way, composition.paths[bridge_.paths.front()].way->id}.text())) {
+        for (const PathAtBridge& stairs : bridge_.stairs) {
             stairs_.push_back(&composition.paths[stairs.path]);
         }
     }
@@ -135,7 +66,7 @@ public:
                 for (std::size_t i = 0; i < ring->size(); ++i) {
                     const Point& a = (*ring)[i];
                     const Point& b = (*ring)[(i + 1) % ring->size()];
-                    const int pieces = std::clamp(static_cast<int>(length_between(a, b) / kPiece), 1, 1000);
+                    const int pieces = std::clamp(static_cast<int>(norm(b - a) / kPiece), 1, 1000);
                     for (int k = 0; k < pieces; ++k) {
                         add_edge(a + (b - a) * (static_cast<double>(k) / pieces),
                                  a + (b - a) * ((k + 1.0) / pieces));
@@ -154,7 +85,7 @@ private:
         return kConcrete;
     }
 
-    static Point3 top(const DeckPart& part, const Point& p) { return {p, height_at(part, p) + kAbove}; }
+    static Point3 top(const DeckPart& part, const Point& p) { return {p, part.height(p) + kAbove}; }
     Point3 under(const Point3& p) const { return {p.at, p.height - bridge_.thickness - kAbove}; }
 
     Point3 top_of_nearest(const Point& p) const {
@@ -179,7 +110,8 @@ private:
         constexpr double kFall = 0.45;  // metres that need a parapet
         const double drop =
             0.5 * (high_a.height + high_b.height) - composition_.terrain.height(middle + 0.3 * out);
-        if (drop < kFall || leads_to_stairs(middle)) {
+        const double height = 0.5 * (high_a.height + high_b.height);
+        if (drop < kFall || leads_to_stairs(middle) || leads_to_a_deck(middle + 0.1 * out, height)) {
             return;
         }
         add_parapet(high_a, high_b, -out);
@@ -214,6 +146,18 @@ private:
         });
     }
 
+    /// Whether another bridge goes on there, as two roads do in one outline.
+    bool leads_to_a_deck(const Point& p, double height) const {
+        constexpr double kStep = 0.3;  // metres
+        const auto is_there = [&](const DeckPart& part) {
+            return contains(part.area, p) && std::abs(top(part, p).height - height) < kStep;
+        };
+        return std::ranges::any_of(decks_, [&](const Deck& deck) {
+            return deck.bridge != &bridge_ && std::ranges::any_of(deck.parts, is_there);
+        });
+    }
+
+    const std::vector<Deck>& decks_;
     const std::vector<DeckPart>& parts_;
     const Bridge& bridge_;
     Composition& composition_;
@@ -223,50 +167,8 @@ private:
 
 }  // namespace
 
-std::vector<DeckPart> deck_of(const Bridge& bridge, const PlanGeometry& geometry, const Terrain& terrain,
-                              std::vector<Path>& paths, const SourceMark& mark, DiagnosticList& warnings) {
-    std::vector<DeckPart> parts;
-    for (const std::size_t number : bridge.paths) {
-        const Path& path = paths[number];
-        parts.push_back({&path, path.way->points, path.deck, path.width, path.area});
-    }
-    for (const PathAtBridge& on : bridge.leading_on) {
-        for (const bool forwards : {true, false}) {
-            const Path& path = paths[on.path];
-            const std::vector<Point> line = line_from(path, on.place, forwards);
-            if (line.size() < 2) {
-                continue;
-            }
-            DeckPart ramp = ramp_along(path, line, on.height, terrain);
-            constexpr double kLow = 0.05;  // metres: it is on the ground
-            if (ramp.line.size() < 2 || on.height - terrain.height(line.front()) < kLow) {
-                continue;
-            }
-            if (ramp.heights.back() - terrain.height(ramp.line.back()) > 0.3) {
-                warnings.warning(mark, "steep-bridge",
-                                 "way " + std::to_string(path.way->id) +
-                                     " is too short to lead down from a bridge to the ground");
-            }
-            ramp.area = geometry.buffer(ramp.line, 0.5 * ramp.width, Caps::round);
-            parts.push_back(std::move(ramp));
-        }
-    }
-    Polygons all;
-    for (DeckPart& part : parts) {
-        const Polygons whole = part.area;
-        part.area = all.empty() ? whole : geometry.difference(whole, all);
-        all = all.empty() ? whole : geometry.united({&all, &whole});
-    }
-    for (const PathAtBridge& stairs : bridge.stairs) {
-        Path& path = paths[stairs.path];
-        const double trim = length_inside(line_from(path, stairs.place, stairs.place == 0), all);
-        (stairs.place == 0 ? path.first_trim : path.last_trim) = trim;
-    }
-    return parts;
-}
-
-void add_deck(const std::vector<DeckPart>& parts, const Bridge& bridge, Composition& composition) {
-    DeckBuilder builder(parts, bridge, composition);
+void add_deck(const std::vector<Deck>& decks, std::size_t number, Composition& composition) {
+    DeckBuilder builder(decks, number, composition);
     builder.add_slab();
     builder.add_edges();
 }

@@ -8,6 +8,7 @@
 #include "scene/osm/areas.h"
 #include "scene/osm/barriers.h"
 #include "scene/osm/box_index.h"
+#include "scene/osm/bridge_piers.h"
 #include "scene/osm/bridges.h"
 #include "scene/osm/compose.h"
 #include "scene/osm/decks.h"
@@ -21,26 +22,6 @@
 
 namespace campuswalk::scene::osm {
 namespace {
-
-/// How much of a path's centre line is inside polygons, metres; sampled.
-double length_inside(const std::vector<Point>& line, const Polygons& polygons) {
-    constexpr double kSample = 0.25;
-    const Box box = box_of(polygons);
-    double inside = 0.0;
-    for (std::size_t i = 1; i < line.size(); ++i) {
-        const Point d = line[i] - line[i - 1];
-        if (!box_of({line[i - 1], line[i]}).overlaps(box)) {
-            continue;
-        }
-        const double length = norm(d);
-        const int samples = std::min(4'000, static_cast<int>(length / kSample) + 1);
-        for (int k = 0; k < samples; ++k) {
-            const Point p = line[i - 1] + d * ((k + 0.5) / samples);
-            inside += contains(polygons, p) ? length / samples : 0.0;
-        }
-    }
-    return inside;
-}
 
 /// Adds the buildings, open where paths lead through them.
 void add_buildings(Composition& composition) {
@@ -76,16 +57,18 @@ void add_buildings(Composition& composition) {
 }
 
 void add_bridges(const BridgePlan& plan, Composition& composition) {
+    std::vector<Deck> decks;
     for (const Bridge& bridge : plan.bridges) {
-        const std::vector<DeckPart> parts =
-            deck_of(bridge, composition.geometry, composition.terrain, composition.paths, composition.mark,
-                    composition.warnings);
-        add_deck(parts, bridge, composition);
-        for (const DeckPart& part : parts) {
+        decks.push_back(deck_of(bridge, composition));
+    }
+    for (std::size_t i = 0; i < decks.size(); ++i) {
+        add_deck(decks, i, composition);
+        for (const DeckPart& part : decks[i].parts) {
             composition.obstacles.push_back(part.area);
         }
     }
     composition.draft.solids.push_back({"bridge", {"bridge/*"}, "", "bridge", true});
+    add_piers(decks, composition);
 }
 
 Box on_grid(const Box& box) {
@@ -172,7 +155,7 @@ std::vector<std::string> layers_of(const CampusDraft& draft) {
 ImportedMap imported_map(const MapRequest& request) {
     DiagnosticList warnings;
     const Map map = read_map(request.file, request.mark, request.section, warnings);
-    const PlanGeometry geometry;
+    const PlanGeometry geometry(OverlayBudget::for_map(map.nodes_read));
     std::vector<MapArea> areas = areas_of(map, geometry, request.mark, warnings);
     std::vector<Path> paths = paths_of(map, geometry);
     const Box box = ground_box(map, areas);
@@ -224,7 +207,7 @@ ImportedMap import_map(const MapRequest& request) {
                          "it makes more than " + std::to_string(kMaxMapTriangles / 1'000'000) +
                              " million triangles; choose a part of the map with --bbox or --center, and look "
                              "for heights and levels that can't be");
-    } catch (const TooManyOperations&) {
+    } catch (const OverlaysTooCostly&) {
         throw InputError(request.mark, "bad-size",
                          "its paths and areas overlap more than can be worked out; choose a part of the map "
                          "with --bbox or --center");

@@ -111,6 +111,7 @@ struct GeographicBox {
 struct Map {
     GeographicBox geographic;
     Box box;                                                  ///< the same, about its centre
+    std::size_t nodes_read = 0;                               ///< with tags or not
     std::vector<MapNode> nodes;                               ///< those with tags, by id
     std::vector<MapWay> ways;                                 ///< by id
     std::vector<MapRelation> relations;                       ///< by id

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <numbers>
-#include <unordered_map>
 #include <utility>
 
 #include "collision/geometry/trigonometry.h"
@@ -57,25 +57,62 @@ struct VertexKey {
     friend bool operator==(const VertexKey&, const VertexKey&) = default;
 };
 
-struct VertexHash {
-    std::size_t operator()(const VertexKey& key) const {
-        std::size_t hash = 0;
-        for (const float value : key.values) {
-            hash = hash * 1099511628211U + std::hash<float>()(value);
-        }
-        return hash;
+/// The vertices of a mesh by position and normal, in one table without a node for each, which would take most
+/// of an import's time besides GEOS.
+class VertexTable {
+public:
+    /// For so many vertices at most; there is room for twice as many.
+    explicit VertexTable(std::size_t most) : slots_(std::bit_ceil(2 * most + 2)) {}
+
+    std::size_t size() const { return size_; }
+    void clear() {
+        std::ranges::fill(slots_, Slot());
+        size_ = 0;
     }
+    /// The index of an equal vertex, or `next` for a new one.
+    std::uint32_t index_of(const VertexKey& key, std::uint32_t next) {
+        for (std::size_t at = hash_of(key) & (slots_.size() - 1);; at = (at + 1) & (slots_.size() - 1)) {
+            Slot& slot = slots_[at];
+            if (slot.index == kFree) {
+                slot = {key, next};
+                ++size_;
+                return next;
+            }
+            if (slot.key == key) {
+                return slot.index;
+            }
+        }
+    }
+
+private:
+    static constexpr std::uint32_t kFree = 0xFFFFFFFF;
+    struct Slot {
+        VertexKey key;
+        std::uint32_t index = kFree;
+    };
+
+    static std::size_t hash_of(const VertexKey& key) {
+        std::uint64_t hash = 0;
+        for (const float value : key.values) {
+            hash = (hash ^ std::bit_cast<std::uint32_t>(value)) * 0x9E3779B97F4A7C15ULL;
+            hash ^= hash >> 32U;
+        }
+        return static_cast<std::size_t>(hash);
+    }
+
+    std::vector<Slot> slots_;
+    std::size_t size_ = 0;
 };
 
 /// Triangles with vertices shared where position and normal are the same.
-Mesh welded(const std::vector<std::array<Eigen::Vector3f, 3>>& triangles) {
+Mesh welded(const std::deque<std::array<Eigen::Vector3f, 3>>& triangles) {
     Mesh mesh;
     std::vector<Eigen::Vector3f> positions;
     std::vector<Eigen::Vector3f> normals;
     std::vector<std::array<std::uint32_t, 3>> faces;
-    std::unordered_map<VertexKey, std::uint32_t, VertexHash> known;
-    faces.reserve(triangles.size());
     constexpr std::size_t kMostKnown = 1U << 15U;  // what is shared was added together: the rest is forgotten
+    VertexTable known(std::min(3 * triangles.size(), kMostKnown + 3));
+    faces.reserve(triangles.size());
     for (const auto& [a, b, c] : triangles) {
         if (known.size() > kMostKnown) {
             known.clear();
@@ -104,13 +141,13 @@ Mesh welded(const std::vector<std::array<Eigen::Vector3f, 3>>& triangles) {
         for (const Eigen::Vector3f& p : {a, b, c}) {
             const VertexKey key{
                 {p.x() + 0.0F, p.y() + 0.0F, p.z() + 0.0F, normal.x(), normal.y(), normal.z()}};
-            const auto [found, is_new] = known.try_emplace(key, static_cast<std::uint32_t>(positions.size()));
-            if (is_new) {
+            const auto next = static_cast<std::uint32_t>(positions.size());
+            face[at] = known.index_of(key, next);
+            if (face[at++] == next) {
                 positions.push_back(p);
                 normals.push_back(normal / std::sqrt(normal.x() * normal.x() + normal.y() * normal.y() +
                                                      normal.z() * normal.z()));
             }
-            face[at++] = found->second;
         }
         faces.push_back(face);
     }

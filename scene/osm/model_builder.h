@@ -62,7 +62,9 @@ private:
     friend class ModelBuilder;
     using Vertices = std::array<Eigen::Vector3f, 3>;
     std::size_t* made_;
-    std::map<Look, std::vector<Vertices>> parts_;
+    /// Deques, as vectors that grow would strew the memory with gaps, from which the many small objects of
+    /// GEOS are then taken: the time of an import would grow faster than its map.
+    std::map<Look, std::deque<Vertices>> parts_;
 };
 
 /// Collects named meshes into a model: one node an object. Adding to them throws TooManyTriangles.

@@ -71,6 +71,25 @@ bool contains(const Polygons& polygons, const Point& p) {
     return std::ranges::any_of(polygons, [&](const Polygon& polygon) { return contains(polygon, p); });
 }
 
+double length_inside(const std::vector<Point>& line, const Polygons& polygons) {
+    constexpr double kSample = 0.25;
+    const Box box = box_of(polygons);
+    double inside = 0.0;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const Point d = line[i] - line[i - 1];
+        if (!box_of({line[i - 1], line[i]}).overlaps(box)) {
+            continue;
+        }
+        const double length = norm(d);
+        const int samples = std::min(4'000, static_cast<int>(length / kSample) + 1);
+        for (int k = 0; k < samples; ++k) {
+            const Point p = line[i - 1] + d * ((k + 0.5) / samples);
+            inside += contains(polygons, p) ? length / samples : 0.0;
+        }
+    }
+    return inside;
+}
+
 Nearest nearest_on(const std::vector<Point>& line, bool closed, const Point& p) {
     Nearest nearest;
     const std::size_t segments = closed ? line.size() : line.size() - 1;

@@ -32,6 +32,8 @@ double area_of(const Polygons& polygons);
 Box box_of(const Polygons& polygons);
 bool contains(const Polygon& polygon, const Point& p);
 bool contains(const Polygons& polygons, const Point& p);
+/// How much of a polyline is inside of polygons, metres; sampled. Polygons: at least one.
+double length_inside(const std::vector<Point>& line, const Polygons& polygons);
 /// The nearest point of a polyline and how far it is.
 struct Nearest {
     Point at = Point::Zero();

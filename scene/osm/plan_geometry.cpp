@@ -2,217 +2,66 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
-#include <string_view>
-#include <utility>
 
-#include <geos_c.h>
+#include "scene/osm/geos_context.h"
 
 namespace campuswalk::scene::osm {
-
-/// Everything that GEOS needs; its geometries are freed with the context that made them.
-struct PlanGeometry::Impl {
-    struct Free {
-        GEOSContextHandle_t context = nullptr;
-        void operator()(GEOSGeometry* geometry) const { GEOSGeom_destroy_r(context, geometry); }
-    };
-    using Geometry = std::unique_ptr<GEOSGeometry, Free>;
-
-    Impl() : context(GEOS_init_r()) { GEOSContext_setErrorMessageHandler_r(context, note_error, this); }
-    ~Impl() { GEOS_finish_r(context); }
-    Impl(const Impl&) = delete;
-    Impl& operator=(const Impl&) = delete;
-
-    /// GEOS turns every exception into a message and no result.
-    static void note_error(const char* message, void* self) {
-        static_cast<Impl*>(self)->out_of_memory =
-            std::string_view(message).find("bad_alloc") != std::string_view::npos;
-    }
-    void note_failure() const {
-        if (out_of_memory) {
-            throw std::bad_alloc();
-        }
-        ++failures;
-    }
-
-    static constexpr double kPerMetre = 1.0 / kGrid;
-
-    Geometry own(GEOSGeometry* geometry) const { return Geometry(geometry, Free{context}); }
-
-    static double on_grid(double value) { return std::round(value * kPerMetre) / kPerMetre; }  // as GEOS does
-
-    GEOSCoordSequence* sequence(const std::vector<Point>& points, bool close) const {
-        const auto count = static_cast<unsigned>(points.size());
-        GEOSCoordSequence* coordinates = GEOSCoordSeq_create_r(context, count + (close ? 1U : 0U), 2);
-        for (unsigned i = 0; i < count; ++i) {
-            GEOSCoordSeq_setXY_r(context, coordinates, i, on_grid(points[i].x()), on_grid(points[i].y()));
-        }
-        if (close) {
-            GEOSCoordSeq_setXY_r(context, coordinates, count, on_grid(points[0].x()), on_grid(points[0].y()));
-        }
-        return coordinates;
-    }
-
-    Geometry line(const std::vector<Point>& points) const {
-        return own(GEOSGeom_createLineString_r(context, sequence(points, false)));
-    }
-
-    GEOSGeometry* ring(const Ring& points) const {
-        return GEOSGeom_createLinearRing_r(context, sequence(points, true));
-    }
-
-    Geometry geometry(const Polygon& polygon) const {
-        std::vector<GEOSGeometry*> holes;
-        for (const Ring& hole : polygon.holes) {
-            holes.push_back(ring(hole));
-        }
-        return own(GEOSGeom_createPolygon_r(context, ring(polygon.outer), holes.data(),
-                                            static_cast<unsigned>(holes.size())));
-    }
-
-    Geometry geometry(const Polygons& polygons) const {
-        if (polygons.size() == 1) {
-            return geometry(polygons.front());
-        }
-        std::vector<GEOSGeometry*> parts;
-        for (const Polygon& polygon : polygons) {
-            if (Geometry part = geometry(polygon)) {
-                parts.push_back(part.release());
-            }
-        }
-        return own(GEOSGeom_createCollection_r(context, GEOS_MULTIPOLYGON, parts.data(),
-                                               static_cast<unsigned>(parts.size())));
-    }
-
-    std::vector<Point> points_of(const GEOSGeometry* line) const {
-        const GEOSCoordSequence* coordinates = GEOSGeom_getCoordSeq_r(context, line);
-        unsigned count = 0;
-        GEOSCoordSeq_getSize_r(context, coordinates, &count);
-        std::vector<Point> points(count);
-        for (unsigned i = 0; i < count; ++i) {
-            GEOSCoordSeq_getXY_r(context, coordinates, i, &points[i].x(), &points[i].y());
-        }
-        return points;
-    }
-
-    Ring ring_of(const GEOSGeometry* line, bool counter_clockwise) const {
-        Ring ring = points_of(line);
-        ring.pop_back();
-        if ((signed_area(ring) > 0.0) != counter_clockwise) {
-            std::reverse(ring.begin(), ring.end());
-        }
-        return ring;
-    }
-
-    void append(const GEOSGeometry* geometry, Polygons& polygons) const {
-        constexpr double kLeastArea = 1e-4;  // m²
-        if (geometry == nullptr || GEOSisEmpty_r(context, geometry) != 0) {
-            return;
-        }
-        const int type = GEOSGeomTypeId_r(context, geometry);
-        if (type == GEOS_POLYGON) {
-            Polygon polygon{ring_of(GEOSGetExteriorRing_r(context, geometry), true), {}};
-            if (signed_area(polygon.outer) < kLeastArea) {
-                return;
-            }
-            for (int i = 0; i < GEOSGetNumInteriorRings_r(context, geometry); ++i) {
-                Ring hole = ring_of(GEOSGetInteriorRingN_r(context, geometry, i), false);
-                if (hole.size() >= 3) {
-                    polygon.holes.push_back(std::move(hole));
-                }
-            }
-            polygons.push_back(std::move(polygon));
-        } else if (type == GEOS_MULTIPOLYGON || type == GEOS_GEOMETRYCOLLECTION) {
-            for (int i = 0; i < GEOSGetNumGeometries_r(context, geometry); ++i) {
-                append(GEOSGetGeometryN_r(context, geometry, i), polygons);
-            }
-        }
-    }
-
-    void count_operation() const {
-        if (++operations > kMaxOperations) {
-            throw TooManyOperations();
-        }
-    }
-
-    Polygons polygons_of(const Geometry& geometry) const {
-        count_operation();
-        Polygons polygons;
-        if (!geometry) {
-            note_failure();
-        }
-        append(geometry.get(), polygons);
-        return polygons;
-    }
-
-    /// Rounded to the grid, and valid.
-    Polygons rounded(const Geometry& geometry) const {
-        return polygons_of(geometry ? own(GEOSGeom_setPrecision_r(context, geometry.get(), kGrid, 0))
-                                    : own(nullptr));
-    }
-
-    /// Triangles of what GEOS can triangulate; of the rest their area is missing.
-    void triangulate(const Polygon& polygon, Triangulation& result) const {
-        count_operation();
-        const Geometry area = geometry(polygon);
-        const Geometry triangles =
-            area ? own(GEOSConstrainedDelaunayTriangulation_r(context, area.get())) : nullptr;
-        const int count = triangles ? GEOSGetNumGeometries_r(context, triangles.get()) : 0;
-        for (int i = 0; i < count; ++i) {
-            const GEOSGeometry* triangle = GEOSGetGeometryN_r(context, triangles.get(), i);
-            const Ring ring = ring_of(GEOSGetExteriorRing_r(context, triangle), true);
-            if (ring.size() != 3 || signed_area(ring) <= 0.0) {
-                continue;
-            }
-            const auto first = static_cast<std::uint32_t>(result.points.size());
-            result.points.insert(result.points.end(), ring.begin(), ring.end());
-            result.triangles.push_back({first, first + 1, first + 2});
-        }
-    }
-
-    GEOSContextHandle_t context;
-    bool out_of_memory = false;
-    mutable std::size_t failures = 0;
-    mutable std::size_t operations = 0;
-};
 
 namespace {
 
 constexpr std::size_t kPieceOfLine = 128;  // points
+/// Crossings of a ring with itself. What it goes around an odd number of times would take GEOS seconds to
+/// find from a thousand on, and minutes from some thousands.
+constexpr std::size_t kScrawl = 100;
+
+std::size_t vertices_of(const Polygons& polygons) {
+    std::size_t count = 0;
+    for (const Polygon& polygon : polygons) {
+        count += polygon.outer.size();
+        for (const Ring& hole : polygon.holes) {
+            count += hole.size();
+        }
+    }
+    return count;
+}
 
 }  // namespace
 
-PlanGeometry::PlanGeometry() : impl_(std::make_unique<Impl>()) {}
+PlanGeometry::PlanGeometry(const OverlayBudget& budget)
+    : geos_(std::make_unique<GeosContext>(kGrid, budget)) {}
 PlanGeometry::~PlanGeometry() = default;
 
 Polygons PlanGeometry::polygon(const Ring& ring) const {
     if (ring.size() < 3) {
         return {};
     }
-    const Impl::Geometry raw = impl_->geometry(Polygon{ring, {}});
+    const GeosContext::Geometry raw = geos_->geometry(Polygon{ring, {}});
     if (!raw) {
         return {};
     }
-    if (GEOSisValid_r(impl_->context, raw.get()) == 1) {
-        return impl_->polygons_of(raw);
+    if (GEOSisValid_r(geos_->handle(), raw.get()) == 1) {
+        geos_->budget().spend(ring.size());
+        return geos_->polygons_of(raw);
     }
-    return impl_->rounded(impl_->own(GEOSMakeValid_r(impl_->context, raw.get())));
+    const Polygons drawn = {Polygon{ring, {}}};
+    if (geos_->spend_on_areas({&drawn}) > kScrawl) {
+        return {};
+    }
+    return geos_->rounded(geos_->own(GEOSMakeValid_r(geos_->handle(), raw.get())));
 }
 
 Polygons PlanGeometry::areas_of_lines(const std::vector<std::vector<Point>>& lines) const {
-    std::vector<GEOSGeometry*> parts;
+    std::vector<Segment> segments;
     for (const std::vector<Point>& line : lines) {
-        if (line.size() >= 2) {
-            parts.push_back(impl_->line(line).release());
-        }
+        append_segments(line, segments);
     }
-    const Impl::Geometry all = impl_->own(GEOSGeom_createCollection_r(
-        impl_->context, GEOS_MULTILINESTRING, parts.data(), static_cast<unsigned>(parts.size())));
+    geos_->budget().spend(segments);
+    const GeosContext::Geometry all = geos_->lines(lines);
     if (!all) {
         return {};
     }
-    const Impl::Geometry noded = impl_->own(GEOSNode_r(impl_->context, all.get()));
-    return noded ? impl_->rounded(impl_->own(GEOSBuildArea_r(impl_->context, noded.get()))) : Polygons();
+    const GeosContext::Geometry noded = geos_->own(GEOSNode_r(geos_->handle(), all.get()));
+    return noded ? geos_->rounded(geos_->own(GEOSBuildArea_r(geos_->handle(), noded.get()))) : Polygons();
 }
 
 Polygons PlanGeometry::buffer(const std::vector<Point>& line, double radius, Caps caps) const {
@@ -224,12 +73,13 @@ Polygons PlanGeometry::buffer(const std::vector<Point>& line, double radius, Cap
     if (line.size() < 2) {
         return {};
     }
+    geos_->spend_on_line(line);
     if (line.size() > kPieceOfLine && caps != Caps::square) {
         return buffer_in_pieces(line, radius, caps);
     }
-    const Impl::Geometry path = impl_->line(line);
-    return impl_->rounded(impl_->own(
-        GEOSBufferWithStyle_r(impl_->context, path.get(), radius, kQuarterSegments, cap,
+    const GeosContext::Geometry path = geos_->line(line);
+    return geos_->rounded(geos_->own(
+        GEOSBufferWithStyle_r(geos_->handle(), path.get(), radius, kQuarterSegments, cap,
                               caps == Caps::round ? GEOSBUF_JOIN_ROUND : GEOSBUF_JOIN_MITRE, kMitreLimit)));
 }
 
@@ -255,15 +105,16 @@ Polygons PlanGeometry::left_side(const std::vector<Point>& line, double distance
     if (line.size() < 2) {
         return {};
     }
-    const Impl::Geometry path = impl_->line(line);
-    GEOSBufferParams* params = GEOSBufferParams_create_r(impl_->context);
-    GEOSBufferParams_setSingleSided_r(impl_->context, params, 1);
-    GEOSBufferParams_setJoinStyle_r(impl_->context, params, GEOSBUF_JOIN_MITRE);
-    GEOSBufferParams_setMitreLimit_r(impl_->context, params, kMitreLimit);
-    const Impl::Geometry side =
-        impl_->own(GEOSBufferWithParams_r(impl_->context, path.get(), params, distance));
-    GEOSBufferParams_destroy_r(impl_->context, params);
-    return impl_->rounded(side);
+    geos_->spend_on_line(line);
+    const GeosContext::Geometry path = geos_->line(line);
+    GEOSBufferParams* params = GEOSBufferParams_create_r(geos_->handle());
+    GEOSBufferParams_setSingleSided_r(geos_->handle(), params, 1);
+    GEOSBufferParams_setJoinStyle_r(geos_->handle(), params, GEOSBUF_JOIN_MITRE);
+    GEOSBufferParams_setMitreLimit_r(geos_->handle(), params, kMitreLimit);
+    const GeosContext::Geometry side =
+        geos_->own(GEOSBufferWithParams_r(geos_->handle(), path.get(), params, distance));
+    GEOSBufferParams_destroy_r(geos_->handle(), params);
+    return geos_->rounded(side);
 }
 
 Polygons PlanGeometry::grown(const Polygons& polygons, double by) const {
@@ -272,9 +123,10 @@ Polygons PlanGeometry::grown(const Polygons& polygons, double by) const {
     if (polygons.empty()) {
         return {};
     }
-    const Impl::Geometry area = impl_->geometry(polygons);
-    return impl_->rounded(
-        impl_->own(GEOSBufferWithStyle_r(impl_->context, area.get(), by, kQuarterSegments, GEOSBUF_CAP_FLAT,
+    geos_->spend_on_areas({&polygons});
+    const GeosContext::Geometry area = geos_->geometry(polygons);
+    return geos_->rounded(
+        geos_->own(GEOSBufferWithStyle_r(geos_->handle(), area.get(), by, kQuarterSegments, GEOSBUF_CAP_FLAT,
                                          GEOSBUF_JOIN_MITRE, kMitreLimit)));
 }
 
@@ -294,20 +146,22 @@ bool PlanGeometry::intersects(const Polygons& a, const Polygons& b) const {
     if (a.empty() || b.empty() || !box_of(a).overlaps(box_of(b))) {
         return false;
     }
-    const Impl::Geometry first = impl_->geometry(a);
-    const Impl::Geometry second = impl_->geometry(b);
-    return GEOSIntersects_r(impl_->context, first.get(), second.get()) != 0;  // or it failed
+    geos_->budget().spend(vertices_of(a) + vertices_of(b));
+    const GeosContext::Geometry first = geos_->geometry(a);
+    const GeosContext::Geometry second = geos_->geometry(b);
+    return GEOSIntersects_r(geos_->handle(), first.get(), second.get()) != 0;  // or it failed
 }
 
 Polygons PlanGeometry::difference(const Polygons& a, const Polygons& b) const {
     if (a.empty() || b.empty() || !box_of(a).overlaps(box_of(b))) {
         return a;
     }
-    const Impl::Geometry from = impl_->geometry(a);
-    const Impl::Geometry cut = impl_->geometry(b);
-    const Impl::Geometry rest =
-        impl_->own(GEOSDifferencePrec_r(impl_->context, from.get(), cut.get(), kGrid));
-    Polygons polygons = impl_->polygons_of(rest);
+    geos_->spend_on_areas({&a, &b});
+    const GeosContext::Geometry from = geos_->geometry(a);
+    const GeosContext::Geometry cut = geos_->geometry(b);
+    const GeosContext::Geometry rest =
+        geos_->own(GEOSDifferencePrec_r(geos_->handle(), from.get(), cut.get(), kGrid));
+    Polygons polygons = geos_->polygons_of(rest);
     return rest ? polygons : a;  // rather twice than not at all
 }
 
@@ -315,27 +169,41 @@ Polygons PlanGeometry::intersection(const Polygons& a, const Polygons& b) const 
     if (a.empty() || b.empty() || !box_of(a).overlaps(box_of(b))) {
         return {};
     }
-    const Impl::Geometry first = impl_->geometry(a);
-    const Impl::Geometry second = impl_->geometry(b);
-    return impl_->polygons_of(
-        impl_->own(GEOSIntersectionPrec_r(impl_->context, first.get(), second.get(), kGrid)));
+    geos_->spend_on_areas({&a, &b});
+    const GeosContext::Geometry first = geos_->geometry(a);
+    const GeosContext::Geometry second = geos_->geometry(b);
+    return geos_->polygons_of(
+        geos_->own(GEOSIntersectionPrec_r(geos_->handle(), first.get(), second.get(), kGrid)));
 }
 
 Polygons PlanGeometry::united(const std::vector<const Polygons*>& all) const {
-    std::vector<GEOSGeometry*> parts;
-    for (const Polygons* polygons : all) {
-        for (const Polygon& polygon : *polygons) {
-            if (Impl::Geometry part = impl_->geometry(polygon)) {
-                parts.push_back(part.release());
-            }
-        }
-    }
-    const Impl::Geometry collection = impl_->own(GEOSGeom_createCollection_r(
-        impl_->context, GEOS_MULTIPOLYGON, parts.data(), static_cast<unsigned>(parts.size())));
-    return impl_->polygons_of(impl_->own(GEOSUnaryUnionPrec_r(impl_->context, collection.get(), kGrid)));
+    geos_->spend_on_union(all);
+    const GeosContext::Geometry collection = geos_->collection(all);
+    return geos_->polygons_of(geos_->own(GEOSUnaryUnionPrec_r(geos_->handle(), collection.get(), kGrid)));
 }
 
 namespace {
+
+/// Triangles of what GEOS can triangulate; of the rest their area is missing.
+Triangulation triangles_of(const Polygon& polygon, const GeosContext& geos) {
+    geos.budget().spend_on_triangles(vertices_of({polygon}));
+    Triangulation result;
+    const GeosContext::Geometry area = geos.geometry(polygon);
+    const GeosContext::Geometry triangles =
+        area ? geos.own(GEOSConstrainedDelaunayTriangulation_r(geos.handle(), area.get())) : nullptr;
+    const int count = triangles ? GEOSGetNumGeometries_r(geos.handle(), triangles.get()) : 0;
+    for (int i = 0; i < count; ++i) {
+        const GEOSGeometry* triangle = GEOSGetGeometryN_r(geos.handle(), triangles.get(), i);
+        const Ring ring = geos.ring_of(GEOSGetExteriorRing_r(geos.handle(), triangle), true);
+        if (ring.size() != 3 || signed_area(ring) <= 0.0) {
+            continue;
+        }
+        const auto first = static_cast<std::uint32_t>(result.points.size());
+        result.points.insert(result.points.end(), ring.begin(), ring.end());
+        result.triangles.push_back({first, first + 1, first + 2});
+    }
+    return result;
+}
 
 double area_of(const Triangulation& triangulation) {
     double area = 0.0;
@@ -357,8 +225,7 @@ Triangulation PlanGeometry::triangulated(const Polygon& polygon) const {
 void PlanGeometry::add_triangles(const Polygon& polygon, int depth, Triangulation& result) const {
     constexpr int kMostCuts = 8;
     constexpr double kMissing = 1e-6;  // of the area
-    Triangulation whole;
-    impl_->triangulate(polygon, whole);
+    const Triangulation whole = triangles_of(polygon, *geos_);
     const double area = area_of({polygon});
     if (std::abs(area_of(whole) - area) <= kMissing * area + 1e-5) {
         const auto first = static_cast<std::uint32_t>(result.points.size());
@@ -369,7 +236,7 @@ void PlanGeometry::add_triangles(const Polygon& polygon, int depth, Triangulatio
         return;
     }
     if (depth == kMostCuts) {
-        impl_->note_failure();
+        geos_->note_failure();
         return;
     }
     const Box box = box_of(Polygons{polygon});
@@ -387,17 +254,17 @@ void PlanGeometry::add_triangles(const Polygon& polygon, int depth, Triangulatio
 }
 
 std::size_t PlanGeometry::failures() const {
-    return impl_->failures;
+    return geos_->failures();
 }
 
 Ring PlanGeometry::least_rectangle(const Ring& ring) const {
-    const Impl::Geometry area = impl_->geometry(Polygon{ring, {}});
-    const Impl::Geometry rectangle =
-        area ? impl_->own(GEOSMinimumRotatedRectangle_r(impl_->context, area.get())) : nullptr;
-    if (!rectangle || GEOSGeomTypeId_r(impl_->context, rectangle.get()) != GEOS_POLYGON) {
+    const GeosContext::Geometry area = geos_->geometry(Polygon{ring, {}});
+    const GeosContext::Geometry rectangle =
+        area ? geos_->own(GEOSMinimumRotatedRectangle_r(geos_->handle(), area.get())) : nullptr;
+    if (!rectangle || GEOSGeomTypeId_r(geos_->handle(), rectangle.get()) != GEOS_POLYGON) {
         return {};
     }
-    Ring vertices = impl_->ring_of(GEOSGetExteriorRing_r(impl_->context, rectangle.get()), true);
+    Ring vertices = geos_->ring_of(GEOSGetExteriorRing_r(geos_->handle(), rectangle.get()), true);
     if (vertices.size() != 4) {
         return {};
     }

@@ -3,10 +3,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <exception>
 #include <memory>
 #include <vector>
 
+#include "scene/osm/overlay_budget.h"
 #include "scene/osm/plan.h"
 
 namespace campuswalk::scene::osm {
@@ -19,12 +19,7 @@ struct Triangulation {
 
 enum class Caps { round, flat, square };
 
-/// Overlays, buffers and triangulations of one map. A campus of 1 MB makes some 6,000, each of which takes a
-/// third of a millisecond; by long paths a small file can ask for any number.
-inline constexpr std::size_t kMaxOperations = 400'000;
-
-/// Thrown when a map needs more of them.
-class TooManyOperations : public std::exception {};
+class GeosContext;
 
 /// Overlays of GEOS. Coordinates come out as multiples of kGrid, which makes its overlays robust. The same
 /// version of GEOS gives the same everywhere; triangles, buffers and rectangles may change with it. What has
@@ -33,12 +28,13 @@ class PlanGeometry {
 public:
     static constexpr double kGrid = 0.001;  ///< metres
 
-    PlanGeometry();
+    explicit PlanGeometry(const OverlayBudget& budget = OverlayBudget());
     ~PlanGeometry();
     PlanGeometry(const PlanGeometry&) = delete;
     PlanGeometry& operator=(const PlanGeometry&) = delete;
 
-    /// A valid polygon from a ring that may cross itself.
+    /// A valid polygon from a ring that may cross itself: what it goes around an odd number of times. Nothing
+    /// from one that does so more than 100 times.
     Polygons polygon(const Ring& ring) const;
     /// The areas that lines enclose, those inside others being holes: a relation's members.
     Polygons areas_of_lines(const std::vector<std::vector<Point>>& lines) const;
@@ -63,8 +59,7 @@ private:
     Polygons buffer_in_pieces(const std::vector<Point>& line, double radius, Caps caps) const;
     void add_triangles(const Polygon& polygon, int depth, Triangulation& result) const;
 
-    struct Impl;
-    std::unique_ptr<Impl> impl_;
+    std::unique_ptr<GeosContext> geos_;
 };
 
 }  // namespace campuswalk::scene::osm

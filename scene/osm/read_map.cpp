@@ -143,6 +143,7 @@ Map local_map(RawMap raw, const GeographicBox& box, const SourceMark& mark, Diag
     const Projection projection(latitude, longitude);
     Map map;
     set_boxes(box, projection, mark, map);
+    map.nodes_read = raw.locations.size();
     const Box near = map.box.grown(kMargin);
     const Projector projector(raw, projection, latitude, longitude);
     for (auto& [id, tags] : raw.nodes) {

@@ -172,7 +172,29 @@ class Places(ProgramCase):
             outcome = self.run_program("info", "room.obj", "--suggest", "other.campus.yaml", *bad)
             self.assertEqual(outcome.code, 2, bad)
             self.assertFalse("other.campus.yaml" in self.contents(), bad)
-        self.assertEqual(self.run_program("info", "room.obj", "--places", "p.geojson").code, 2)
+        self.assertEqual(self.run_program("info", "room.obj", "--origin", "48.15,11.57").code, 2)
+
+    def test_another_property_names_them(self):
+        points = collection(*({"type": "Feature", "properties": {"title": title}, "geometry": {"type": "Point", "coordinates": at}}
+                              for title, at in (("公告栏", (6, -6)), ("Out There", (500, 0)))), **METRES)
+        self.write("p.geojson", points)
+        arguments = ("info", "room.obj", "--suggest", "new.campus.yaml", "--places", "p.geojson")
+        self.assert_refused(self.run_program(*arguments), "p.geojson: error no-places: ")
+        self.passes(*arguments, "--places-name", "title")
+        self.assertIn('places:\n  from: {file: "p.geojson", name: "title"}\n', self.read("new.campus.yaml").decode())
+        self.assertIn('go_to: "公告栏"', self.read("new.walk.yaml").decode())
+        self.passes("run", "new.walk.yaml")
+        self.assertEqual(self.run_program("info", "room.obj", "--places-name", "title").code, 2)
+
+    def test_info_counts_them(self):
+        self.write("p.geojson", collection(feature("a", 6, -6), feature("b", 5, -5), feature("out there", 500, 0), **METRES))
+        self.assertIn("places     3, 2 of them within its bounds", self.passes("info", "room.obj", "--places", "p.geojson").out)
+        counted = json.loads(self.passes("info", "room.obj", "--places", "p.geojson", "--json").out)["places"]
+        self.assertEqual(counted, {"named": 3, "within_bounds": 2})
+        self.assertIsNone(json.loads(self.passes("info", "room.obj", "--json").out)["places"])
+        self.write("p.geojson", collection(feature("a", *on_earth(6, 6))))
+        self.assert_refused(self.run_program("info", "room.obj", "--places", "p.geojson"), "p.geojson: error no-origin: --origin LAT,LON")
+        self.assertIn("places     1, 1 of them", self.passes("info", "room.obj", "--places", "p.geojson", "--origin", "48.15,11.57").out)
 
 
 class ConfinedPlaces(CheckoutCase):

@@ -9,7 +9,6 @@ namespace campuswalk::scene::osm {
 namespace {
 
 constexpr FileKind kMapRequest = {{'c', 'w', ' ', 'm', 'a', 'p', 'r', 'q'}, 2};
-constexpr FileKind kMapResponse = {{'c', 'w', ' ', 'm', 'a', 'p', 'r', 's'}, 2};
 
 void put_section(ArchiveWriter& out, const MapSection& section) {
     out.put(std::uint32_t{section.box.has_value()});

@@ -11,6 +11,8 @@
 
 namespace campuswalk::scene::osm {
 
+inline constexpr FileKind kMapResponse = {{'c', 'w', ' ', 'm', 'a', 'p', 'r', 's'}, 2};
+
 struct MapHelperRequest {
     MapRequest map;
     ImportLimits limits;

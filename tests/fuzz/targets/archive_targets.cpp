@@ -23,13 +23,6 @@ namespace {
 
 using scene::kArchiveHeaderBytes;
 
-/// The bytes behind a header of this kind, with the length and the checksum that they need.
-std::vector<std::byte> forged(const scene::FileKind& kind, Bytes payload) {
-    scene::ArchiveWriter writer(kind);
-    writer.put_all(payload);
-    return scene::concatenated(writer.finish());
-}
-
 /// Asks what a walk asks.
 void query(const collision::MeshCollider& collider) {
     using collision::Vec3;

@@ -3,7 +3,6 @@
 #include <array>
 #include <string>
 
-#include "scene/base/binary_archive.h"
 #include "scene/base/diagnostic.h"
 #include "scene/osm/helper/map_protocol.h"
 #include "scene/osm/import_map.h"
@@ -54,16 +53,33 @@ void read_heights(Bytes bytes) {
     import("c.osm", "c.asc", "c.asc", text_of(bytes));
 }
 
+/// A tile of SRTM whose heights are these bytes, over and over.
+void read_tile(Bytes bytes) {
+    constexpr std::size_t kSize = std::size_t{2} * 1201 * 1201;
+    if (bytes.empty()) {
+        return;
+    }
+    std::string tile;
+    tile.reserve(kSize + bytes.size());
+    while (tile.size() < kSize) {
+        tile += text_of(bytes);
+    }
+    tile.resize(kSize);
+    import("d.osm", "N00E000.hgt", "N00E000.hgt", tile);
+}
+
+/// With a correct header, as a helper that a map has taken over would write it.
 void read_map_answer(Bytes bytes) {
     try {
-        scene::osm::read_map_response(std::as_bytes(bytes));
+        scene::osm::read_map_response(forged(scene::osm::kMapResponse, bytes));
     } catch (const scene::DamagedFile&) {
     } catch (const scene::InputError&) {
     }
 }
 
 constexpr std::array kMapTargets = {Target{"osm", read_osm}, Target{"pbf", read_pbf},
-                                    Target{"heights", read_heights}, Target{"map-answer", read_map_answer}};
+                                    Target{"heights", read_heights}, Target{"tile", read_tile},
+                                    Target{"map-answer", read_map_answer}};
 
 }  // namespace
 

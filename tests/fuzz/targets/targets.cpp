@@ -5,6 +5,12 @@
 
 namespace campuswalk::fuzz {
 
+std::vector<std::byte> forged(const scene::FileKind& kind, Bytes payload) {
+    scene::ArchiveWriter writer(kind);
+    writer.put_all(payload);
+    return scene::concatenated(writer.finish());
+}
+
 const Target* find_target(const char* name) {
     for (const std::span<const Target> targets :
          {model_targets(), map_targets(), archive_targets(), text_targets()}) {

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
+
+#include "scene/base/binary_archive.h"
 
 namespace campuswalk::fuzz {
 
@@ -18,6 +22,9 @@ std::span<const Target> model_targets();
 std::span<const Target> map_targets();
 std::span<const Target> archive_targets();
 std::span<const Target> text_targets();
+
+/// The bytes behind a header of this kind, with the length and the checksum that they need.
+std::vector<std::byte> forged(const scene::FileKind& kind, Bytes payload);
 
 /// Null if there is none of that name.
 const Target* find_target(const char* name);

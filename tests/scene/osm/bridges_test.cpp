@@ -135,6 +135,88 @@ TEST_F(Bridges, LeadThroughBuildings) {
     EXPECT_NEAR(volume_of(model, name), 400.0 * 12.0 - 3.0 * 20.0 * 2.7, 4.0);
 }
 
+/// Of a deck over the road, in the plan: what faces down at its underside.
+double deck_area(const Model& model, const std::string& name) {
+    double area = 0.0;
+    for_triangles(model, *find(model, name), [&](const auto& a, const auto& b, const auto& c) {
+        if (std::max({a.y(), b.y(), c.y()}) < kRoadClearance + 0.01) {
+            area += std::max(0.0, -0.5 * (b - a).cross(c - a).y());
+        }
+    });
+    return area;
+}
+
+TEST_F(Bridges, ReachAsFarAsTheirOutlines) {
+    MapText map = footbridge();
+    map.rectangle(-4, -26.5, 3, 26.5, {{"man_made", "bridge"}, {"layer", "1"}});
+    const Model model = import(map.xml()).model;
+    EXPECT_NEAR(deck_area(model, name()), 7.0 * 53.0, 0.05);
+    const double deck = kRoadClearance + kDeck + kAbove;
+    for (const double east : {-3.7, -1.0, 0.0, 2.7}) {
+        EXPECT_NEAR(top_at(model, east, 0.3, name()), deck, 0.005) << east;
+    }
+    const Bounds bounds = bounds_of(model, name());
+    EXPECT_NEAR(bounds.min.x(), -4.0, 0.01);
+    EXPECT_NEAR(bounds.max.x(), 3.0, 0.01);
+    EXPECT_NEAR(bounds.max.y(), deck + 1.1, 0.005) << "parapets stand at the outline";
+}
+
+TEST_F(Bridges, OfTwoRoadsInOneOutlineHaveNoParapetBetween) {
+    MapText map;
+    map.way({{-90, 0}, {90, 0}}, {{"highway", "residential"}, {"width", "6"}});
+    std::string nodes[2];
+    for (int i = 0; i < 2; ++i) {
+        const double east = i == 0 ? -2.0 : 2.5;
+        const auto south = map.node(east, -25);
+        const auto north = map.node(east, 25);
+        nodes[i] =
+            "bridge/way-" + std::to_string(map.way_of(
+                                {south, north}, {{"highway", "footway"}, {"bridge", "yes"}, {"width", "2"}}));
+        map.way_of({map.node(east, -80), south}, {{"highway", "footway"}});
+        map.way_of({north, map.node(east, 80)}, {{"highway", "footway"}});
+    }
+    const auto is_free_between = [&](const Model& model) {
+        const double deck = kRoadClearance + kDeck + kAbove;
+        for (const std::string& node : nodes) {
+            bool free = true;
+            for_triangles(model, *find(model, node), [&](const auto& a, const auto& b, const auto& c) {
+                for (const Eigen::Vector3d& p : {a, b, c}) {
+                    free = free &&
+                           !(p.x() > -1.5 && p.x() < 2.0 && std::abs(p.z()) < 20.0 && p.y() > deck + 0.1);
+                }
+            });
+            if (!free) {
+                return false;
+            }
+        }
+        return true;
+    };
+    EXPECT_FALSE(is_free_between(import(map.xml()).model)) << "two bridges";
+    map.rectangle(-4, -27, 4, 27, {{"man_made", "bridge"}});
+    const Model model = import(map.xml()).model;
+    EXPECT_TRUE(is_free_between(model)) << "one";
+    EXPECT_NEAR(deck_area(model, nodes[0]) + deck_area(model, nodes[1]), 8.0 * 54.0, 0.05);
+}
+
+TEST_F(Bridges, StandOnPiers) {
+    MapText map = footbridge();
+    const auto round = map.node(0, 10, {{"bridge:support", "pier"}, {"width", "0.8"}});
+    const auto square = map.rectangle(-1, -12, 1, -11, {{"bridge:support", "pier"}});
+    map.node(30, 10, {{"bridge:support", "pier"}});
+    const ImportedMap imported = import(map.xml());
+    EXPECT_EQ(std::ranges::count(imported.warnings, "pier-without-bridge", &Diagnostic::code), 1);
+    for (const auto& [name, north] : {std::pair("bridge-pier/node-" + std::to_string(round), 10.0),
+                                      std::pair("bridge-pier/way-" + std::to_string(square), -11.5)}) {
+        ASSERT_NE(find(imported.model, name), nullptr) << name;
+        const Bounds bounds = bounds_of(imported.model, name);
+        EXPECT_NEAR(bounds.max.y(), kRoadClearance + 0.1, 0.01) << "into the deck";
+        EXPECT_LT(bounds.min.y(), top_at(imported.model, 0.1, north, "ground")) << "into the ground";
+    }
+    EXPECT_NEAR(bounds_of(imported.model, "bridge-pier/node-" + std::to_string(round)).max.x(), 0.4, 0.01);
+    const auto solid = std::ranges::find(imported.draft.solids, "bridge-pier", &DraftSolid::id);
+    EXPECT_NE(solid, imported.draft.solids.end()) << "visitors bump into them";
+}
+
 TEST_F(Bridges, AreReportedWhereNothingPassesBelow) {
     MapText map;
     const auto bridge = map.way({{0, -25}, {0, 25}}, {{"highway", "footway"}, {"bridge", "yes"}});

@@ -21,6 +21,7 @@
 #include "tools/campuswalk/info/model_info.h"
 #include "tools/campuswalk/loading/model_importer.h"
 #include "tools/campuswalk/suggest/ground_lint.h"
+#include "tools/campuswalk/suggest/read_places.h"
 #include "tools/campuswalk/suggest/suggest_campus.h"
 #include "tools/campuswalk/suggest/upright_model.h"
 
@@ -33,7 +34,9 @@ struct InfoOptions {
     bool json = false;
     std::optional<std::filesystem::path> suggest;  ///< NAME.campus.yaml to write, with NAME.walk.yaml
     SuggestRequest suggestion;                     ///< what else it is made from
-    std::optional<std::string> origin;             ///< of the suggested campus on the Earth
+    std::optional<std::filesystem::path> places;   ///< GeoJSON, for the suggested campus or to be counted
+    std::optional<std::string> place_name;         ///< the property that names them
+    std::optional<std::string> origin;             ///< of the model on the Earth
     std::optional<std::filesystem::path> map;      ///< an image from above to write
     Backend backend = engine::render::RenderingBackend::automatic;  ///< draws it
 };
@@ -90,6 +93,27 @@ scene::GeographicPlace origin_in(const std::string& text) {
     return {at[0], at[1]};
 }
 
+std::optional<config::PlaceFile> place_file(const InfoOptions& options) {
+    config::PlaceFile file;
+    file.path = options.places.value_or(std::filesystem::path());
+    file.name_property = options.place_name.value_or(file.name_property);
+    return options.places ? std::optional(std::move(file)) : std::nullopt;
+}
+
+PlaceCount count_places(const config::PlaceFile& file, const std::optional<scene::GeographicPlace>& on_earth,
+                        const scene::ModelReport& report) {
+    PlaceCount count;
+    const scene::Bounds& bounds = report.bounds;
+    for (const Eigen::Vector3d& p : read_places(file, on_earth)) {
+        ++count.named;
+        count.within_bounds += p.x() >= bounds.min.x() && p.x() <= bounds.max.x() &&
+                                       p.z() >= bounds.min.z() && p.z() <= bounds.max.z()
+                                   ? 1U
+                                   : 0U;
+    }
+    return count;
+}
+
 /// Prints what is in a model file and what looks wrong with it. Returns the exit code.
 int print_info(const InfoOptions& options) {
     if (options.suggest && (options.map || options.json)) {
@@ -97,24 +121,32 @@ int print_info(const InfoOptions& options) {
             options.map ? "--map" : "--json", "bad-value",
             "with --suggest, nothing but the campus and its walk is written; run info without it");
     }
+    if (options.place_name && !options.places) {
+        throw error_about("--places-name", "bad-value", "it is about --places; pass that, too");
+    }
+    const std::optional<scene::GeographicPlace> origin =
+        options.origin ? std::optional(origin_in(*options.origin)) : std::nullopt;
     if (options.suggest) {
         SuggestRequest request = options.suggestion;
         request.campus_file = *options.suggest;
-        if (options.origin) {
-            request.on_earth = origin_in(*options.origin);
-        }
+        request.places = place_file(options);
+        request.on_earth = origin;
         return suggest_campus(options.scene, request);
     }
-    if (options.suggestion.places || options.origin) {
-        throw error_about(options.suggestion.places ? "--places" : "--origin", "bad-value",
-                          "it is about the campus that --suggest writes; pass that, too");
+    if (origin && !options.places) {
+        throw error_about("--origin", "bad-value",
+                          "it is about --places or --suggest; pass one of them, too");
     }
     if (options.map) {
         require_images(options.backend);
         require_writable_png(*options.map, "the picture can't be written here");
     }
     scene::ImportedModel imported = read_model(options.scene, scene::EmptyModel::accept);
-    const ModelInfo info = info_of(imported);
+    ModelInfo info = info_of(imported);
+    if (options.places) {
+        info.places =
+            count_places(*place_file(options), origin ? origin : info.report.geographic, info.report);
+    }
     if (options.json) {
         print_lines(json_text(json_of(info), 2));
     } else {
@@ -152,13 +184,21 @@ void add_info(Command program, CommandAction& chosen) {
                  options->suggestion.overwrite);
     command.option(
         {.names = "--places",
-         .help = "GeoJSON with named points that the campus of --suggest refers to and its walk visits",
+         .help =
+             "GeoJSON with named points, which are counted; the campus of --suggest refers to them and its "
+             "walk visits them",
          .value = "FILE.geojson"},
-        options->suggestion.places);
-    command.option({.names = "--origin",
-                    .help = "Where [0, 0, 0] of the campus of --suggest is on the Earth, for --places",
-                    .value = "LAT,LON"},
-                   options->origin);
+        options->places);
+    command.option({.names = "--places-name",
+                    .help = "The property that names the points of --places; default: name",
+                    .value = "PROPERTY"},
+                   options->place_name);
+    command.option(
+        {.names = "--origin",
+         .help = "Where [0, 0, 0] of the model, or of the campus of --suggest, is on the Earth, for "
+                 "--places",
+         .value = "LAT,LON"},
+        options->origin);
     command.option(
         {.names = "--map", .help = "Draw it from above, with a grid of its coordinates", .value = "FILE.png"},
         options->map);

@@ -29,6 +29,10 @@ Json json_of(const std::optional<engine::GroundCover>& ground) {
                : Json();
 }
 
+Json json_of(const std::optional<PlaceCount>& places) {
+    return places ? Json{{"named", places->named}, {"within_bounds", places->within_bounds}} : Json();
+}
+
 const char* name_of(scene::AlphaMode mode) {
     switch (mode) {
         case scene::AlphaMode::mask:
@@ -113,6 +117,7 @@ Json json_of(const ModelInfo& info) {
             {"buildings", list_of(info.buildings)},
             {"doors", list_of(report.doors)},
             {"flights", list_of(report.flights)},
+            {"places", json_of(info.places)},
             {"meshes", report.meshes},
             {"placements", report.placements},
             {"triangles", report.triangles},

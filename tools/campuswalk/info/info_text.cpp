@@ -148,6 +148,10 @@ void print_text(const ModelInfo& info) {
         print_doors(report);
         print_flights(report);
     }
+    if (info.places) {
+        print_line("places     %zu, %zu of them within its bounds", info.places->named,
+                   info.places->within_bounds);
+    }
     print_line("meshes     %zu, placed %zu times", report.meshes, report.placements);
     print_line("triangles  %zu", report.triangles);
     print_materials(report);

@@ -10,11 +10,18 @@
 
 namespace campuswalk::tools {
 
+/// The named points of a file of places.
+struct PlaceCount {
+    std::size_t named = 0;
+    std::size_t within_bounds = 0;  ///< of the model, in the plan
+};
+
 /// What `campuswalk info` says about a model.
 struct ModelInfo {
     scene::ModelReport report;  ///< with the repairs of the import before its warnings
     std::optional<engine::GroundCover> ground;
     std::vector<scene::SuggestedBuilding> buildings;
+    std::optional<PlaceCount> places = {};  ///< if a file of them was named
 };
 
 /// As config/schema/info.schema.json says.

@@ -33,6 +33,19 @@ std::string origin_yaml(const SuggestedCampus& campus) {
     return keys.empty() ? "" : "origin: {" + keys.substr(2) + "}\n";
 }
 
+/// Nothing without a file of places.
+std::string places_yaml(const SuggestedCampus& campus) {
+    if (!campus.places) {
+        return "";
+    }
+    const std::string path = quoted(campus.places->path.generic_string());
+    const std::string& name = campus.places->name_property;
+    return "places:\n  from: " +
+           (name == config::PlaceFile().name_property ? path
+                                                      : "{file: " + path + ", name: " + quoted(name) + "}") +
+           "\n";
+}
+
 std::string box_yaml(const scene::UprightBox& box) {
     const double yaw_deg = engine::degrees(std::atan2(-box.along.z(), box.along.x()));
     return "shape: box, center: " + list_of(box.center) + ", size: " + list_of(box.size) +
@@ -167,7 +180,7 @@ std::string campus_yaml(const SuggestedCampus& campus) {
     }
     text +=
         "spawns:\n  start: {at: " + list_of(campus.spawn) + ", yaw_deg: " + fixed(campus.yaw_deg, 1) + "}\n";
-    return text + (campus.places.empty() ? "" : "places:\n  from: " + quoted(campus.places) + "\n");
+    return text + places_yaml(campus);
 }
 
 std::string walk_yaml(const SuggestedCampus& campus, const std::string& campus_file, std::size_t visits) {

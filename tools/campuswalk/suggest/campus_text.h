@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "collision/geometry/shapes.h"
+#include "config/loader/load_run.h"
 #include "scene/campus/campus_description.h"
 #include "scene/suggest/solid_parts.h"
 #include "scene/suggest/suggested_buildings.h"
@@ -35,7 +36,7 @@ struct SuggestedCampus {
     std::string model;  ///< path relative to the campus file
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();
     std::optional<scene::GeographicPlace> on_earth;  ///< of [0, 0, 0]; none if nothing needs it
-    std::string places;                              ///< path of the file of places, likewise; may be empty
+    std::optional<config::PlaceFile> places;         ///< its path is likewise relative
     std::vector<scene::SuggestedBuilding> buildings;
     std::vector<SuggestedInterior> interiors;        ///< by building
     std::vector<std::vector<std::string>> doors_of;  ///< by building: globs of its closed doors

@@ -84,7 +84,7 @@ bool place_visitor(const scene::ModelReport& report, const scene::Campus& solid,
     }
     settings.starts = {*spawn};
     settings.steer_falls = false;  // visitors don't jump off roofs
-    const bool has_goals = !campus.buildings.empty() || !campus.places.empty();
+    const bool has_goals = !campus.buildings.empty() || campus.places.has_value();
     const double far = has_goals ? kFarthestVisit : kFarthestStroll;
     settings.max_ticks =
         static_cast<std::uint32_t>(far / settings.strides.walk_speed / settings.strides.seconds);

@@ -21,6 +21,7 @@
 #include "tools/campuswalk/suggest/campus_text.h"
 #include "tools/campuswalk/suggest/lint_text.h"
 #include "tools/campuswalk/suggest/place_visitor.h"
+#include "tools/campuswalk/suggest/read_places.h"
 #include "tools/campuswalk/suggest/substitute_ground.h"
 #include "tools/campuswalk/suggest/upright_model.h"
 
@@ -84,22 +85,6 @@ std::optional<scene::GeographicPlace> origin_on_earth(const UprightModel& model,
     return scene::GeographicPlace{map.y(), map.x(), map.z()};
 }
 
-/// Before the model is walked on: an error in the file is about that, not about a draft.
-void check_places(const SuggestRequest& request, const std::optional<scene::GeographicPlace>& on_earth) {
-    config::SearchPaths search = search_paths();
-    search.roots.push_back(fs::absolute(*request.places).parent_path());
-    try {
-        diagnose(config::check_place_file(*request.places, on_earth, search));
-    } catch (const scene::InputError& error) {
-        if (error.diagnostics().front().code != "no-origin") {
-            throw;
-        }
-        throw error_about(*request.places, "no-origin",
-                          "it has longitudes and latitudes, but the model doesn't say where it is; pass "
-                          "--origin LAT,LON");
-    }
-}
-
 /// Everything but the spawn and the visits.
 SuggestedCampus without_visitor(const UprightModel& model, const SuggestRequest& request) {
     SuggestedCampus campus;
@@ -107,9 +92,11 @@ SuggestedCampus without_visitor(const UprightModel& model, const SuggestRequest&
     campus.origin = model.origin;
     campus.model = seen_from(request.campus_file, model.file.path);
     if (request.places) {
-        campus.places = seen_from(request.campus_file, *request.places);
+        campus.places = *request.places;
+        campus.places->path = seen_from(request.campus_file, request.places->path);
         campus.on_earth = origin_on_earth(model, request);
-        check_places(request, campus.on_earth);
+        read_places(*request.places,
+                    campus.on_earth);  // an error in the file is about that, not about a draft
     }
     campus.buildings = scene::suggest_buildings(model.models[0], model.report);
     campus.interiors.assign(campus.buildings.size(), SuggestedInterior{true, {}});  // as far as is known
@@ -129,7 +116,7 @@ WalkLoader quiet_loader(const UprightModel& model, const SuggestRequest& request
     config::SearchPaths search = search_paths();
     search.roots.push_back(fs::absolute(model.file.path).parent_path());
     if (request.places) {
-        search.roots.push_back(fs::absolute(*request.places).parent_path());
+        search.roots.push_back(fs::absolute(request.places->path).parent_path());
     }
     return WalkLoader([](const std::vector<scene::Diagnostic>&) {}, std::move(search));
 }
@@ -260,7 +247,7 @@ int suggest_campus(const scene::SceneFile& model, const SuggestRequest& request)
                campus.ground ? ", on a box: the model has no ground" : "");
     print_outside(campus_file, model.path, "the model");
     if (request.places) {
-        print_outside(campus_file, *request.places, "the file of places");
+        print_outside(campus_file, request.places->path, "the file of places");
     }
     const RemainingLints left = remaining_lints(upright);
     if (left.opened > 0) {

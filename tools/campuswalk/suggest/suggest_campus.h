@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "config/loader/load_run.h"
 #include "scene/campus/campus_description.h"
 
 namespace campuswalk::tools {
@@ -11,7 +12,7 @@ namespace campuswalk::tools {
 struct SuggestRequest {
     std::filesystem::path campus_file;               ///< NAME.campus.yaml
     bool overwrite = false;                          ///< replace it and the walk
-    std::optional<std::filesystem::path> places;     ///< GeoJSON that the campus is to refer to
+    std::optional<config::PlaceFile> places;         ///< GeoJSON that the campus is to refer to
     std::optional<scene::GeographicPlace> on_earth;  ///< of the campus's [0, 0, 0]; none: as the model says
 };
 

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <vector>
+
+#include "scene/osm/plan.h"
+
+namespace campuswalk::scene::osm {
+
+/// Thrown when a map's overlays cost more than they may.
+class OverlaysTooCostly : public std::exception {};
+
+struct Segment {
+    Point from = Point::Zero();
+    Point to = Point::Zero();
+};
+
+/// The segments of rings, and of lines.
+void append_segments(const Polygons& polygons, std::vector<Segment>& segments);
+void append_segments(const std::vector<Point>& line, std::vector<Segment>& segments);
+
+/// What overlays, buffers and triangulations of one map may cost, in microseconds of a usual machine. It is
+/// reckoned before an operation from what goes into it, as nothing stops GEOS once it has begun, and never
+/// timed, so that a map is refused on every machine or on none.
+class OverlayBudget {
+public:
+    explicit OverlayBudget(std::uint64_t allowed = kAnyMap) : left_(allowed) {}
+
+    /// Twenty seconds, and a millisecond for each node: a campus is reckoned to need a tenth of that, a city
+    /// a quarter.
+    static OverlayBudget for_map(std::size_t nodes) {
+        return OverlayBudget(kAnyMap + 1000 * std::uint64_t{nodes});
+    }
+
+    /// An operation that finds all pairs of segments that touch or cross. Throws OverlaysTooCostly if that is
+    /// too much for what is left, or for one operation. Returns the number of such pairs, without as many as
+    /// there are segments: in lines neighbours touch.
+    std::size_t spend(const std::vector<Segment>& segments);
+    /// A union of areas: GEOS unites them one by one, so segments that coincide count once.
+    void spend_on_union(std::vector<Segment> segments);
+    /// One on lines that don't cross.
+    void spend(std::size_t coordinates);
+    /// One that makes triangles of a polygon: its time grows with the square of the vertices.
+    void spend_on_triangles(std::size_t vertices);
+
+private:
+    static constexpr std::uint64_t kAnyMap = 20'000'000;
+
+    void take(std::uint64_t cost);
+
+    std::uint64_t left_;
+};
+
+}  // namespace campuswalk::scene::osm
