@@ -55,19 +55,23 @@ def commands(sources):
 
 
 def events(sources):
-    return table(("event", "when", "fields"), event_tables.events(sources))
+    return table(("event", "object", "when", "fields"), event_tables.events(sources))
 
 
 def event_fields(sources):
     return table(("field", "value", "meaning"), event_tables.fields(sources))
 
 
-def error_codes(sources):
-    return table(("code", "", "messages"), diagnostic_codes.rows(sources.root))
+def error_codes(_):
+    return table(("code", "is", "means"), diagnostic_codes.rows())
 
 
-def failure_codes(sources):
-    codes = diagnostic_codes.failures(sources.schema("walk.schema.json"))
+def failure_codes(_):
+    return table(("code", "means"), diagnostic_codes.failures())
+
+
+def expectation_codes(sources):
+    codes = diagnostic_codes.expectations(sources.schema("walk.schema.json"))
     return ", ".join("`%s`" % code for code in codes)
 
 
@@ -98,6 +102,7 @@ GENERATORS = {
     "event-fields": event_fields,
     "events": events,
     "exit-codes": exit_codes,
+    "expectation-codes": expectation_codes,
     "failure-codes": failure_codes,
     "initial-file": initial_file,
     "json": json_keys,
