@@ -18,7 +18,8 @@ std::string text_of(Service service, const Publication& from) {
 
 TEST(CiFiles, APublishedBuildIsNamedByItsCommit) {
     EXPECT_THAT(text_of(Service::github, {"owner/name", kCommit, "1.2.3"}),
-                AllOf(HasSubstr("- uses: owner/name@" + kCommit + " # v1.2.3\n        with:\n          version: 1.2.3\n"),
+                AllOf(HasSubstr("- uses: owner/name@" + kCommit +
+                                " # v1.2.3\n        with:\n          version: 1.2.3\n"),
                       HasSubstr("--min-cases=12\n"), Not(HasSubstr("vars.")), Not(HasSubstr("env")),
                       Not(HasSubstr("@1")), Not(HasSubstr("@REP"))));
     EXPECT_THAT(text_of(Service::gitlab, {"owner/name", kCommit, "1.2.3"}),
