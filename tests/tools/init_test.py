@@ -136,7 +136,7 @@ class Init(ProgramCase):
         for variables in ({"CAMPUSWALK": ""}, {"CAMPUSWALK": address}, {"CAMPUSWALK": "", "CAMPUSWALK_SHA256": right}):
             refused = self.prepare(job, **variables)
             self.assertEqual(refused.returncode, 1)
-            self.assertEqual(refused.stdout.decode(), "write CAMPUSWALK and CAMPUSWALK_SHA256 into .gitlab-ci.yml\n")
+            self.assertEqual(refused.stdout.decode(), "fill in CAMPUSWALK and CAMPUSWALK_SHA256 in .gitlab-ci.yml\n")
         done = self.prepare(job, CAMPUSWALK=address, CAMPUSWALK_SHA256=right)
         self.assertEqual(done.returncode, 0, done.stdout)
         self.assertIn("apt-get install -y -q %s/campuswalk.deb" % self.folder, done.stdout.decode())

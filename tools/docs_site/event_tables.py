@@ -37,9 +37,9 @@ def source_fields(sources):
 
 
 def events(sources):
-    """(event, object, when, fields) of each."""
-    return [("`%s`" % each["event"], each["object"], command_lines.in_markdown(each["when"]),
-             ", ".join("`%s`" % name for name in each["fields"])) for each in described(sources)["events"]]
+    """(event, object, fields, when) of each."""
+    return [("`%s`" % each["event"], each["object"], ", ".join("`%s`" % name for name in each["fields"]),
+             command_lines.in_markdown(each["when"])) for each in described(sources)["events"]]
 
 
 def fields(sources):

@@ -55,7 +55,7 @@ def commands(sources):
 
 
 def events(sources):
-    return table(("event", "object", "when", "fields"), event_tables.events(sources))
+    return table(("event", "object", "fields", "when"), event_tables.events(sources))
 
 
 def event_fields(sources):
@@ -73,6 +73,15 @@ def failure_codes(_):
 def expectation_codes(sources):
     codes = diagnostic_codes.expectations(sources.schema("walk.schema.json"))
     return ", ".join("`%s`" % code for code in codes)
+
+
+def downloads(sources):
+    """Where the packages are, if the program knows where it is published."""
+    address = re.search(r'CAMPUSWALK: "(https://github\.com/[^/]+/[^/]+/releases)/', sources.initial(".gitlab-ci.yml", "--ci", "gitlab"))
+    if address:
+        return "The packages are at <%s>." % address[1]
+    return ("The program that this page was made with doesn't know where it is published (CMake's `CAMPUSWALK_REPOSITORY` is empty), so "
+            "there is no address here: take the packages from where you got this page, or [build them](#build-the-packages).")
 
 
 def section(sources, argument):
@@ -98,6 +107,7 @@ def initial_file(sources, argument):
 
 GENERATORS = {
     "commands": commands,
+    "downloads": downloads,
     "error-codes": error_codes,
     "event-fields": event_fields,
     "events": events,

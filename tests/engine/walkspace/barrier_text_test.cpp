@@ -23,9 +23,12 @@ std::string text_of(BarrierKind kind, double measured, double allowed) {
 }
 
 TEST(BarrierText, NumbersHaveSoManyDecimalsThatTheyDiffer) {
-    EXPECT_EQ(text_of(BarrierKind::riser, 0.17, 0.1), "riser of 0.17 m at 0.00, 0.00, 0.00; the avatar steps 0.10 m");
-    EXPECT_EQ(text_of(BarrierKind::riser, 0.17, 0.165), "riser of 0.170 m at 0.00, 0.00, 0.00; the avatar steps 0.165 m");
-    EXPECT_THAT(text_of(BarrierKind::opening, 0.5996, 0.6), HasSubstr("is 0.5996 m wide, the body needs 0.6000 m"));
+    EXPECT_EQ(text_of(BarrierKind::riser, 0.17, 0.1),
+              "riser of 0.17 m at 0.00, 0.00, 0.00; the avatar steps 0.10 m");
+    EXPECT_EQ(text_of(BarrierKind::riser, 0.17, 0.165),
+              "riser of 0.170 m at 0.00, 0.00, 0.00; the avatar steps 0.165 m");
+    EXPECT_THAT(text_of(BarrierKind::opening, 0.5996, 0.6),
+                HasSubstr("is 0.5996 m wide, the body needs 0.6000 m"));
     EXPECT_THAT(text_of(BarrierKind::headroom, 1.798, 1.8), HasSubstr("headroom of 1.798 m"));
     constexpr double kDegree = std::numbers::pi / 180.0;
     EXPECT_THAT(text_of(BarrierKind::slope, 50.04 * kDegree, 50.0 * kDegree),

@@ -15,7 +15,8 @@ constexpr const char* kTarget = "the target";
 constexpr const char* kTouched = "the object";
 constexpr const char* kBuilding = "the building";
 
-constexpr std::array kWithoutPosition = {EventKind::walk_end, EventKind::popup_open, EventKind::popup_close, EventKind::expect_fail};
+constexpr std::array kWithoutPosition = {EventKind::walk_end, EventKind::popup_open, EventKind::popup_close,
+                                         EventKind::expect_fail};
 
 std::vector<EventKind> with_position() {
     std::vector<EventKind> kinds;
@@ -40,13 +41,15 @@ std::vector<EventDescription> event_descriptions() {
         {EventKind::avatar_spawn, "the spawn", "a program that uses the library has placed the avatar anew"},
         {EventKind::avatar_teleport, "where to", "a teleport has placed the avatar"},
         {EventKind::avatar_arrive, kTarget, "a walk_to, go_to or follow has got to its target"},
-        {EventKind::avatar_blocked, kTarget, "a walk_to, go_to or follow has given up: something is in the way"},
+        {EventKind::avatar_blocked, kTarget,
+         "a walk_to, go_to or follow has given up: something is in the way"},
         {EventKind::avatar_landed, kWalkName, "on the ground again, after a jump or a fall of 0.5 m or more"},
         {EventKind::avatar_fell, kWalkName, "it has fallen out of the world, which ends the walk"},
         {EventKind::avatar_jump, kWalkName, "a step made it jump"},
         {EventKind::avatar_crouch, kWalkName, "a step made it lower"},
         {EventKind::avatar_stand, kWalkName, "a step made it stand up"},
-        {EventKind::avatar_stuck, kWalkName, "it tried to move for a second, and got less than 10 cm farther"},
+        {EventKind::avatar_stuck, kWalkName,
+         "it tried to move for a second, and got less than 10 cm farther"},
         {EventKind::avatar_depenetrated, "where it was placed", "it was placed in an object and pushed out"},
         {EventKind::object_enable, kTouched, "a step switched the object on"},
         {EventKind::object_disable, kTouched, "a step switched the object off"},
@@ -69,28 +72,43 @@ std::vector<EventDescription> event_descriptions() {
 std::vector<FieldDescription> field_descriptions() {
     using enum EventKind;
     return {
-        {"pos", "three numbers", "The foot point, in metres; of contacts, where it was when the contact began or ended.",
+        {"pos", "three numbers",
+         "The foot point, in metres; of contacts, where it was when the contact began or ended.",
          with_position()},
-        {"yaw", "number", "Viewing direction in degrees: 0 looks along −Z, positive turns left.",
+        {"yaw",
+         "number",
+         "Viewing direction in degrees: 0 looks along −Z, positive turns left.",
          {walk_start, avatar_spawn, avatar_teleport}},
-        {"at", "number", "The fraction of the tick at which the body got in or out; not there if there is a `cause`.",
+        {"at",
+         "number",
+         "The fraction of the tick at which the body got in or out; not there if there is a `cause`.",
          {trigger_enter, trigger_exit}},
-        {"distance", "number",
-         "Of a gaze: from the eyes to the object. Of `avatar.depenetrated`: how far it was pushed. In metres.",
+        {"distance",
+         "number",
+         "Of a gaze: from the eyes to the object. Of `avatar.depenetrated`: how far it was pushed. In "
+         "metres.",
          {ray_enter, ray_stay, avatar_depenetrated}},
-        {"ticks", "whole number", "For how many ticks the contact has lasted.",
+        {"ticks",
+         "whole number",
+         "For how many ticks the contact has lasted.",
          {collision_stay, collision_exit, trigger_stay, trigger_exit, ray_stay, ray_exit}},
-        {"cause", "word",
-         "Why a contact began or ended, if not by the avatar's motion: `spawn`, `teleport`, `enable`, `disabled`, or "
+        {"cause",
+         "word",
+         "Why a contact began or ended, if not by the avatar's motion: `spawn`, `teleport`, `enable`, "
+         "`disabled`, or "
          "`end` of the walk.",
          {collision_enter, collision_exit, trigger_enter, trigger_exit, ray_enter, ray_exit}},
         {"title", "text", "The pop-up's first line.", {popup_open}},
         {"body", "text", "The pop-up's text.", {popup_open}},
         {"from", "three numbers", "Where it was placed, before it was pushed out.", {avatar_depenetrated}},
-        {"height", "number", "How far it fell, or how tall it is now; in metres.",
+        {"height",
+         "number",
+         "How far it fell, or how tall it is now; in metres.",
          {avatar_landed, avatar_crouch, avatar_stand}},
         {"speed", "number", "Upwards at take-off, in metres per second.", {avatar_jump}},
-        {"by", "word", "The object in the way, or out of which it was pushed.",
+        {"by",
+         "word",
+         "The object in the way, or out of which it was pushed.",
          {avatar_blocked, avatar_stuck, avatar_depenetrated}},
         {"why", "text", "The measured reason. It isn't part of the hash.", {avatar_blocked, avatar_stuck}},
         {"line", "whole number", "The line of the walk file with the expectation or step.", {expect_fail}},
@@ -99,8 +117,10 @@ std::vector<FieldDescription> field_descriptions() {
         {"result", "word", "`pass` or `fail`.", {walk_end}},
         {"events", "whole number", "Events between `walk.start` and `walk.end`.", {walk_end}},
         {"dist", "number", "Metres along the path of the foot point.", {walk_end}},
-        {"hash", "16 digits",
-         "Of the bits of every tick's position and of every event: equal hashes mean equal walks.", {walk_end}},
+        {"hash",
+         "16 digits",
+         "Of the bits of every tick's position and of every event: equal hashes mean equal walks.",
+         {walk_end}},
     };
 }
 

@@ -19,7 +19,7 @@ struct EventDescription {
 /// A detail that events carry.
 struct FieldDescription {
     std::string_view name;
-    std::string_view value;    ///< its type in words
+    std::string_view value;  ///< its type in words
     std::string_view meaning;
     std::vector<engine::EventKind> events;  ///< that carry it
 };
@@ -33,8 +33,8 @@ std::vector<FieldDescription> field_descriptions();
 /// A line for each event: its name, its object, when it occurs.
 std::string event_lines();
 
-/// `{"campuswalk_events": 1, "events": [{"event", "object", "when", "fields": [NAME, …]}, …], "fields": [{"field", "value",
-/// "meaning"}, …]}`
+/// `{"campuswalk_events": 1, "events": [{"event", "object", "when", "fields": [NAME, …]}, …], "fields":
+/// [{"field", "value", "meaning"}, …]}`
 Json event_json();
 
 }  // namespace campuswalk::tools::help

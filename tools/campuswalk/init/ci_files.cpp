@@ -37,7 +37,7 @@ constexpr const char* kPublishedAction = R"(      - uses: @REPOSITORY@@@COMMIT@ 
 constexpr const char* kActionOfThatPlace = R"(      - name: Check where campuswalk comes from
         run: |
           [[ $CAMPUSWALK == ?*/?* && $CAMPUSWALK_COMMIT =~ ^[0-9a-f]{40}$ ]] || {
-            echo "::error::write CAMPUSWALK and CAMPUSWALK_COMMIT into .github/workflows/walks.yml"
+            echo "::error::fill in CAMPUSWALK and CAMPUSWALK_COMMIT in this workflow"
             exit 1
           }
       - uses: actions/checkout@11bd71901bbe5b1630ceea73d27597364c9af683 # v4.2.2
@@ -52,7 +52,7 @@ constexpr const char* kActionOfThatPlace = R"(      - name: Check where campuswa
 )";
 
 constexpr const char* kActionSettings = R"(          version: @VERSION@
-          sha256: ""   # of campuswalk-@VERSION@-linux-x86_64.tar.xz, from the release's SHA256SUMS
+          sha256: ""   # from the release's SHA256SUMS, of its linux-x86_64.tar.xz
           arguments: |
             --strict
             --forbid-only
@@ -68,10 +68,14 @@ walks:
     CAMPUSWALK: "@ADDRESS@"   # the address of campuswalk_@VERSION@_amd64.deb
     CAMPUSWALK_SHA256: ""   # of that file, from the release's SHA256SUMS
   before_script:
-    - test -n "$CAMPUSWALK" && test -n "$CAMPUSWALK_SHA256" || { echo "write CAMPUSWALK and CAMPUSWALK_SHA256 into .gitlab-ci.yml"; exit 1; }
+    - >-
+      test -n "$CAMPUSWALK" && test -n "$CAMPUSWALK_SHA256" ||
+      { echo "fill in CAMPUSWALK and CAMPUSWALK_SHA256 in .gitlab-ci.yml"; exit 1; }
     - apt-get update -q
     - apt-get install -y -q --no-install-recommends ca-certificates curl
-    - curl --fail --silent --show-error --location --proto =https --output /tmp/campuswalk.deb "$CAMPUSWALK"
+    - >-
+      curl --fail --silent --show-error --location --proto =https
+      --output /tmp/campuswalk.deb "$CAMPUSWALK"
     - echo "$CAMPUSWALK_SHA256  /tmp/campuswalk.deb" | sha256sum --check
     - apt-get install -y -q /tmp/campuswalk.deb
   script:
