@@ -7,6 +7,7 @@ namespace campuswalk::tools::init {
 namespace {
 
 using testing::AllOf;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -21,7 +22,7 @@ TEST(CiFiles, APublishedBuildIsNamedByItsCommit) {
                 AllOf(HasSubstr("- uses: owner/name@" + kCommit +
                                 " # v1.2.3\n        with:\n          version: 1.2.3\n"),
                       HasSubstr("--min-cases=12\n"), Not(HasSubstr("vars.")), Not(HasSubstr("env")),
-                      Not(HasSubstr("@1")), Not(HasSubstr("@REP"))));
+                      Not(ContainsRegex("@[A-Z]+@"))));
     EXPECT_THAT(text_of(Service::gitlab, {"owner/name", kCommit, "1.2.3"}),
                 AllOf(HasSubstr("CAMPUSWALK: \"https://github.com/owner/name/releases/download/v1.2.3/"
                                 "campuswalk_1.2.3_amd64.deb\""),
