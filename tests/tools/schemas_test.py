@@ -132,17 +132,6 @@ class Schemas(ProgramCase):
         self.assertIn("Half its width in metres", self.read("copy/config/README.md").decode())
         self.assertEqual(self.reference(self.path("copy"), "--check").returncode, 0)
 
-    def test_the_defaults_of_lights_are_those_of_day(self):
-        with open(os.path.join(ROOT, "config", "lights", "day.light.yaml"), encoding="utf-8") as file:
-            day = yaml.load(file, Yaml12)
-        schema = SCHEMAS["light.schema.json"]
-
-        def defaults(properties):
-            return {key: defaults(schema["definitions"][key]["properties"])
-                    if part.get("$ref", "").endswith("/" + key) and key in ("sun", "sky") else part["default"]
-                    for key, part in properties.items() if "default" in part or key in ("sun", "sky")}
-        self.assertEqual(defaults(schema["properties"]), day)
-
     def test_every_schema_has_its_tables(self):
         with open(os.path.join(ROOT, "config", "README.md"), encoding="utf-8") as file:
             tables = set(re.findall(r"<!-- keys: ([^ #]+)", file.read()))
