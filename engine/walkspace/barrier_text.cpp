@@ -10,8 +10,26 @@ namespace campuswalk::engine {
 
 namespace {
 
-std::string metres(double value) {
-    return fixed(value, 2) + " m";
+struct Compared {
+    std::string measured;
+    std::string allowed;
+};
+
+/// The barrier's numbers with so many decimals that one sees which is greater, up to a tenth of a millimetre.
+Compared compared(const Barrier& barrier) {
+    Compared texts;
+    for (int decimals = 2; decimals <= 4 && texts.measured == texts.allowed; ++decimals) {
+        texts = {fixed(barrier.measured, decimals) + " m", fixed(barrier.allowed, decimals) + " m"};
+    }
+    return texts;
+}
+
+Compared compared_degrees(const Barrier& slope) {
+    Compared texts;
+    for (int decimals = 1; decimals <= 3 && texts.measured == texts.allowed; ++decimals) {
+        texts = {fixed(degrees(slope.measured), decimals), fixed(degrees(slope.allowed), decimals)};
+    }
+    return texts;
 }
 
 std::string place_text(const scene::Campus& campus, const Barrier& barrier, const char* before) {
@@ -36,7 +54,14 @@ const Barrier* part_of(const Barrier& barrier, BarrierKind kind) {
 }
 
 std::string opening_text(const Barrier& opening) {
-    return "is " + metres(opening.measured) + " wide, the body needs " + metres(opening.allowed);
+    const auto [measured, allowed] = compared(opening);
+    return "is " + measured + " wide, the body needs " + allowed;
+}
+
+std::string slope_text(const scene::Campus& campus, const Barrier& slope) {
+    const auto [measured, allowed] = compared_degrees(slope);
+    return "slope of " + measured + " degrees" + place_text(campus, slope, " at ") +
+           "; the avatar walks up " + allowed;
 }
 
 std::string blocking_object_text(const scene::Campus& campus, const Barrier& object, const Barrier* opening) {
@@ -92,23 +117,21 @@ std::string object_text(const scene::Campus& campus, collision::ObjectId object,
 std::string barrier_text(const scene::Campus& campus, const Barrier& barrier) {
     switch (barrier.kind) {
         case BarrierKind::riser:
-            return "riser of " + metres(barrier.measured) + place_text(campus, barrier, " at ") +
-                   "; the avatar steps " + metres(barrier.allowed);
+            return "riser of " + compared(barrier).measured + place_text(campus, barrier, " at ") +
+                   "; the avatar steps " + compared(barrier).allowed;
         case BarrierKind::ledge:
-            return "ledge of " + metres(barrier.measured) + place_text(campus, barrier, " at ") +
+            return "ledge of " + fixed(barrier.measured, 2) + " m" + place_text(campus, barrier, " at ") +
                    "; no way up";
         case BarrierKind::slope:
-            return "slope of " + fixed(degrees(barrier.measured), 1) + " degrees" +
-                   place_text(campus, barrier, " at ") + "; the avatar walks up " +
-                   fixed(degrees(barrier.allowed), 1);
+            return slope_text(campus, barrier);
         case BarrierKind::opening:
             if (const Barrier* object = part_of(barrier, BarrierKind::object)) {
                 return blocking_object_text(campus, *object, &barrier);
             }
             return place_text(campus, barrier, "the opening at ") + " " + opening_text(barrier);
         case BarrierKind::headroom:
-            return "headroom of " + metres(barrier.measured) + place_text(campus, barrier, " under ") +
-                   "; the body needs " + metres(barrier.allowed);
+            return "headroom of " + compared(barrier).measured + place_text(campus, barrier, " under ") +
+                   "; the body needs " + compared(barrier).allowed;
         case BarrierKind::object:
             return blocking_object_text(campus, barrier, part_of(barrier, BarrierKind::opening));
         case BarrierKind::several:

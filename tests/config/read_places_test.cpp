@@ -136,12 +136,15 @@ TEST_F(ReadPlaces, LeavesOutWhatIsNoPlaceNearby) {
                     point(R"("name": "here")", "[11.57, 48.15]")}));
     const CampusDescription campus = read(std::string(kOnEarth) + "places: {from: p.geojson}\n");
     EXPECT_THAT(names_of(campus), ElementsAre("here"));
-    ASSERT_EQ(campus.warnings.size(), 2U);
+    ASSERT_EQ(campus.warnings.size(), 3U);
     EXPECT_THAT(
         scene::to_string(campus.warnings[0]),
-        says(folder_.path("p.geojson").string() + ":2:1: warning not-a-point", {"2 features", "'Hall'"}));
+        says(folder_.path("p.geojson").string() + ":5:1: warning unnamed-feature", {"4 features", "'name'"}));
     EXPECT_THAT(
         scene::to_string(campus.warnings[1]),
+        says(folder_.path("p.geojson").string() + ":2:1: warning not-a-point", {"2 features", "'Hall'"}));
+    EXPECT_THAT(
+        scene::to_string(campus.warnings[2]),
         says(folder_.path("p.geojson").string() + ":9:1: warning far-place", {"2 features", "'swapped'"}));
 }
 

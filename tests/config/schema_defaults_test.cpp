@@ -3,6 +3,7 @@
 
 #include <fstream>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -121,6 +122,11 @@ std::multimap<std::string, json> expectation_defaults() {
             {definitions + "min_tile_ssim", tolerance.min_tile_ssim}};
 }
 
+json numbers(const std::optional<Eigen::Vector3d>& color) {
+    const Eigen::Vector3d& c = color.value();
+    return {c.x(), c.y(), c.z()};
+}
+
 /// Without a `light`, images are drawn by day: tests/tools/images_test.py.
 std::multimap<std::string, json> light_defaults() {
     const engine::LightSettings day = load_light(kSchemas / ".." / "lights" / "day.light.yaml");
@@ -130,7 +136,13 @@ std::multimap<std::string, json> light_defaults() {
             {"light/properties/shadows", day.shadows.value()},
             {"light/properties/contact_shading", day.ambient_occlusion.value()},
             {"light/properties/anti_aliasing", smooth ? "msaa" : "another"},
-            {"light/definitions/sun/properties/disc", day.sun_disc.value()}};
+            {"light/properties/ground_light", numbers(day.ground_light)},
+            {"light/properties/room_light", numbers(day.room_light)},
+            {"light/definitions/sun/properties/color", numbers(day.sun_color)},
+            {"light/definitions/sun/properties/disc", day.sun_disc.value()},
+            {"light/definitions/sky/properties/zenith", numbers(day.zenith_color)},
+            {"light/definitions/sky/properties/horizon", numbers(day.horizon_color)},
+            {"light/definitions/sky/properties/light", numbers(day.sky_light)}};
 }
 
 std::multimap<std::string, json> loader_defaults() {

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """The commands in running text: each names a command of the program, and options that it has; and the ten steps of
-docs/how-to/your-own-campus.md run as written, on a model made here.
+docs/how-to/your-own-campus.md run as written, on a model that `init` makes.
 
 `inline_commands_test.py PROGRAM [SITE]`.
 """
@@ -8,6 +8,7 @@ docs/how-to/your-own-campus.md run as written, on a model made here.
 import os
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -63,12 +64,10 @@ class InlineCommands(unittest.TestCase):
         count = 0
         for page in snippets.pages(ROOT):
             with open(os.path.join(ROOT, page), encoding="utf-8") as file:
-                for line in file:
-                    call = re.search(r"^ +sh '.*campuswalk run( --.*)'", line)
-                    if call:
-                        count += 1
-                        with self.subTest(page=page, line=line):
-                            self.assertLessEqual(set(OPTION.findall(call[1])), self.options["run"])
+                for call in re.findall(r"^ +sh '''campuswalk run( --.*?)'''", file.read(), re.MULTILINE | re.DOTALL):
+                    count += 1
+                    with self.subTest(page=page, call=call):
+                        self.assertLessEqual(set(OPTION.findall(call)), self.options["run"])
         self.assertGreater(count, 0)
 
     def test_the_ten_steps_run_as_written(self):
@@ -78,7 +77,10 @@ class InlineCommands(unittest.TestCase):
         commands = re.findall(r"`campuswalk ([^`]+)`", section)
         self.assertEqual([command.split()[0] for command in commands], ["info", "info", "run", "snapshot", "validate", "run"])
         with tempfile.TemporaryDirectory(prefix="campuswalk-docs-") as folder:
-            subprocess.run([sys.executable, os.path.join(ROOT, "tests", "docs", "make_school.py"), "school.obj"], cwd=folder, check=True)
+            example = os.path.join(folder, "example")
+            subprocess.run([self.program, "init", example], check=True, capture_output=True)
+            for name in ("school.obj", "school.mtl"):
+                shutil.copy(os.path.join(example, name), folder)
             for command in commands:
                 with self.subTest(command=command):
                     done = subprocess.run([self.program, *shlex.split(command.replace("school.glb", "school.obj"))], cwd=folder,

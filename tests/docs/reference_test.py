@@ -25,8 +25,10 @@ MORE_WALKS = {
     "including.walk.yaml": "campus: ../school.campus.yaml\nsteps: [{spawn: gate}, {include: late.steps.yaml}]\n",
     "late.steps.yaml": "steps: [{expect: {popup: library}}]\n",
 }
-# Not codes of the program's diagnostics: those of tools, and failures of walks.
-OTHERS = diagnostic_codes.FAILURES
+# Events that only programs that use the library cause.
+OF_PROGRAMS = {"avatar.spawn"}
+# Failures that no walk may name as the one that it must have.
+OTHERS = {"not-evaluated", "not-identical"}
 TESTS_OF_TOOLS = {"check_layers_test.py", "check_citations_test.py", "check_glossary_test.py"}
 # Warnings of an import, which a comparison of pictures refuses.
 MADE_ERRORS = {"bad-texture"}
@@ -53,17 +55,21 @@ class Reference(unittest.TestCase):
         enumerators = re.findall(r"^    ([a-z_]+),", self.sources.text("engine", "events", "event.h").partition("enum class EventKind")[2]
                                  .partition("};")[0], re.MULTILINE)
         self.assertEqual([kind.replace(".", "_", 1) for kind in sorted(kinds)], sorted(enumerators))
-        self.assertEqual(set(event_tables.meanings(self.sources)), set(kinds))
+        described = event_tables.described(self.sources)["events"]
+        self.assertEqual([each["event"] for each in described], kinds)
+        self.assertEqual(len({each["when"] for each in described}), len(kinds))
         self.assertLessEqual(set(kinds), self.first_cells("events.md"))
 
     def test_every_field_in_the_source_is_described(self):
-        self.assertEqual(event_tables.source_fields(self.sources), set(event_tables.described(self.sources)))
+        self.assertEqual(event_tables.source_fields(self.sources),
+                         {each["field"] for each in event_tables.described(self.sources)["fields"]})
 
     def test_the_fields_of_real_walks_are_those_described(self):
-        described = {(kind, name) for name, field in event_tables.described(self.sources).items() for kind in field["events"]}
+        described = {(each["event"], name) for each in event_tables.described(self.sources)["events"] for name in each["fields"]}
+        described = {(kind, name) for kind, name in described if kind not in OF_PROGRAMS}
         seen = self.fields_of_real_walks()
-        self.assertEqual(sorted(seen - described), [], "in logs, but not in event_fields.toml")
-        self.assertEqual(sorted(described - seen), [], "in event_fields.toml, but in no log")
+        self.assertEqual(sorted(seen - described), [], "in logs, but not described")
+        self.assertEqual(sorted(described - seen), [], "described, but in no log")
 
     def test_the_header_of_json_lines_is_that_described(self):
         text = self.sources.text("engine", "observers", "json_lines.cpp").partition("void JsonLines::begin")[2].partition("\n}\n")[0]
@@ -95,11 +101,37 @@ class Reference(unittest.TestCase):
         print("reference: %d walks, %d fields of events" % (len(walks), len(seen)))
         return seen
 
-    def test_every_code_that_tests_expect_is_there(self):
+    def test_every_code_in_the_source_is_described_and_no_other(self):
+        """A new literal that looks like a code goes into diagnostics.toml, or is listed as none."""
+        failures = set(diagnostic_codes.table()["failures"])
+        codes = set(diagnostic_codes.severities())
+        self.assertEqual(sorted(diagnostic_codes.in_source(ROOT) - failures), sorted(codes))
+        self.assertEqual(codes & failures, set())
+        print("reference: %d codes, %d failures" % (len(codes), len(failures)))
+
+    def test_every_code_has_a_sentence_and_a_row(self):
+        described = diagnostic_codes.table()
+        self.assertEqual(set(described), {*diagnostic_codes.SEVERITIES, "failures"})
+        for section in described.values():
+            self.assertEqual(list(section), sorted(section) if section is not described["failures"] else list(section))
+            for code, meaning in section.items():
+                with self.subTest(code=code):
+                    self.assertRegex(meaning, r"^[A-Z`].{30,}\.$")
+                    self.assertEqual(meaning.count("`") % 2, 0)
+                    self.assertNotIn("|", meaning)
+        self.assertLessEqual({code for section in described.values() for code in section}, self.first_cells("diagnostics.md"))
+
+    def test_every_failure_that_a_walk_may_name_is_there(self):
+        schema = self.sources.schema("walk.schema.json")
+        codes = re.findall(r"`([a-z_-]+)`", self.pages["diagnostics.md"])
+        expectations = diagnostic_codes.expectations(schema)
+        self.assertLessEqual(set(expectations), set(codes))
+        own = set(diagnostic_codes.table()["failures"]) - OTHERS
+        self.assertEqual(own | set(expectations), set(diagnostic_codes.enum_of_failures(schema)))
+
+    def test_codes_are_reported_as_tests_expect(self):
         """The tests name codes as the program prints them, and don't read its source."""
-        codes = {code: {("warning" if use.warns else "error") for use in uses}
-                 for code, uses in diagnostic_codes.uses(ROOT).items()}
-        count = 0
+        severities, count = diagnostic_codes.severities(), 0
         for base, _, names in os.walk(os.path.join(ROOT, "tests")):
             if os.path.basename(base) == "docs":
                 continue
@@ -112,10 +144,9 @@ class Reference(unittest.TestCase):
                             continue
                         count += 1
                         with self.subTest(test=name, code=code):
-                            self.assertIn("warning" if code in MADE_ERRORS else severity, codes.get(code, "no such code"))
-        print("reference: %d codes, compared with %d mentions in tests" % (len(codes), count))
+                            self.assertIn("warning" if code in MADE_ERRORS else severity, severities.get(code, "no such code"))
+        print("reference: %d mentions of codes in tests" % count)
         self.assertGreater(count, 100)
-        self.assertLessEqual(set(codes), self.first_cells("diagnostics.md"))
 
     def test_every_option_of_every_command_is_there(self):
         page, count = self.pages["commands.md"], 0

@@ -4,6 +4,7 @@
 `site_test.py PROGRAM SITE`. Needs only Python's standard library.
 """
 
+import json
 import os
 import re
 import sys
@@ -64,12 +65,9 @@ class Site(unittest.TestCase):
         file = os.path.normpath(os.path.join(os.path.dirname(page), path)) if path else page
         return file, unquote(parts.fragment)
 
-    def content_pages(self):
-        return {name: page for name, page in self.pages.items() if name != "404.html"}
-
     def test_links_and_anchors_lead_somewhere(self):
         count = 0
-        for name, page in self.content_pages().items():
+        for name, page in self.pages.items():
             for link in page.links:
                 target = self.local(name, link)
                 if target is None:
@@ -80,12 +78,31 @@ class Site(unittest.TestCase):
                     self.assertTrue(file in self.files, file)
                     if anchor and file.endswith(".html"):
                         self.assertIn(anchor, self.pages[file].anchors)
-        print("site: %d pages, %d links" % (len(self.content_pages()), count))
+        print("site: %d pages, %d links" % (len(self.pages), count))
         self.assertGreater(count, 500)
+
+    def test_nothing_needs_the_sites_address(self):
+        self.assertEqual({"404.html", "sitemap.xml", "sitemap.xml.gz"} & self.files, set())
+
+    def test_cells_of_wide_tables_have_their_columns_heads(self):
+        for page in ("reference/light.html", "reference/events.html", "how-to/pictures.html"):
+            with open(os.path.join(self.site, page), encoding="utf-8") as file:
+                text = file.read()
+            for table in re.findall(r"<table>.*?</table>", text, re.DOTALL):
+                heads = [re.sub("<[^>]+>", "", head) for head in re.findall(r"<th[^>]*>(.*?)</th>", table, re.DOTALL)]
+                if len(heads) > 2 or "<img" in table:
+                    with self.subTest(page=page, heads=heads):
+                        self.assertLessEqual(set(filter(None, heads[1:])), set(re.findall(r'data-label="([^"]*)"', table)))
+
+    def test_the_search_finds_parts_of_names(self):
+        with open(os.path.join(self.site, "search", "search_index.json"), encoding="utf-8") as file:
+            separator = json.load(file)["config"]["separator"]
+        for name in ("avatar.arrive", "step_height", "library/door", "--min-cases", "bad-value"):
+            self.assertEqual([word for word in re.split(separator, name) if word], re.findall("[a-z]+", name))
 
     def test_pictures_are_there_and_described(self):
         count = 0
-        for name, page in self.content_pages().items():
+        for name, page in self.pages.items():
             for source, words in page.pictures:
                 with self.subTest(page=name, picture=source):
                     file, _ = self.local(name, source)
@@ -134,7 +151,7 @@ class Site(unittest.TestCase):
 
     def test_every_page_is_in_the_navigation(self):
         linked = {self.local("index.html", link)[0] for link in self.pages["index.html"].links if self.local("index.html", link)}
-        self.assertEqual(set(self.content_pages()) - linked - {"index.html"}, set())
+        self.assertEqual(set(self.pages) - linked - {"index.html"}, set())
 
 
 if __name__ == "__main__":

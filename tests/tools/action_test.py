@@ -12,10 +12,10 @@ import tarfile
 
 import yaml
 
+from poisoned_cache import PoisonedCache, narrow_the_door
 from program import ProgramCase, main
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-NARROW = re.compile(r"(?m)^v (-?)1 ([03]) -6")
 
 
 class Runner:
@@ -133,11 +133,18 @@ class Action(ProgramCase):
         return runner
 
     def narrow_the_door(self, runner):
-        model = os.path.join(runner.workspace, "campus/school.obj")
-        with open(model, encoding="utf-8") as file:
-            text = NARROW.sub(r"v \g<1>0.25 \2 -6", file.read())
-        with open(model, "w", encoding="utf-8") as file:
-            file.write(text)
+        narrow_the_door(os.path.join(runner.workspace, "campus/school.obj"))
+
+    def digest(self):
+        with open(self.package, "rb") as file:
+            return hashlib.sha256(file.read()).hexdigest()
+
+    def downloading(self, runner):
+        """Makes curl copy the package; the addresses that it was asked for go to the file `urls`."""
+        self.write("bin/curl", '#!/bin/sh\nfor last; do :; done\nprintf "%%s\\n" "$last" >>"%s"\n'
+                   'while [ "$1" != --output ]; do shift; done\ncp "%s" "$2"\n' % (self.path("urls"), self.package))
+        os.chmod(self.path("bin/curl"), 0o755)
+        runner.path = self.path("bin") + ":" + runner.path
 
     def run_action(self, runner, **inputs):
         inputs.setdefault("package", self.package)
@@ -241,11 +248,6 @@ class Action(ProgramCase):
         self.assertIn("1 passed", options.summary)
 
     def test_where_releases_come_from(self):
-        bin_folder = self.path("bin")
-        os.makedirs(bin_folder)
-        self.write("bin/curl", '#!/bin/sh\nfor last; do :; done\nprintf "%%s\\n" "$last" >>"%s"\n'
-                   'while [ "$1" != --output ]; do shift; done\ncp "%s" "$2"\n' % (self.path("urls"), self.package))
-        os.chmod(self.path("bin/curl"), 0o755)
         with open(os.path.join(ROOT, "CMakeLists.txt"), encoding="utf-8") as file:
             own = re.search(r"campuswalk VERSION ([0-9.]+)", file.read())[1]
         for number, (inputs, expected) in enumerate((({}, f"https://github.com/o/n/releases/download/v{own}/campuswalk-{own}-linux-x86_64.tar.xz"),
@@ -253,18 +255,16 @@ class Action(ProgramCase):
                                   "https://github.com/a/b/releases/download/v1.2.3/campuswalk-1.2.3-linux-x86_64.tar.xz"),
                                  ({"package": "https://files.example/c.tar.xz"}, "https://files.example/c.tar.xz"))):
             runner = self.runner(f"job-{number}", action_repository="o/n")
-            runner.path = bin_folder + ":" + runner.path
-            self.assertEqual(runner.run(working_directory="campus", html="false", paths="walks/visit.walk.yaml", **inputs), 0,
-                             runner.output)
+            self.downloading(runner)
+            self.assertEqual(runner.run(working_directory="campus", html="false", paths="walks/visit.walk.yaml", sha256=self.digest(),
+                                        **inputs), 0, runner.output)
             self.assertEqual(self.read("urls").decode().splitlines()[-1], expected)
         unknown = self.runner("unknown")
         self.assertEqual(unknown.run(working_directory="campus"), 2)
         self.assertIn("::error title=campuswalk::say where releases", unknown.output)
 
     def test_a_package_must_be_the_one_that_was_named(self):
-        with open(self.package, "rb") as file:
-            digest = hashlib.sha256(file.read()).hexdigest()
-        self.assertEqual(self.run_action(self.runner("right"), sha256=digest), 0)
+        self.assertEqual(self.run_action(self.runner("right"), sha256=self.digest()), 0)
         wrong = self.runner("wrong")
         self.assertEqual(self.run_action(wrong, sha256="0" * 64), 2)
         self.assertIn("doesn't have the SHA-256", wrong.output)
@@ -272,6 +272,23 @@ class Action(ProgramCase):
         for package in ("nothing.tar.xz", self.path("room.obj")):
             refused = self.runner("refused-" + package[:3].strip("/"))
             self.assertEqual(self.run_action(refused, package=package), 2)
+
+    def test_a_download_that_nobody_vouches_for_is_not_run(self):
+        runner = self.runner()
+        self.downloading(runner)
+        self.assertEqual(self.run_action(runner, package="https://files.example/c.tar.xz"), 2)
+        self.assertIn("Its SHA-256 is " + self.digest(), runner.output)
+        self.assertNotIn("passed", runner.output)
+
+    def test_a_cache_that_came_with_the_checkout_is_not_used(self):
+        runner = self.runner()
+        poisoned = PoisonedCache(self, "job/workspace/campus")
+        for name in (".campuswalk", "campuswalk"):
+            shutil.copytree(os.path.join(runner.workspace, "campus", name), os.path.join(runner.workspace, name))
+        self.assertEqual(self.run_action(runner, paths="walks/visit.walk.yaml"), 1, runner.output)
+        self.assertFalse(os.path.realpath(runner.cache["path"]).startswith(os.path.realpath(runner.workspace)))
+        shutil.copytree(poisoned.elsewhere(), runner.cache["path"], dirs_exist_ok=True)
+        self.assertEqual(self.run_action(runner, paths="walks/visit.walk.yaml"), 0, runner.output)  # it would work
 
     def test_what_others_do_in_it_is_pinned(self):
         with open(os.path.join(ROOT, "action.yml"), encoding="utf-8") as file:

@@ -243,8 +243,16 @@ class StandardOutput(ProgramCase):
         self.addCleanup(done.stderr.close)
         self.assertTrue(done.stdout.readline().startswith(b"# walk-log 1"))
         done.stdout.close()
-        self.assert_diagnostics(done.stderr.read().decode().splitlines(), "error: standard output")
+        self.assertEqual(done.stderr.read(), b"")
         self.assertEqual(done.wait(timeout=60), 3)
+
+    def test_a_reader_that_was_never_there(self):
+        for arguments in self.COMMANDS:
+            reader, writer = os.pipe()
+            os.close(reader)
+            outcome = self.run_program(*arguments, stdout=writer)
+            os.close(writer)
+            self.assertEqual((outcome.code, outcome.err), (3, ""), arguments)
 
 
 if __name__ == "__main__":

@@ -149,6 +149,8 @@ class Explore(ProgramCase):
                        .replace("campus: ", "campus: ../"))
         coverage = self.report("--walks", "walks", "--fail-under", "1")["coverage"]
         self.assertEqual((2, 1), (coverage["walks"], coverage["failed"]))
+        self.write("walks/fails.walk.yaml", self.read("walks/fails.walk.yaml").decode() + "status: {is: xfail, failures: [fell]}\n")
+        self.assertEqual(0, self.report("--walks", "walks")["coverage"]["failed"])
         # A strip as wide as the body, and what its ends cover.
         self.assertAlmostEqual(128 ** 0.5 * 0.6 + 0.28, coverage["area"], delta=1.5)
         self.assertEqual([], coverage["visited"])

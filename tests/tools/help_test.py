@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """`help TOPIC`: every topic has a text, and together they name every key, event, variable and reporter."""
 
+import json
 import re
 
 import schema_documents
@@ -45,11 +46,19 @@ class Help(ProgramCase):
         known = self.run_program("validate", "short.walk.yaml").err.partition("known here: ")[2].strip().split(", ")
         self.assertGreater(len(known), 15)
         text = self.passes("help", "events").out
-        named = set()
-        for line in re.findall(r"(?m)^  (\w+\.\w+(?: \.\w+)*)  ", text):
-            first, *others = line.split()
-            named |= {first} | {first.split(".")[0] + other for other in others}
-        self.assertEqual(set(known) - {"…"} - named, set())
+        self.assertEqual(set(known) - {"…"} - set(re.findall(r"(?m)^  (\w+\.\w+)  ", text)), set())
+
+    def test_events_as_json(self):
+        text, described = self.passes("help", "events").out, json.loads(self.passes("help", "events", "--json").out)
+        fields = [each["field"] for each in described["fields"]]
+        for event in described["events"]:
+            self.assertRegex(text, r"(?m)^  %s +%s +%s$" % tuple(re.escape(event[key]) for key in ("event", "object", "when")))
+            self.assertLessEqual(set(event["fields"]), set(fields))
+        self.assertEqual({name for event in described["events"] for name in event["fields"]}, set(fields))
+        for arguments in ((), ("walks",)):
+            outcome = self.run_program("help", "--json", *arguments)
+            self.assertEqual((outcome.code, outcome.out), (2, ""))
+            self.assertRegex(outcome.err, "^--json.*: error .*events\n$")
 
     def test_variables_of_popups_are_named(self):
         """The loader lists the known variables when it finds an unknown one."""

@@ -64,6 +64,8 @@ class Snapshots(ImageCase):
         self.assertEqual((outcome.code, outcome.err_lines[0]), (0, "wrote " + REFERENCE))
         self.assertEqual(self.read(REFERENCE), self.read("out/short/hut.png"))
         self.assertEqual(self.run_program("run", "short.walk.yaml", env={**os.environ, "CI": "1"}).code, 0)
+        self.assert_refused(self.run_program("run", "short.walk.yaml", "-u", env={**os.environ, "CI": "1"}),
+                            "--update-snapshots: error bad-value: logs images CI")
 
     def test_another_image_fails_and_is_attached(self):
         log = self.run_walk("-u").out

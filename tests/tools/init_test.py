@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
 """`init`: its files run in any folder, and nothing that was there is touched."""
 
+import hashlib
 import os
 import re
 import subprocess
 
 import yaml
 
+from poisoned_cache import PoisonedCache
 from program import ProgramCase, main
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
@@ -56,35 +58,50 @@ class Init(ProgramCase):
         self.refused(["room.obj/new"], "room.obj/new: error output-unwritable: ", "'room.obj'")
 
     def test_the_workflow_is_pinned_and_strict(self):
+        for template, walks in (("minimal", 2), ("stairs", 4), ("campus", 5)):
+            self.passes("init", template, "--template", template)
+            text = self.read(template + "/.github/workflows/walks.yml").decode()
+            workflow = yaml.safe_load(text)
+            self.assertEqual(workflow["permissions"], {"contents": "read"})
+            self.assertNotIn("vars.", text)  # which pull requests from forks don't get
+            job = workflow["jobs"]["walks"]
+            self.assertLessEqual(job["timeout-minutes"], 60)
+            for used in re.findall(r"uses: (.*)", text):
+                if not used.startswith("./"):
+                    self.assertRegex(used, r"^[^@ ]+@[0-9a-f]{40} # v[0-9.]+$")
+            for step in job["steps"]:
+                if step.get("uses", "").startswith("actions/checkout@"):
+                    self.assertIs(step["with"]["persist-credentials"], False)
+            action = job["steps"][-1]["with"]
+            self.assertIn("sha256", action)
+            arguments = action["arguments"].split()
+            self.assertEqual(arguments, ["--strict", "--forbid-only", "--min-cases=%d" % walks])
+            self.passes("run", "--rendering-backend", "none", *arguments, cwd=self.path(template))
+            with open(os.path.join(ROOT, "action.yml"), encoding="utf-8") as file:
+                self.assertLessEqual(set(action), set(yaml.safe_load(file)["inputs"]))
+
+    def test_the_workflow_of_a_build_that_is_not_published_asks_for_the_place(self):
         self.passes("init", "one")
-        text = self.read("one/.github/workflows/walks.yml").decode()
-        workflow = yaml.safe_load(text)
-        self.assertEqual(workflow["permissions"], {"contents": "read"})
-        steps = workflow["jobs"]["walks"]["steps"]
-        for used in re.findall(r"uses: (.*)", text):
-            if not used.startswith("./"):
-                self.assertRegex(used, r"^[^@ ]+@([0-9a-f]{40} # v[0-9.]+|v[0-9.]+( # .*)?)$")
-        for step in steps:
-            if step.get("uses", "").startswith("actions/checkout@"):
-                self.assertIs(step["with"]["persist-credentials"], False)
-        action = steps[-1]["with"]
-        arguments = action["arguments"].split()
-        self.assertEqual(arguments, ["--strict", "--forbid-only"])
-        self.passes("run", "--rendering-backend", "none", *arguments, cwd=self.path("one"))
-        with open(os.path.join(ROOT, "action.yml"), encoding="utf-8") as file:
-            self.assertLessEqual(set(action), set(yaml.safe_load(file)["inputs"]))
-        for step in steps:
-            if "exit 1" in step.get("run", ""):  # this build doesn't know its repository
-                self.assertIn("vars.CAMPUSWALK == ''", step["if"])
-                self.assertEqual(subprocess.run(["sh", "-e", "-c", step["run"]], check=False,
-                                                stdout=subprocess.DEVNULL).returncode, 1)
+        workflow = yaml.safe_load(self.read("one/.github/workflows/walks.yml"))
+        if "env" not in workflow:
+            self.skipTest("this build knows its repository")
+        [check] = [step["run"] for step in workflow["jobs"]["walks"]["steps"] if "run" in step]
+
+        def code(**variables):
+            return subprocess.run(["bash", "-e", "-c", check], check=False, stdout=subprocess.PIPE,
+                                  env={"PATH": os.environ["PATH"], **workflow["env"], **variables}).returncode
+        self.assertEqual(code(), 1)
+        self.assertEqual(code(CAMPUSWALK="o/n", CAMPUSWALK_COMMIT="v0.1.0"), 1)
+        self.assertEqual(code(CAMPUSWALK="name", CAMPUSWALK_COMMIT="0" * 40), 1)
+        self.assertEqual(code(CAMPUSWALK="o/n", CAMPUSWALK_COMMIT="0" * 40), 0)
 
     def test_a_pipeline_of_gitlab_finds_its_attachments(self):
         self.passes("init", "one", "--ci", "gitlab")
         self.assertNotIn("one/.github", self.contents())
         job = yaml.safe_load(self.read("one/.gitlab-ci.yml"))["walks"]
         [command] = job["script"]
-        self.assertIn(" --strict --forbid-only ", command)
+        self.assertIn(" --strict --forbid-only --min-cases=2 ", command)
+        self.assertEqual(job["timeout"], "30 minutes")
         self.write("bin/campuswalk", '#!/bin/sh\nexec "%s" "$@" --rendering-backend none --record csv\n' % self.program)
         os.chmod(self.path("bin/campuswalk"), 0o755)
         command = re.sub(r" --reporter html=\S+", "", command)  # which not every build writes
@@ -100,30 +117,57 @@ class Init(ProgramCase):
             self.assertTrue(os.path.isfile(self.path("one/" + attachment)), attachment)
             self.assertTrue(any(attachment.startswith(kept + "/") for kept in job["artifacts"]["paths"]))
 
-    def test_a_pipeline_installs_only_the_package_that_it_names(self):
-        self.passes("init", "one", "--ci", "gitlab")
-        job = yaml.safe_load(self.read("one/.gitlab-ci.yml"))["walks"]
-        os.makedirs(self.path("bin"))
+    def prepare(self, job, **variables):
+        """Runs before_script as GitLab's runner does, one shell for all lines; apt-get and curl only say what they were told."""
         for name in ("apt-get", "curl"):
             self.write("bin/" + name, '#!/bin/sh\necho %s "$@"\n' % name)
             os.chmod(self.path("bin/" + name), 0o755)
+        script = "\n".join(line.replace("/tmp/", self.folder + "/") for line in job["before_script"])
+        return subprocess.run(["sh", "-e", "-c", script], cwd=self.path("one"), stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, check=False, timeout=60,
+                              env={**job["variables"], **variables, "PATH": self.path("bin") + ":" + os.environ["PATH"]})
 
-        def prepare(**variables):
-            script = "\n".join(line.replace("/tmp/", self.folder + "/") for line in job["before_script"])
-            return subprocess.run(["sh", "-e", "-c", script], cwd=self.path("one"), stdout=subprocess.PIPE,
-                                  stderr=subprocess.STDOUT, check=False, timeout=60,
-                                  env={"PATH": self.path("bin") + ":" + os.environ["PATH"],
-                                       **job["variables"], "CAMPUSWALK_CACHE_DIR": self.path("cache"), **variables})
-        self.assertEqual(prepare(CAMPUSWALK="").returncode, 1)
+    def test_a_pipeline_installs_only_the_package_that_it_names(self):
+        self.passes("init", "one", "--ci", "gitlab")
+        job = yaml.safe_load(self.read("one/.gitlab-ci.yml"))["walks"]
         self.write("campuswalk.deb", "package")
-        self.write("one/.campuswalk/kept", "")
-        done = prepare(CAMPUSWALK="https://files.example/c.deb")
+        right = hashlib.sha256(b"package").hexdigest()
+        address = "https://files.example/c.deb"
+        for variables in ({"CAMPUSWALK": ""}, {"CAMPUSWALK": address}, {"CAMPUSWALK": "", "CAMPUSWALK_SHA256": right}):
+            refused = self.prepare(job, **variables)
+            self.assertEqual(refused.returncode, 1)
+            self.assertEqual(refused.stdout.decode(), "fill in CAMPUSWALK and CAMPUSWALK_SHA256 in .gitlab-ci.yml\n")
+        done = self.prepare(job, CAMPUSWALK=address, CAMPUSWALK_SHA256=right)
         self.assertEqual(done.returncode, 0, done.stdout)
         self.assertIn("apt-get install -y -q %s/campuswalk.deb" % self.folder, done.stdout.decode())
-        self.assertIn("cache/kept", self.contents())
-        wrong = prepare(CAMPUSWALK="https://files.example/c.deb", CAMPUSWALK_SHA256="0" * 64)
+        wrong = self.prepare(job, CAMPUSWALK=address, CAMPUSWALK_SHA256="0" * 64)
         self.assertEqual(wrong.returncode, 1)
         self.assertNotIn("campuswalk.deb\n", wrong.stdout.decode().split("FAILED")[-1])
+
+    def test_a_pipeline_trusts_no_cache_that_came_with_the_checkout(self):
+        """A good model's cache entries, committed under the names of those of a bad one, make nothing pass."""
+        self.passes("init", "one", "--ci", "gitlab")
+        job = yaml.safe_load(self.read("one/.gitlab-ci.yml"))["walks"]
+        self.assertNotIn("cache", job)
+        self.assertNotIn("CAMPUSWALK_CACHE_DIR", job["variables"])
+        poisoned = PoisonedCache(self, "one")
+        home = self.path("home")  # a new one, like the container
+        os.makedirs(home)
+        self.write("bin/campuswalk", '#!/bin/sh\nexec "%s" "$@" --rendering-backend none\n' % self.program)
+        os.chmod(self.path("bin/campuswalk"), 0o755)
+        self.write("campuswalk.deb", "package")
+        prepared = self.prepare(job, HOME=home, CAMPUSWALK="https://files.example/c.deb",
+                                CAMPUSWALK_SHA256=hashlib.sha256(b"package").hexdigest())
+        self.assertEqual(prepared.returncode, 0, prepared.stdout)
+        command = re.sub(r" --reporter html=\S+", "", job["script"][0])
+
+        def code(**variables):
+            return subprocess.run(["sh", "-e", "-c", command], cwd=self.path("one"), stdin=subprocess.DEVNULL,
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=120, check=False,
+                                  env={"CI": "true", "CI_PROJECT_DIR": self.path("one"), "HOME": home, **job["variables"],
+                                       **variables, "PATH": self.path("bin") + ":" + os.environ["PATH"]}).returncode
+        self.assertEqual(code(CAMPUSWALK_CACHE_DIR=poisoned.elsewhere()), 0)  # it would work
+        self.assertEqual(code(), 1)
 
     def test_no_service(self):
         self.passes("init", "one", "--ci", "none")

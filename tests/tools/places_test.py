@@ -4,6 +4,7 @@
 import json
 import math
 import os
+import re
 
 from program import ROOM, CheckoutCase, ProgramCase, main
 
@@ -126,6 +127,25 @@ class Places(ProgramCase):
         self.assert_refused(outcome, "p.geojson:2:15: error json-syntax: ")
         self.write("p.geojson", collection(feature("a", 1, 1)))
         self.assert_refused(self.run_program("validate", "a.campus.yaml"), "a.campus.yaml:22:9: error no-origin: latitude_deg")
+
+    def test_points_without_a_name_are_reported(self):
+        nothing = {"type": "Feature", "properties": None, "geometry": {"type": "Point", "coordinates": [3, 3]}}
+        unnamed = [feature(None, 2, 2, kind="room"), feature("", 4, 4, kind="tree"), nothing]
+        self.write("p.geojson", collection(feature("a", 1, 1, kind="room"), *unnamed, **METRES))
+        self.campus()
+        outcome = self.passes("validate", "a.campus.yaml")
+        self.assert_diagnostics(outcome.err_lines, "p.geojson:1:%d: warning unnamed-feature: 3 features are left out 'name'" % self.column(2))
+        self.campus("{file: p.geojson, where: {kind: room}}")  # nobody wants the others
+        outcome = self.passes("validate", "a.campus.yaml")
+        self.assert_diagnostics(outcome.err_lines, "p.geojson:1:%d: warning unnamed-feature: 1 feature is left out 'name'" % self.column(2))
+        self.campus("{file: p.geojson, name: kind}")
+        outcome = self.passes("validate", "a.campus.yaml")
+        self.assert_diagnostics(outcome.err_lines, "p.geojson:1:%d: warning unnamed-feature: 1 feature is left out 'kind'" % self.column(4))
+
+    def column(self, number):
+        """Where p.geojson's feature of that number begins."""
+        text = self.read("p.geojson").decode()
+        return [match.start() for match in re.finditer(r'\{"type": "Feature",', text)][number - 1] + 1
 
     def test_a_changed_file_changes_what_is_found(self):
         self.campus()

@@ -164,7 +164,7 @@ THIRD_PARTY = {
     "fmt/": ["tools/campuswalk/base"],
     "spdlog/": ["tools/campuswalk/base"],
     "re2/": ["tools/campuswalk/run/plan"],
-    "poll.h": ["scene/process", "tools/campuswalk/run"],
+    "poll.h": ["scene/process", "tools/campuswalk/base", "tools/campuswalk/run"],
     "pthread.h": ["tools/campuswalk/run/results"],
     "spawn.h": ["scene/process"],
     "unistd.h": ["scene/base", "scene/cache", "scene/import", "scene/process", "tools/campuswalk", "tools/campuswalk_bench",

@@ -3,10 +3,13 @@
 
 # Owner and name of the public repository, as in OWNER/NAME: where releases and the GitHub action come from.
 set(CAMPUSWALK_REPOSITORY "" CACHE STRING "Public repository on GitHub, OWNER/NAME")
-# What `campuswalk init` pins the action to: the release's tag, or better the hash of its commit.
-set(CAMPUSWALK_REVISION "v${PROJECT_VERSION}" CACHE STRING "Commit or tag of that repository with this version's action")
+# What `campuswalk init` pins the action to.
+set(CAMPUSWALK_COMMIT "" CACHE STRING "Commit of that repository with this version, 40 digits")
 if(CAMPUSWALK_REPOSITORY AND NOT CAMPUSWALK_REPOSITORY MATCHES "^[A-Za-z0-9-]+/[A-Za-z0-9._-]+$")
     message(FATAL_ERROR "CAMPUSWALK_REPOSITORY is '${CAMPUSWALK_REPOSITORY}', not OWNER/NAME")
+endif()
+if(CAMPUSWALK_COMMIT AND NOT CAMPUSWALK_COMMIT MATCHES "^[0-9a-f]+$")
+    message(FATAL_ERROR "CAMPUSWALK_COMMIT is '${CAMPUSWALK_COMMIT}', not a commit: a tag can be moved")
 endif()
 
 include(GNUInstallDirs)

@@ -1,172 +1,84 @@
-"""The codes of diagnostics, and what they say, from the string literals of the source.
+"""The codes of diagnostics and failures with what they mean, from diagnostics.toml; and those in the source, to compare it with.
 
-A code is a literal of words with hyphens (or one of kPlainCodes) that is handed to something which reports. Literals that
-look like codes and are none are listed, so that a new one is one or the other.
+In the source, a code is a string literal of words with hyphens (or one of PLAIN_CODES). Literals that look like codes and are
+none are listed, so that a new one has to be put either here or into diagnostics.toml.
 """
 
 import os
 import re
+import tomllib
 
 from check_layers.source import without_comments
 
 FOLDERS = ("collision", "scene", "engine", "config/loader", "tools/campuswalk")
+TABLE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "diagnostics.toml")
 # Codes of a single word.
 PLAIN_CODES = {"deprecated", "unreadable"}
-# Names of commands, help topics, options, files and formats.
-NOT_CODES = {"campuswalk-import-request", "campuswalk-import-response", "exit-codes", "import-helper", "jsonl-log",
-             "merge-reports", "nonnull-attribute", "slurm-explore", "system-err", "system-out", "timed-trace",
-             "xxxxxxxx-xxxx-xxxx-xxxx-xxxxxxxxxxxx"}
-# Of the failures of walks, which the results list, too.
-FAILURES = {"not-evaluated", "not-identical"}
+# Names of commands, help topics, options, files, formats and attributes; tags of maps and what is made of them.
+NOT_CODES = {"also-called", "assumed-entrance", "bicycle-stand", "campuswalk-import-request", "campuswalk-import-response",
+             "cycle-barrier", "exit-codes", "half-hipped", "import-helper", "jsonl-log", "map-helper", "merge-reports", "multi-storey",
+             "nonnull-attribute", "parcel-locker", "post-box", "short-name", "slurm-explore", "stop-sign", "system-err", "system-out",
+             "timed-trace", "vending-machine", "xxxxxxxx-xxxx-xxxx-xxxx-xxxxxxxxxxxx"}
+SEVERITIES = {"errors": ("error",), "warnings": ("warning",), "errors_or_warnings": ("error", "warning")}
 
 _LITERAL = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
-_COMPARED = re.compile(r"(?:==\s*|has_lint\([^()]*)$")
-_PRINTED = re.compile(r"(error|warning) ([a-z]+(?:-[a-z0-9]+)+): ?(.*)")
-_LATER = re.compile(r"\bmessage = ")
-_COMMA = re.compile(r"\s*,\s*")
+_PRINTED = re.compile(r"(?:error|warning) ([a-z]+(?:-[a-z0-9]+)+):")
 _CODE = re.compile(r"[a-z]+(?:-[a-z0-9]+)+")
-_WARNS = re.compile(r"(?:\bwarn|warning)$")
-_MOST_MESSAGES = 3
 
 
-def _opening(text, offset):
-    """Where the innermost bracket that is open there was opened, or the statement began."""
-    depth = 0
-    for i in range(offset - 1, -1, -1):
-        if text[i] in ")}]":
-            depth += 1
-        elif text[i] in "({[":
-            if depth == 0:
-                return i
-            depth -= 1
-        elif text[i] == ";" and depth == 0:
-            return i
-    return 0
+def table():
+    """Section -> code -> meaning."""
+    with open(TABLE, "rb") as file:
+        return tomllib.load(file)
 
 
-def _argument(text, offset):
-    """The argument that begins there, up to its comma or bracket."""
-    depth, i = 0, offset
-    while i < len(text):
-        literal = _LITERAL.match(text, i)
-        if literal:
-            i = literal.end()
-            continue
-        if text[i] in "({[":
-            depth += 1
-        elif text[i] in ")}]":
-            if depth == 0:
-                break
-            depth -= 1
-        elif text[i] in ",;" and depth == 0:
-            break
-        i += 1
-    return text[offset:i]
+def severities():
+    """code -> how it is reported: `error`, `warning` or both."""
+    described = table()
+    return {code: words for section, words in SEVERITIES.items() for code in described[section]}
 
 
-def _without_choices(argument):
-    """The expression with each (a ? b : c) as a value."""
-    before = None
-    while before != argument:
-        before = argument
-        argument = re.sub(r'\([^()"]*\)', " v ", argument)
-    return re.sub(r"\([^()]*\?[^()]*\)", " v ", argument)
-
-
-def _message(argument):
-    """The words of an expression that joins literals and values; a value is an ellipsis."""
-    argument = _without_choices(argument)
-    words, end = [], 0
-    for literal in _LITERAL.finditer(argument):
-        if re.search(r"[\w)]", argument[end:literal.start()]):
-            words.append("…")
-        words.append(literal[1].replace('\\"', '"'))
-        end = literal.end()
-    if words and re.search(r"[\w)]", argument[end:]):
-        words.append("…")
-    text = re.sub(r"…(?:\s*…)+", "…", "".join(words))
-    return text if len(re.findall(r"[a-z]{2,}", text)) >= 3 and "?" not in argument else ""
-
-
-class Use:
-    """A place in the source where a code is reported. Model lint only warns."""
-
-    def __init__(self, file, text, literal):
-        opening = _opening(text, literal.start())
-        self.warns = "lint" in file or bool(_WARNS.search(text[:opening].rstrip())) or \
-            "Severity::warning" in text[opening:literal.start()]
-        self.message, end = "", literal.end()
-        while not self.message and _COMMA.match(text, end):
-            start = _COMMA.match(text, end).end()
-            argument = _argument(text, start)
-            self.message, end = _message(argument), start + len(argument)
-        if not self.message:  # one that is put together later, in the same function
-            later = _LATER.search(text, end, max(end, text.find("\n}\n", end)))
-            self.message = _message(_argument(text, later.end())) if later else ""
-
-
-class PrintedUse:
-    """A code within the text of a whole diagnostic."""
-
-    def __init__(self, severity, message):
-        self.warns = severity == "warning"
-        self.message = message
-
-
-def uses(root):
-    """code -> its uses."""
-    found = {}
+def in_source(root):
+    """The literals that are, or look like, codes."""
+    found = set()
     for folder in FOLDERS:
         for base, _, names in os.walk(os.path.join(root, folder)):
-            for name in sorted(names):
+            for name in names:
                 if name.endswith((".h", ".cpp")):
                     with open(os.path.join(base, name), encoding="utf-8") as file:
-                        text = without_comments(file.read())
-                    for literal in _LITERAL.finditer(text):
-                        word = literal[1]
-                        printed = _PRINTED.search(word)
-                        if printed:
-                            found.setdefault(printed[2], []).append(PrintedUse(printed[1], printed[3]))
-                        if _COMPARED.search(text[max(0, literal.start() - 80):literal.start()]):
-                            continue
-                        if word in PLAIN_CODES or _CODE.fullmatch(word) and word not in NOT_CODES | FAILURES:
-                            found.setdefault(word, []).append(Use(os.path.join(base, name), text, literal))
-    return found
+                        for literal in _LITERAL.findall(without_comments(file.read())):
+                            found.update(_PRINTED.findall(literal))
+                            if literal in PLAIN_CODES or _CODE.fullmatch(literal):
+                                found.add(literal)
+    return found - NOT_CODES
 
 
-def rows(root):
-    """(code, severity, messages) of each."""
-    found = []
-    for code, places in sorted(uses(root).items()):
-        severities = sorted({"warning" if place.warns else "error" for place in places})
-        messages = list(dict.fromkeys(place.message for place in places if place.message))
-        shown = [_in_cell(message) for message in messages[:_MOST_MESSAGES]]
-        if len(messages) > _MOST_MESSAGES:
-            shown.append("and others")
-        found.append(("`%s`{ #%s }" % (code, code), ", ".join(severities), "<br>".join(shown) or "…"))
-    return found
+def rows():
+    """(code, severity, meaning) of each diagnostic."""
+    described = table()
+    found = sorted((code, words, described[section][code]) for section, words in SEVERITIES.items() for code in described[section])
+    return [("`%s`{ #%s }" % (code, code), ", ".join(words), meaning) for code, words, meaning in found]
 
 
-def _in_cell(text):
-    for plain, escaped in (("&", "&amp;"), ("<", "&lt;"), ("|", "\\|"), ("*", "\\*"), ("_", "\\_"), ("`", "\\`"), ("{", "&#123;")):
-        text = text.replace(plain, escaped)
-    return text
+def failures():
+    """(code, meaning) of each failure that isn't an expectation of its own name."""
+    return [("`%s`" % code, meaning) for code, meaning in table()["failures"].items()]
 
 
-def failures(walk_schema):
-    """The codes that `status: {failures: …}` of a walk may name."""
-    forms = walk_schema["definitions"].get("failure_code") or _enum_of_failures(walk_schema)
-    return forms["enum"] + sorted(FAILURES)
+def expectations(walk_schema):
+    """The codes that `status: {failures: …}` of a walk may name, and that are the names of expectations."""
+    described = table()["failures"]
+    return [code for code in enum_of_failures(walk_schema) if code not in described]
 
 
-def _enum_of_failures(schema):
+def enum_of_failures(schema):
     """The enumeration that has `unreachable`, wherever the schema defines it."""
     pending = [schema]
     while pending:
         each = pending.pop()
         if isinstance(each, dict):
             if "unreachable" in each.get("enum", []):
-                return each
+                return each["enum"]
             pending += each.values()
         elif isinstance(each, list):
             pending += each

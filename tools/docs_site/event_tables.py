@@ -1,37 +1,27 @@
-"""Tables of events and their fields.
+"""Tables of events and their fields, from `campuswalk help events --json`.
 
-The kinds are in engine/events/event.cpp, when they occur in `campuswalk help events`. The simulation adds fields where an
-event arises; what they mean is in event_fields.toml, which `source_fields` and the logs of walks are compared with
-(tests/docs/reference_test.py).
+The simulation adds fields where an event arises; tests/docs/reference_test.py compares `source_fields` and the logs of walks with
+what the program says of them.
 """
 
+import json
 import os
 import re
-import tomllib
+
+from . import command_lines
 
 _KIND = re.compile(r'std::pair\{EventKind::\w+, "([a-z]+\.[a-z]+)"\}')
-_HELP = re.compile(r"^  (\w+\.\w+(?: \.\w+)*) {2,}(\S.*)$", re.MULTILINE)
 _FIELD = re.compile(r'\{"([a-z_]+)",|\{(kWhy),')
 
 
 def kinds(sources):
-    """The names of all kinds, in their order."""
+    """The names of all kinds in the source, in their order."""
     return _KIND.findall(sources.text("engine", "events", "event.cpp"))
 
 
-def meanings(sources):
-    """When each event occurs, by its name."""
-    found = {}
-    for names, text in _HELP.findall(sources.output("help", "events")):
-        first, *others = names.split()
-        for name in [first] + [first.split(".")[0] + other for other in others]:
-            found[name] = text
-    return found
-
-
 def described(sources):
-    """The fields of event_fields.toml: name -> {value, meaning, events}."""
-    return tomllib.loads(sources.text("tools", "docs_site", "event_fields.toml"))
+    """What the program says: {events: [{event, object, when, fields}], fields: [{field, value, meaning}]}."""
+    return json.loads(sources.output("help", "events", "--json"))
 
 
 def source_fields(sources):
@@ -47,13 +37,11 @@ def source_fields(sources):
 
 
 def events(sources):
-    """(event, when, fields) of each."""
-    when, fields_of = meanings(sources), described(sources)
-    return [("`%s`" % kind, when[kind],
-             ", ".join("`%s`" % name for name, field in fields_of.items() if kind in field["events"]))
-            for kind in kinds(sources)]
+    """(event, object, fields, when) of each."""
+    return [("`%s`" % each["event"], each["object"], ", ".join("`%s`" % name for name in each["fields"]),
+             command_lines.in_markdown(each["when"])) for each in described(sources)["events"]]
 
 
 def fields(sources):
     """(field, value, meaning) of each."""
-    return [("`%s`" % name, field["value"], field["meaning"]) for name, field in described(sources).items()]
+    return [("`%s`" % each["field"], each["value"], each["meaning"]) for each in described(sources)["fields"]]

@@ -55,20 +55,33 @@ def commands(sources):
 
 
 def events(sources):
-    return table(("event", "when", "fields"), event_tables.events(sources))
+    return table(("event", "object", "fields", "when"), event_tables.events(sources))
 
 
 def event_fields(sources):
     return table(("field", "value", "meaning"), event_tables.fields(sources))
 
 
-def error_codes(sources):
-    return table(("code", "", "messages"), diagnostic_codes.rows(sources.root))
+def error_codes(_):
+    return table(("code", "is", "means"), diagnostic_codes.rows())
 
 
-def failure_codes(sources):
-    codes = diagnostic_codes.failures(sources.schema("walk.schema.json"))
+def failure_codes(_):
+    return table(("code", "means"), diagnostic_codes.failures())
+
+
+def expectation_codes(sources):
+    codes = diagnostic_codes.expectations(sources.schema("walk.schema.json"))
     return ", ".join("`%s`" % code for code in codes)
+
+
+def downloads(sources):
+    """Where the packages are, if the program knows where it is published."""
+    address = re.search(r'CAMPUSWALK: "(https://github\.com/[^/]+/[^/]+/releases)/', sources.initial(".gitlab-ci.yml", "--ci", "gitlab"))
+    if address:
+        return "The packages are at <%s>." % address[1]
+    return ("The program that this page was made with doesn't know where it is published (CMake's `CAMPUSWALK_REPOSITORY` is empty), so "
+            "there is no address here: take the packages from where you got this page, or [build them](#build-the-packages).")
 
 
 def section(sources, argument):
@@ -94,10 +107,12 @@ def initial_file(sources, argument):
 
 GENERATORS = {
     "commands": commands,
+    "downloads": downloads,
     "error-codes": error_codes,
     "event-fields": event_fields,
     "events": events,
     "exit-codes": exit_codes,
+    "expectation-codes": expectation_codes,
     "failure-codes": failure_codes,
     "initial-file": initial_file,
     "json": json_keys,

@@ -132,7 +132,13 @@ private:
         CheckedMap feature(node, "a feature");
         const auto properties = feature.find("properties");
         const auto geometry = feature.find("geometry");
-        if (!feature.is_map() || !properties || properties->is_null()) {
+        if (!feature.is_map()) {
+            return;
+        }
+        if (!properties || properties->is_null()) {
+            if (file_.where.empty()) {
+                unnamed_.add(node.mark(), "");
+            }
             return;
         }
         CheckedMap values(*properties, "'properties'");
@@ -142,12 +148,17 @@ private:
         for (const CheckedNode::Entry& entry : properties->entries()) {
             seen_.insert(entry.key);
         }
-        const auto name_node = values.find(file_.name_property);
-        if (!name_node || name_node->is_null() || !is_wanted(values)) {
+        if (!is_wanted(values)) {
             return;
         }
-        const std::optional<std::string> name = name_node->text();
-        if (!name || name->empty()) {
+        const auto name_node = values.find(file_.name_property);
+        const bool is_named = name_node && !name_node->is_null();
+        const std::optional<std::string> name = is_named ? name_node->text() : "";
+        if (!name) {
+            return;  // which has been reported
+        }
+        if (name->empty()) {
+            unnamed_.add(node.mark(), "");
             return;
         }
         read_geometry(node.mark(), *name, geometry);
@@ -228,6 +239,13 @@ private:
                 warnings_.push_back({Severity::warning, left.first, code, them + text});
             }
         };
+        if (unnamed_.count > 0) {
+            warnings_.push_back({Severity::warning, unnamed_.first, "unnamed-feature",
+                                 std::to_string(unnamed_.count) +
+                                     (unnamed_.count == 1 ? " feature is" : " features are") +
+                                     " left out without a property " + in_quotes(file_.name_property) +
+                                     "; say which property is the name with 'name', or choose with 'where'"});
+        }
         warn(
             not_points_, "not-a-point",
             " left out, as a place is a single point; make points of them, for example with QGIS's 'Point on "
@@ -255,6 +273,7 @@ private:
     bool geographic_ = true;
     std::vector<NamedPoint> points_;
     std::set<std::string> seen_;  ///< properties of the features
+    LeftOut unnamed_;
     LeftOut not_points_;
     LeftOut far_;
 };

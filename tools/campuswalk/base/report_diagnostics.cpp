@@ -4,6 +4,7 @@
 
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/print.h"
+#include "tools/campuswalk/base/standard_streams.h"
 
 namespace campuswalk::tools {
 
@@ -24,6 +25,8 @@ int report_exceptions(const std::function<int()>& command) {
     } catch (const scene::InputError& error) {
         diagnose(error.diagnostics());
         return kBadInput;
+    } catch (const NoReader&) {
+        return kRunFailed;  // not a success: what was to be said, such as that a walk fails, wasn't read
     } catch (const std::exception& error) {
         print_error_line(std::string("error: ") + error.what());
         return kRunFailed;

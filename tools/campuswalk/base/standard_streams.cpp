@@ -1,13 +1,23 @@
 #include "tools/campuswalk/base/standard_streams.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include <csignal>
 #include <cstdio>
-#include <stdexcept>
 
 namespace campuswalk::tools {
+
+namespace {
+
+/// Of a pipe or socket whose other end is closed. The errno of the write that failed is long gone.
+bool has_no_reader(int stream) {
+    pollfd state{.fd = stream, .events = POLLOUT, .revents = 0};
+    return poll(&state, 1, 0) == 1 && (state.revents & POLLERR) != 0;
+}
+
+}  // namespace
 
 void guard_standard_streams() {
     for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream) {
@@ -21,7 +31,11 @@ void guard_standard_streams() {
 
 void check_standard_output() {
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-        throw std::runtime_error("standard output can't be written");
+        constexpr const char* kWhat = "standard output can't be written";
+        if (has_no_reader(STDOUT_FILENO)) {
+            throw NoReader(kWhat);
+        }
+        throw std::runtime_error(kWhat);
     }
 }
 

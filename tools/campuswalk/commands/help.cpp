@@ -23,16 +23,34 @@ std::string list_of_topics() {
     return text + "\nOptions of a command: campuswalk COMMAND --help\n";
 }
 
+std::string topics_with_json() {
+    std::vector<std::string> names;
+    for (const help::Topic& topic : help::topics()) {
+        if (topic.json != nullptr) {
+            names.emplace_back(topic.name);
+        }
+    }
+    return joined(names, ", ");
+}
+
 /// Prints the text of a topic, or the list of topics for an empty name. Returns the exit code: an unknown
 /// topic is bad usage.
-int print_help(const std::string& word, const std::vector<std::string>& names) {
+int print_help(const std::string& word, bool as_json, const std::vector<std::string>& names) {
+    if (word.empty() && as_json) {
+        throw scene::InputError({"--json", 1, 1}, "missing-key", "name a topic: " + topics_with_json());
+    }
     if (word.empty()) {
         print_lines(list_of_topics());
         return kPass;
     }
     for (const help::Topic& topic : help::topics()) {
+        if (topic.name == word && as_json && topic.json == nullptr) {
+            throw scene::InputError(
+                {"--json", 1, 1}, "bad-value",
+                "'" + word + "' is for readers only; as JSON there is " + topics_with_json());
+        }
         if (topic.name == word) {
-            print_lines(topic.text());
+            print_lines(as_json ? json_text(topic.json(), 2) : topic.text());
             return kPass;
         }
     }
@@ -52,7 +70,9 @@ void add_help(Command program, CommandAction& chosen) {
     }
     command.option(
         {.names = "TOPIC", .help = "All topics are listed without one", .value = joined(names, "|")}, *topic);
-    command.choose(chosen, [topic, names] { return print_help(*topic, names); });
+    const auto as_json = std::make_shared<bool>(false);
+    command.flag({.names = "--json", .help = "Print JSON, of " + topics_with_json()}, *as_json);
+    command.choose(chosen, [topic, as_json, names] { return print_help(*topic, *as_json, names); });
 }
 
 }  // namespace campuswalk::tools

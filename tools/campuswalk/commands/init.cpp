@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -55,6 +57,10 @@ void check_folder(const fs::path& folder) {
     require_writable_folder(folder, "the project can't be written here");
 }
 
+bool is_walk(const init::NewFile& file) {
+    return file.path.ends_with(".walk.yaml");
+}
+
 /// Removes the files and folders that were made, unless all of them were.
 class Undo {
 public:
@@ -95,7 +101,8 @@ void write(const fs::path& path, const std::string& text, Undo& undo) {
 int make_project(const InitOptions& options) {
     check_folder(options.folder);
     std::vector<init::NewFile> files = init::files_of(options.which);
-    if (std::optional<init::NewFile> file = init::ci_file(options.service)) {
+    const auto walks = static_cast<std::size_t>(std::count_if(files.begin(), files.end(), is_walk));
+    if (std::optional<init::NewFile> file = init::ci_file(options.service, init::publication(), walks)) {
         files.push_back(std::move(*file));
     }
     Undo undo;

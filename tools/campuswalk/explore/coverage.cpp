@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "engine/report/outcome.h"
 #include "engine/simulation/run_walk.h"
 #include "engine/walkspace/node_numbers.h"
 
@@ -103,7 +104,9 @@ Coverage measure_coverage(const scene::Campus& campus, const engine::WalkReport&
     coverage.walks = walks.size();
     for (const engine::Walk& walk : walks) {
         const std::array<engine::Observer*, 1> observers{&visits};
-        coverage.failed += engine::run_walk(campus, walk, observers).passed ? 0U : 1U;
+        const engine::EvaluatedWalk verdict =
+            engine::outcome_of_failures(engine::run_walk(campus, walk, observers).failures, walk.status);
+        coverage.failed += verdict.outcome == engine::Outcome::passed ? 0U : 1U;
     }
     coverage.area = visits.area();
     const double reached = report.space.area();

@@ -149,7 +149,10 @@ void print_coverage(const WalkReport& report, const Coverage& coverage) {
     print_line(
         "coverage   %s %% of the ground (%s m²) by %zu walk%s%s", fixed(100.0 * coverage.share, 1).c_str(),
         fixed(coverage.area, 1).c_str(), coverage.walks, coverage.walks == 1 ? "" : "s",
-        coverage.failed == 0 ? "" : (", of which " + std::to_string(coverage.failed) + " fail").c_str());
+        coverage.failed == 0
+            ? ""
+            : (", of which " + std::to_string(coverage.failed) + (coverage.failed == 1 ? " fails" : " fail"))
+                  .c_str());
     for (const SubjectKind kind : {SubjectKind::building, SubjectKind::trigger}) {
         std::size_t reached = 0;
         std::size_t visited = 0;

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "engine/report/make_reporter.h"
+#include "tools/campuswalk/help/event_table.h"
 #include "tools/campuswalk/help/key_table.h"
 
 namespace campuswalk::tools::help {
@@ -55,22 +56,11 @@ reported instead of passing.
 }
 
 std::string events() {
-    return R"(Each line of the log is an event: tick, seconds, kind, object, details.
+    return R"(Each line of the log is an event: tick, seconds, kind, object, details. The kinds, with what their object is:
 
-  walk.start .end                 the walk starts, has ended
-  collision.enter .stay .exit     the body touches a solid object that it doesn't stand on
-  trigger.enter .stay .exit       the body is inside a trigger volume
-  ray.enter .stay .exit           the visitor looks at an object, with nothing solid in between
-  popup.open .close               a building's first contact has begun, its last one has ended
-  avatar.spawn .teleport          the avatar was placed
-  avatar.arrive .blocked          a walk_to, go_to or follow has ended
-  avatar.stuck                    it tried to move for a second and got less than 10 cm farther
-  avatar.jump .crouch .stand      a step made the avatar jump, crouch or stand up
-  avatar.landed .fell             the avatar has landed, or has fallen out of the world
-  avatar.depenetrated             it was placed inside an object and pushed out
-  object.enable .disable          a step switched an object on or off
-  snapshot.take                   a picture was requested
-  expect.fail                     an expectation failed
+)" + event_lines() +
+           R"(
+A walk_to, go_to or follow without a name of its target has the coordinates. --json lists the details, too.
 
 Patterns may contain globs: 'collision.* bench/*', 'popup.open library', 'avatar.fell'.
 )";
@@ -108,7 +98,8 @@ std::string exit_codes() {
      'imgdiff' and 'replay --verify': different; of 'collide': overlapping; of 'route': no way; of
      'explore': what --require, --fail-on or --fail-under forbids
 2    bad usage or input, reported as FILE:LINE:COLUMN: error CODE: MESSAGE before that walk runs
-3    something failed while running: disk full, no OpenGL
+3    something failed while running: disk full, no OpenGL; without a message if the output has no reader
+     any more, as after '| head'
 5    nothing was selected
 130  interrupted
 )";
@@ -203,7 +194,7 @@ constexpr std::array kTopics = {
     Topic{"walks", "NAME.walk.yaml: a walk", walks},
     Topic{"steps", "What the visitor can do", steps},
     Topic{"expectations", "What can be expected of a walk", expectations},
-    Topic{"events", "The events of the log, and how expectations name them", events},
+    Topic{"events", "The events of the log, and how expectations name them", events, event_json},
     Topic{"campus", "NAME.campus.yaml: a campus", campus},
     Topic{"popups", "Information windows: when they open and what they show", popups},
     Topic{"avatars", "Who walks: NAME.avatar.yaml", avatars},

@@ -1,5 +1,6 @@
 #include "tools/campuswalk/init/ci_files.h"
 
+#include <initializer_list>
 #include <string_view>
 #include <utility>
 
@@ -7,73 +8,81 @@ namespace campuswalk::tools::init {
 
 namespace {
 
-constexpr std::string_view kRepository = CAMPUSWALK_REPOSITORY;  // OWNER/NAME; empty if this build knows none
-
-constexpr const char* kWorkflow = R"(name: walks
+constexpr const char* kOpening = R"(name: walks
 on: [push, pull_request]
 permissions:
   contents: read
-jobs:
+)";
+
+constexpr const char* kUnknownPlace = R"(env:
+  # To be filled in here: pull requests from forks don't get the repository's variables.
+  CAMPUSWALK: ""   # OWNER/NAME of the repository with campuswalk's releases
+  CAMPUSWALK_COMMIT: "@COMMIT@"   # of release @VERSION@ there, 40 digits: a tag can be moved
+)";
+
+constexpr const char* kJob = R"(jobs:
   walks:
     runs-on: ubuntu-24.04
+    timeout-minutes: 30
     steps:
       - uses: actions/checkout@11bd71901bbe5b1630ceea73d27597364c9af683 # v4.2.2
         with:
           persist-credentials: false
 )";
 
-constexpr const char* kPublishedAction = R"(      - uses: @REPOSITORY@@@REVISION@ # v@VERSION@
+constexpr const char* kPublishedAction = R"(      - uses: @REPOSITORY@@@COMMIT@ # v@VERSION@
         with:
 )";
 
-constexpr const char* kActionOfAVariable =
-    R"(      # The repository variable CAMPUSWALK, as OWNER/NAME, says where campuswalk and its releases are.
-      - name: Check where campuswalk comes from
-        if: ${{ vars.CAMPUSWALK == '' }}
+constexpr const char* kActionOfThatPlace = R"(      - name: Check where campuswalk comes from
         run: |
-          echo "::error::set the repository variable CAMPUSWALK to OWNER/NAME of campuswalk's repository"
-          exit 1
+          [[ $CAMPUSWALK == ?*/?* && $CAMPUSWALK_COMMIT =~ ^[0-9a-f]{40}$ ]] || {
+            echo "::error::fill in CAMPUSWALK and CAMPUSWALK_COMMIT in this workflow"
+            exit 1
+          }
       - uses: actions/checkout@11bd71901bbe5b1630ceea73d27597364c9af683 # v4.2.2
         with:
-          repository: ${{ vars.CAMPUSWALK }}
-          ref: @REVISION@
+          repository: ${{ env.CAMPUSWALK }}
+          ref: ${{ env.CAMPUSWALK_COMMIT }}
           path: .campuswalk
           persist-credentials: false
       - uses: ./.campuswalk
         with:
-          repository: ${{ vars.CAMPUSWALK }}
+          repository: ${{ env.CAMPUSWALK }}
 )";
 
 constexpr const char* kActionSettings = R"(          version: @VERSION@
+          sha256: ""   # from the release's SHA256SUMS, of its linux-x86_64.tar.xz
           arguments: |
             --strict
             --forbid-only
+            --min-cases=@WALKS@
 )";
 
 constexpr const char* kPipeline = R"(# Failed walks are listed in the merge request, with their pictures.
 walks:
   image: debian:12
+  timeout: 30 minutes
   variables:
-@ADDRESS@    CAMPUSWALK_SHA256: ""   # from the release's SHA256SUMS: refuses any other package
-    CAMPUSWALK_CACHE_DIR: /var/cache/campuswalk
+    # To be filled in here: pipelines of forks don't get the project's variables.
+    CAMPUSWALK: "@ADDRESS@"   # the address of campuswalk_@VERSION@_amd64.deb
+    CAMPUSWALK_SHA256: ""   # of that file, from the release's SHA256SUMS
   before_script:
-    - test -n "$CAMPUSWALK" || { echo "set the CI/CD variable CAMPUSWALK to the address of campuswalk's .deb"; exit 1; }
+    - >-
+      test -n "$CAMPUSWALK" && test -n "$CAMPUSWALK_SHA256" ||
+      { echo "fill in CAMPUSWALK and CAMPUSWALK_SHA256 in .gitlab-ci.yml"; exit 1; }
     - apt-get update -q
     - apt-get install -y -q --no-install-recommends ca-certificates curl
-    - curl --fail --silent --show-error --location --proto =https --output /tmp/campuswalk.deb "$CAMPUSWALK"
-    - test -z "$CAMPUSWALK_SHA256" || echo "$CAMPUSWALK_SHA256  /tmp/campuswalk.deb" | sha256sum --check
-    - apt-get install -y -q /tmp/campuswalk.deb
-    # GitLab keeps only what is in the project, and campuswalk trusts no cache that could have come with it.
-    - mkdir -p .campuswalk "$CAMPUSWALK_CACHE_DIR" && cp -R .campuswalk/. "$CAMPUSWALK_CACHE_DIR"
-  script:
     - >-
-      campuswalk run --strict --forbid-only --reporter list
+      curl --fail --silent --show-error --location --proto =https
+      --output /tmp/campuswalk.deb "$CAMPUSWALK"
+    - echo "$CAMPUSWALK_SHA256  /tmp/campuswalk.deb" | sha256sum --check
+    - apt-get install -y -q /tmp/campuswalk.deb
+  script:
+    # No cache is kept between jobs: the pipeline of any branch could write to it.
+    - >-
+      campuswalk run --strict --forbid-only --min-cases=@WALKS@ --reporter list
       --reporter junit=out/junit.xml --reporter html=out/report.html
-  after_script:
-    - cp -R /var/cache/campuswalk/. .campuswalk
-  cache:
-    key: campuswalk
-    paths: [.campuswalk]
   artifacts:
     when: always
     paths: [out]
@@ -81,41 +90,50 @@ walks:
       junit: out/junit.xml
 )";
 
-std::string filled(std::string text, std::string_view name, std::string_view value) {
-    const std::string mark = "@" + std::string(name) + "@";
-    for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + value.size())) {
-        text.replace(at, mark.size(), value);
+using Value = std::pair<std::string_view, std::string>;
+
+std::string filled(std::string text, std::initializer_list<Value> values) {
+    for (const auto& [name, value] : values) {
+        const std::string mark = "@" + std::string(name) + "@";
+        for (std::size_t at = text.find(mark); at != std::string::npos;
+             at = text.find(mark, at + value.size())) {
+            text.replace(at, mark.size(), value);
+        }
     }
     return text;
 }
 
-std::string filled(const std::string& text) {
-    return filled(filled(filled(text, "REPOSITORY", kRepository), "REVISION", CAMPUSWALK_REVISION), "VERSION",
-                  CAMPUSWALK_VERSION);
+std::string workflow(const Publication& from, std::size_t walks) {
+    const bool is_known = !from.repository.empty() && !from.commit.empty();
+    const std::string text = std::string(kOpening) + (is_known ? "" : kUnknownPlace) + kJob +
+                             (is_known ? kPublishedAction : kActionOfThatPlace) + kActionSettings;
+    return filled(text, {{"REPOSITORY", from.repository},
+                         {"COMMIT", from.commit},
+                         {"VERSION", from.version},
+                         {"WALKS", std::to_string(walks)}});
 }
 
-std::string workflow() {
-    const char* action = kRepository.empty() ? kActionOfAVariable : kPublishedAction;
-    return filled(std::string(kWorkflow) + action + kActionSettings);
-}
-
-std::string pipeline() {
-    const std::string address = kRepository.empty() ? ""
-                                                    : filled(
-                                                          "    CAMPUSWALK: "
-                                                          "https://github.com/@REPOSITORY@/releases/download/"
-                                                          "v@VERSION@/campuswalk_@VERSION@_amd64.deb\n");
-    return filled(kPipeline, "ADDRESS", address);
+std::string pipeline(const Publication& from, std::size_t walks) {
+    const std::string address = from.repository.empty()
+                                    ? ""
+                                    : "https://github.com/" + from.repository + "/releases/download/v" +
+                                          from.version + "/campuswalk_" + from.version + "_amd64.deb";
+    return filled(kPipeline,
+                  {{"ADDRESS", address}, {"VERSION", from.version}, {"WALKS", std::to_string(walks)}});
 }
 
 }  // namespace
 
-std::optional<NewFile> ci_file(Service service) {
+Publication publication() {
+    return {.repository = CAMPUSWALK_REPOSITORY, .commit = CAMPUSWALK_COMMIT, .version = CAMPUSWALK_VERSION};
+}
+
+std::optional<NewFile> ci_file(Service service, const Publication& from, std::size_t walks) {
     switch (service) {
         case Service::github:
-            return NewFile{".github/workflows/walks.yml", workflow()};
+            return NewFile{".github/workflows/walks.yml", workflow(from, walks)};
         case Service::gitlab:
-            return NewFile{".gitlab-ci.yml", pipeline()};
+            return NewFile{".gitlab-ci.yml", pipeline(from, walks)};
         case Service::none:
             break;
     }

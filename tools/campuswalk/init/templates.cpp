@@ -12,13 +12,15 @@ scenes:
   - file: school.obj
 layers: [ground, furniture]
 buildings:
-  - {id: library, nodes: "library_*", kind: library, title: Main Library, hours: "08-22", floors: 1,
-     text: Books and one desk.}
+  - {id: library, nodes: "library_*", kind: library, title: Main Library, hours: "08-22",
+     floors: 1, text: Books and one desk.}
 colliders:
   - {id: ground, nodes: terrain, shape: mesh, mode: solid, layer: ground, popup: false}
-  - {id: library/walls, building: library, nodes: library_walls, shape: mesh, mode: [solid, ray], popup: false}
+  - {id: library/walls, building: library, nodes: library_walls, shape: mesh,
+     mode: [solid, ray], popup: false}
   - {id: library/desk, nodes: library_desk, shape: box, mode: solid, layer: furniture}
-  - {id: library/door, building: library, shape: box, center: [0, 1.2, -6], size: [2, 2.4, 1], mode: trigger}
+  - {id: library/door, building: library, shape: box, center: [0, 1.2, -6],
+     size: [2, 2.4, 1], mode: trigger}
 )";
 
 constexpr const char* kStairs = R"(  - {id: stairs, nodes: stairs, shape: mesh, mode: solid, layer: ground}

@@ -159,7 +159,7 @@ UpdateSnapshots updates_for(const RunOptions& options, const Environment& enviro
     const UpdateSnapshots update = options.update.value_or(UpdateSnapshots::none);
     if (update != UpdateSnapshots::none && is_ci(environment)) {
         throw InputError(option("--update-snapshots"), "bad-value",
-                         "golden logs aren't written where CI is set; unset it if this isn't CI");
+                         "golden logs and images aren't written where CI is set; unset it if this isn't CI");
     }
     return update;
 }

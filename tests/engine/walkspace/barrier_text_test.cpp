@@ -1,0 +1,43 @@
+#include "engine/walkspace/barrier_text.h"
+
+#include <memory>
+#include <numbers>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "collision/world/broad_phase.h"
+
+namespace campuswalk::engine {
+namespace {
+
+using testing::HasSubstr;
+
+std::string text_of(BarrierKind kind, double measured, double allowed) {
+    const scene::Campus campus{{}, {}, {}, collision::World(std::make_unique<collision::LinearBroadPhase>())};
+    Barrier barrier;
+    barrier.kind = kind;
+    barrier.measured = measured;
+    barrier.allowed = allowed;
+    return barrier_text(campus, barrier);
+}
+
+TEST(BarrierText, NumbersHaveSoManyDecimalsThatTheyDiffer) {
+    EXPECT_EQ(text_of(BarrierKind::riser, 0.17, 0.1),
+              "riser of 0.17 m at 0.00, 0.00, 0.00; the avatar steps 0.10 m");
+    EXPECT_EQ(text_of(BarrierKind::riser, 0.17, 0.165),
+              "riser of 0.170 m at 0.00, 0.00, 0.00; the avatar steps 0.165 m");
+    EXPECT_THAT(text_of(BarrierKind::opening, 0.5996, 0.6),
+                HasSubstr("is 0.5996 m wide, the body needs 0.6000 m"));
+    EXPECT_THAT(text_of(BarrierKind::headroom, 1.798, 1.8), HasSubstr("headroom of 1.798 m"));
+    constexpr double kDegree = std::numbers::pi / 180.0;
+    EXPECT_THAT(text_of(BarrierKind::slope, 50.04 * kDegree, 50.0 * kDegree),
+                HasSubstr("slope of 50.04 degrees at 0.00, 0.00, 0.00; the avatar walks up 50.00"));
+}
+
+TEST(BarrierText, NumbersThatAreEqualToATenthOfAMillimetreStayReadable) {
+    EXPECT_THAT(text_of(BarrierKind::riser, 0.30000001, 0.3), HasSubstr("riser of 0.3000 m"));
+}
+
+}  // namespace
+}  // namespace campuswalk::engine
