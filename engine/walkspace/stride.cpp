@@ -67,8 +67,9 @@ StrideEnd Strider::take(const GroundState& from, const Stride& stride, const Wal
 
     StrideEnd end;
     if (shares_fall(from, stride, grid)) {
-        const std::size_t last = shared_.moments.size() - 1;
-        const SharedFall::Moment& moment = shared_.moments[std::min<std::size_t>(stride.steers_after, last)];
+        // What the last stride did after that is no part of this one's path.
+        shared_.moments.resize(std::min<std::size_t>(stride.steers_after + 1U, shared_.moments.size()));
+        const SharedFall::Moment& moment = shared_.moments.back();
         state_ = moment.state;
         path_.resize(moment.ticks);
         obstructed_ticks_ = moment.obstructed_ticks;
