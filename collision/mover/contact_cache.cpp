@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numeric>
 
 #include <Eigen/Geometry>
 
@@ -21,11 +22,9 @@ constexpr std::size_t kFewPieces = 16;
 constexpr std::size_t kManyPieces = 40;
 /// The vertical margin, metres.
 constexpr double kVerticalMargin = 0.2;
-/// More is gathered when no more than this share of a margin is left.
-constexpr double kRefillShare = 0.4;
 
 /// Pieces that memory is reserved for at first.
-constexpr std::size_t kInitialCapacity = 256;
+constexpr std::size_t kInitialCapacity = 64;
 
 /// Never 0, which marks a free slot.
 std::uint64_t key_of(ObjectId id, std::uint32_t triangle) {
@@ -63,26 +62,15 @@ void ContactCache::clear() {
     covered_ = Aabb{};
     margin_ = kFirstMargin;
     pieces_.clear();
-    cached_.clear();
+    measured_.clear();
+    unused_.resize(measurements_.size());
+    std::iota(unused_.begin(), unused_.end(), 0U);
 }
 
 void ContactCache::cover(const Aabb& box, double below, QueryStatistics* statistics) {
-    const Vec3 more(margin_, kVerticalMargin, margin_);
-    const Aabb wanted{box.min - more - Vec3(0, below, 0), box.max + more};
     if (!contains(covered_, box)) {
-        move_to(wanted, statistics);
-        return;
-    }
-    // Early, and along one axis at a time, so that no tick has to gather on all sides.
-    for (int axis = 0; axis < 3; ++axis) {
-        const double left = std::min(box.min[axis] - covered_.min[axis], covered_.max[axis] - box.max[axis]);
-        if (left < kRefillShare * more[axis]) {
-            Aabb next = covered_;
-            next.min[axis] = wanted.min[axis];
-            next.max[axis] = wanted.max[axis];
-            move_to(next, statistics);
-            return;
-        }
+        const Vec3 more(margin_, kVerticalMargin, margin_);
+        move_to({box.min - more - Vec3(0, below, 0), box.max + more}, statistics);
     }
 }
 
@@ -105,10 +93,13 @@ void ContactCache::drop_outside() {
             ++i;
             continue;
         }
+        if (measured_[i] != kNotMeasured) {
+            unused_.push_back(measured_[i]);
+        }
         pieces_[i] = pieces_.back();
-        cached_[i] = cached_.back();
+        measured_[i] = measured_.back();
         pieces_.pop_back();
-        cached_.pop_back();
+        measured_.pop_back();
     }
 }
 
@@ -203,7 +194,7 @@ void ContactCache::add(const Obstacle& obstacle, const Aabb& box) {
     const bool walkable = obstacle.solid == nullptr && std::abs(obstacle.normal.y()) >= settings_.min_up;
     reserve_for(pieces_.size() + 1);
     pieces_.push_back({obstacle, box, walkable});
-    cached_.emplace_back();
+    measured_.push_back(kNotMeasured);
 }
 
 /// About the new centre. A piece's latest measurement gives a better bound than its box.
@@ -217,20 +208,23 @@ void ContactCache::restart_bounds() {
         bounds_.back().offset.fill(std::numeric_limits<float>::infinity());
     }
     for (Index i = 0; i < pieces_.size(); ++i) {
-        if (const Separation& s = cached_[i].measured[cached_[i].last]; s.distance > 0.0) {
-            set_bound(i, s.normal, s.bound(origin_));
-        } else {
-            bound_by_box(i);
+        if (measured_[i] != kNotMeasured) {
+            const Measurements& known = measurements_[measured_[i]];
+            if (const Separation& s = known.measured[known.last]; s.distance > 0.0) {
+                set_bound(i, s.normal, s.bound(origin_));
+                continue;
+            }
         }
+        bound_by_box(i);
     }
 }
 
 /// With `push_back` alone, one piece more than ever before would allocate.
 void ContactCache::reserve_for(std::size_t count) {
     if (count > pieces_.capacity()) {
-        const std::size_t room = std::max(kInitialCapacity, 2 * count);
+        const std::size_t room = std::max(kInitialCapacity, count + count / 4);
         pieces_.reserve(room);
-        cached_.reserve(room);
+        measured_.reserve(room);
         bounds_.reserve(room / kLanes + 1);
         near_.reserve(room + kLanes + 1);
     }
@@ -295,8 +289,21 @@ std::span<const ContactCache::Index> ContactCache::survey(const Vec3& foot, doub
     return {near_.data(), count};
 }
 
+ContactCache::Measurements& ContactCache::measurements_of(Index i) {
+    if (measured_[i] == kNotMeasured) {
+        if (unused_.empty()) {
+            unused_.push_back(static_cast<std::uint32_t>(measurements_.size()));
+            measurements_.emplace_back();
+        }
+        measured_[i] = unused_.back();
+        unused_.pop_back();
+        measurements_[measured_[i]] = {};
+    }
+    return measurements_[measured_[i]];
+}
+
 Separation& ContactCache::measure(Index i, const Vec3& foot) {
-    CachedPiece& cached = cached_[i];
+    Measurements& cached = measurements_of(i);
     for (std::uint8_t k = 0; k < 2; ++k) {
         if (cached.measured[k].foot == foot) {
             cached.last = k;
@@ -319,8 +326,19 @@ Separation& ContactCache::measure(Index i, const Vec3& foot) {
     return s;
 }
 
+double ContactCache::known_distance(Index i, const Vec3& foot) const {
+    if (measured_[i] == kNotMeasured) {
+        return 0.0;
+    }
+    const Measurements& known = measurements_[measured_[i]];
+    return std::max(known.measured[0].bound(foot), known.measured[1].bound(foot));
+}
+
 bool ContactCache::known_apart(Index i, const Vec3& from, const Vec3& to, double distance) const {
-    return std::ranges::any_of(cached_[i].measured, [&](const Separation& s) {
+    if (measured_[i] == kNotMeasured) {
+        return false;
+    }
+    return std::ranges::any_of(measurements_[measured_[i]].measured, [&](const Separation& s) {
         return s.bound(from) >= distance && s.bound(to) >= distance;  // false for a place that is NaN
     });
 }

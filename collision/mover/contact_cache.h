@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <limits>
 #include <optional>
 #include <span>
@@ -43,8 +44,8 @@ struct Separation {
 };
 
 /// The pieces of the solid world around a body: triangles and round solids; a box is split into triangles.
-/// When the body comes near the edge of the covered region, the cache gathers what lies beyond it and drops
-/// what is far behind. What it retains from earlier ticks saves time and never changes a result.
+/// When the body comes to the edge of the covered region, the cache gathers what lies beyond it and drops what
+/// is far behind. What it retains from earlier ticks saves time and never changes a result.
 class ContactCache {
 public:
     using Index = std::uint32_t;
@@ -68,12 +69,18 @@ public:
     /// The pieces that the body may come within `reach` of as it moves from `foot` to anywhere up to
     /// `sideways`, `up` and `down` from there. The result is valid until the next `survey` or `cover`.
     std::span<const Index> survey(const Vec3& foot, double sideways, double up, double down, double reach);
+    /// Pieces that there is memory for.
+    std::size_t capacity() const { return pieces_.capacity(); }
+    /// Where all pieces are known.
+    const Aabb& covered() const { return covered_; }
     std::span<const Piece> pieces() const { return pieces_; }
     const Piece& piece(Index i) const { return pieces_[i]; }
 
     /// The exact separation of the body at `foot` from a piece. The last two measurements of each piece are
     /// cached.
     Separation& measure(Index i, const Vec3& foot);
+    /// A lower bound of the body's distance from the piece, by the cached measurements.
+    double known_distance(Index i, const Vec3& foot) const;
     /// Whether the cached measurements prove that the body stays at least `distance` from the piece during
     /// the straight motion.
     bool known_apart(Index i, const Vec3& from, const Vec3& to, double distance) const;
@@ -89,10 +96,11 @@ private:
     struct Bounds {
         Lanes x{}, y{}, z{}, flat{}, offset{};
     };
-    struct CachedPiece {
+    struct Measurements {
         std::array<Separation, 2> measured;
         std::uint8_t last = 0;  ///< index of the latest
     };
+    static constexpr std::uint32_t kNotMeasured = std::numeric_limits<std::uint32_t>::max();
 
     void move_to(const Aabb& box, QueryStatistics* statistics);
     void drop_outside();
@@ -103,6 +111,7 @@ private:
     bool has_piece(ObjectId id, std::uint32_t triangle) const;
     void add(const Obstacle& obstacle, const Aabb& box);
     void add_triangle(ObjectId id, std::uint32_t index, const Triangle& vertices);
+    Measurements& measurements_of(Index i);
     void restart_bounds();
     void reserve_for(std::size_t count);
     void bound_by_box(Index i);
@@ -119,7 +128,9 @@ private:
     std::vector<Piece> pieces_;
     /// A hash set of the pieces, by object and triangle: a refill looks up nearly all of them.
     std::vector<std::uint64_t> keys_;
-    std::vector<CachedPiece> cached_;
+    std::vector<std::uint32_t> measured_;    ///< by piece: index into `measurements_`, or kNotMeasured
+    std::deque<Measurements> measurements_;  ///< most pieces are never measured
+    std::vector<std::uint32_t> unused_;      ///< indices into `measurements_`
     std::vector<Bounds> bounds_;
     std::vector<Index> near_;  ///< what `survey` returns
     std::vector<ObjectId> candidates_;

@@ -14,8 +14,6 @@ namespace campuswalk::collision {
 
 namespace {
 
-/// How far beyond the skin touching objects are still listed, for the hysteresis of events, metres.
-constexpr double kListed = 0.01;
 /// How far beyond the body's reach pieces are gathered, metres: a floor that ends where the body touches an
 /// edge is within that.
 constexpr double kSurroundings = 0.05;
@@ -225,21 +223,53 @@ void restart(MoveTrace& trace, std::size_t points, const Vec3& foot) {
     trace.fall_height = 0.0;
 }
 
+/// Where the floor is open, a tick needs no queries. False elsewhere, with nothing changed.
+bool walk_on_open_floor(const MoverSettings& body, OpenFloors& floors, MoverState& state, const Vec3& desired,
+                        MoveTrace& trace) {
+    if (!state.grounded) {
+        return false;
+    }
+    const auto place = floors.walk(body, state.foot, desired);
+    if (!place) {
+        return false;
+    }
+    restart(trace, 1, state.foot);
+    state.foot = place->foot;
+    state.support_y = place->support_y;
+    trace.path.push_back(state.foot);
+    return true;
+}
+
+/// In parts this short, a body at skin distance from a flat wall never touches an edge of it.
+double longest_part(const MoverSettings& body) {
+    return std::max(0.99 * std::sqrt(2.0 * body.radius * body.skin), 0.1 * body.radius);
+}
+
 /// A tick, in equal parts.
 void move_parts(MoveContext& context, MoverState& state, const Vec3& desired, double seconds,
                 MoveTrace& trace, QueryStatistics* statistics) {
     restart(trace, 1, state.foot);
     const MoverSettings& body = context.body;
-    // In parts this short, a body at skin distance from a flat wall never touches an edge of it.
-    const double longest = std::max(0.99 * std::sqrt(2.0 * body.radius * body.skin), 0.1 * body.radius);
     const double length = horizontal_norm(desired) + horizontal_norm(state.slide_velocity) * seconds;
-    const int parts = std::max(1, static_cast<int>(std::ceil(length / longest)));
+    const int parts = std::max(1, static_cast<int>(std::ceil(length / longest_part(body))));
     if (parts > 1) {
         survey(context, state.foot, length, body.step_height, body.step_height, statistics);
     }
     for (int i = 0; i < parts; ++i) {
         move_part(context, state, desired / parts, seconds / parts, trace, statistics);
         trace.path.push_back(state.foot);
+    }
+}
+
+/// After a move that nothing was in the way of.
+void learn_floor(MoveContext& context, OpenFloors& floors, const MoverState& before, const MoverState& after,
+                 const Vec3& desired) {
+    const Vec3& from = before.foot;
+    const Vec3& to = after.foot;
+    const double length = horizontal_norm(desired);
+    if (before.grounded && after.grounded && to.x() == from.x() + desired.x() &&
+        to.z() == from.z() + desired.z() && length > 0.0 && length <= longest_part(context.body)) {
+        floors.learn(context, to, length);
     }
 }
 
@@ -279,6 +309,7 @@ bool repeats(const RestingMove& resting, const MoverState& state, const Vec3& de
 
 void MoverCache::clear() {
     contacts.clear();
+    floors.clear();
     resting.known = false;
 }
 
@@ -300,9 +331,15 @@ void CapsuleMover::move(MoverState& state, const Vec3& desired, double seconds, 
     if (repeats(resting, state, desired, seconds, trace)) {
         return;
     }
+    if (walk_on_open_floor(settings_, cache.floors, state, desired, trace)) {
+        trace.touching.clear();
+        resting.known = false;
+        return;
+    }
     const MoverState before = state;
     move_parts(context, state, desired, seconds, trace, statistics);
     list_touching(context, state, trace);
+    learn_floor(context, cache.floors, before, state, desired);
     resting.known = state == before && !trace.landed;
     if (resting.known) {
         resting.state = state;
@@ -316,8 +353,13 @@ void CapsuleMover::move(MoverState& state, const Vec3& desired, double seconds, 
 void CapsuleMover::advance(MoverState& state, const Vec3& desired, double seconds, MoverCache& cache,
                            MoveTrace& trace, QueryStatistics* statistics) const {
     MoveContext context = context_with(cache);
-    move_parts(context, state, desired, seconds, trace, statistics);
     trace.touching.clear();
+    if (walk_on_open_floor(settings_, cache.floors, state, desired, trace)) {
+        return;
+    }
+    const MoverState before = state;
+    move_parts(context, state, desired, seconds, trace, statistics);
+    learn_floor(context, cache.floors, before, state, desired);
 }
 
 void CapsuleMover::place(MoverState& state, const Vec3& foot, double search, MoverCache& cache,

@@ -6,6 +6,7 @@
 
 #include "collision/base/query_statistics.h"
 #include "collision/mover/move_context.h"
+#include "collision/mover/open_floor.h"
 #include "collision/world/world.h"
 
 namespace campuswalk::collision {
@@ -63,6 +64,7 @@ struct RestingMove {
 /// destroyed.
 struct MoverCache {
     ContactCache contacts;
+    OpenFloors floors;
     RestingMove resting;
     MoveBuffers buffers;
 

@@ -29,6 +29,8 @@ inline constexpr double kRestGap = 1e-4;
 /// The gap that every swept motion leaves: half of kRestGap, so that the ground it rests on is never in the
 /// way.
 inline constexpr double kSweepGap = 0.5 * kRestGap;
+/// How far beyond the skin touching objects are still listed, for the hysteresis of events, metres.
+inline constexpr double kListed = 0.01;
 /// Tolerance for heights that are compared with the step height, for risers of exactly that height.
 inline constexpr double kHeightSlack = 1e-3;
 

@@ -70,13 +70,9 @@ std::optional<SphereRest> sphere_rest(const Triangle& triangle, const Vec3& norm
     constexpr double kSteepest = 1e-5;  // an upright face is touched at its upper edge
     if (std::abs(normal.y()) > kSteepest) {
         const Vec3 up = normal.y() > 0.0 ? normal : Vec3(-normal);
-        const double on_x = x - radius * up.x();
-        const double on_z = z - radius * up.z();
-        if (over(triangle, on_x, on_z)) {  // no edge can be touched before the face
-            const double dx = on_x - triangle.a.x();
-            const double dz = on_z - triangle.a.z();
-            const double on_y = triangle.a.y() - (up.x() * dx + up.z() * dz) / up.y();
-            return SphereRest{on_y + radius * up.y(), {on_x, on_y, on_z}};
+        const SphereRest rest = rest_on_face(triangle.a, up, x, z, radius);
+        if (over(triangle, rest.on.x(), rest.on.z())) {  // no edge can be touched before the face
+            return rest;
         }
     }
     Highest highest;

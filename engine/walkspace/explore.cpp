@@ -9,6 +9,7 @@
 #include "engine/walkspace/frontier.h"
 #include "engine/walkspace/landing_places.h"
 #include "engine/walkspace/path_order.h"
+#include "engine/walkspace/tight_growth.h"
 #include "engine/walkspace/worker_threads.h"
 
 namespace campuswalk::engine {
@@ -135,7 +136,7 @@ private:
         std::vector<FallEdge> edges;
         for (const Frontier& frontier : frontiers_) {
             for (const Fall& fall : frontier.falls) {
-                edges.push_back({fall.edge, fall.stride.gait});
+                edges.push_back(edge_of(fall));
             }
         }
         if (edges.empty()) {
@@ -227,6 +228,7 @@ private:
                 stride_from(tile, next, worker);
             }
         }
+        worker.strider.forget_dense_surroundings();
     }
 
     void stride_from(std::uint32_t tile, Pending from, Worker& worker) {
@@ -283,7 +285,15 @@ private:
         const bool gone = end.kind == StrideEnd::Kind::gone;
         const double height = end.edge.y() - end.at.foot.y();
         if (end.left_ground && (gone || height >= kSteeredFall)) {
-            frontiers_[tile].keep({from, stride, end.edge, gone || height >= kHighFall, gone},
+            frontiers_[tile].keep({.at = from.at,
+                                   .ticks = from.ticks,
+                                   .edge = end.edge.cast<float>(),
+                                   .node = from.node,
+                                   .since_keyframe = from.since_keyframe,
+                                   .direction = stride.direction,
+                                   .gait = stride.gait,
+                                   .high = gone || height >= kHighFall,
+                                   .gone = gone},
                                   space_.grid.cell_at(end.edge));
         }
         return end;
@@ -295,25 +305,34 @@ private:
         if (end.kind == StrideEnd::Kind::grounded) {
             arrive(tile, from, stride, end, worker);
         } else if (end.kind == StrideEnd::Kind::gone) {
-            if (stride.steering == Stride::kStraightOn) {  // steered, it leaves the same edge
-                space_.tiles[tile].drops.push_back({from.node, stride, end.edge});
-            }
+            note_drop(tile, {from.node, stride, end.edge});
         } else {
             worker.bounds.insert(Bound::falls);
         }
         return end;
     }
 
+    static FallEdge edge_of(const Fall& fall) { return {fall.edge.cast<double>(), fall.gait}; }
+
+    void note_drop(std::uint32_t tile, const WalkTile::Drop& drop) {
+        WalkTile& own = space_.tiles[tile];
+        const bool steered = drop.stride.steering != Stride::kStraightOn;  // it leaves the same edge
+        if (!steered && !own.has_drop_from(drop.edge, space_.grid)) {
+            push_tightly(own.drops, drop);
+        }
+    }
+
     /// The same fall, steered elsewhere.
     void steer(std::uint32_t tile, const Fall& fall, const LandingPlaces& places, Worker& worker) {
-        if (!places.has_any_below({fall.edge, fall.stride.gait})) {
+        if (!places.has_any_below(edge_of(fall))) {
             return;
         }
-        Stride straight_down = fall.stride;
+        const Pending from = fall.from();
+        Stride straight_down = fall.stride();
         straight_down.steering = Stride::kLetGo;
-        const StrideEnd down = take(tile, fall.from, straight_down, worker);
+        const StrideEnd down = take(tile, from, straight_down, worker);
         for (const Stride& stride : steered_strides(fall, fall.gone && down.kind == StrideEnd::Kind::gone)) {
-            take(tile, fall.from, stride, worker);
+            take(tile, from, stride, worker);
         }
     }
 
@@ -429,7 +448,7 @@ private:
         }
         const bool keep = since_keyframe >= kStridesBetweenKeyframes;
         if (keep) {
-            own.keyframes.push_back({number, at});
+            push_tightly(own.keyframes, {number, at});
         }
         frontiers_[tile].push({.order = ticks + order_.ticks_to_goal(at.foot),
                                .ticks = ticks,

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "engine/walkspace/tight_growth.h"
+
 namespace campuswalk::engine {
 
 namespace {
@@ -21,7 +23,7 @@ bool later(const Pending& a, const Pending& b) {
 }  // namespace
 
 void Frontier::push(const Pending& node) {
-    pending_.push_back(node);
+    push_tightly(pending_, node);
     std::ranges::push_heap(pending_, later);
 }
 
@@ -29,7 +31,7 @@ Pending Frontier::pop() {
     std::ranges::pop_heap(pending_, later);
     const Pending next = pending_.back();
     pending_.pop_back();
-    if (pending_.size() < pending_.capacity() / 4) {  // most tiles are done at any time
+    if (pending_.size() < pending_.capacity() / 2) {  // most tiles are done at any time
         pending_.shrink_to_fit();
     }
     return next;
@@ -56,27 +58,26 @@ bool Frontier::has_sent(const GridCell& cell, double y, bool hangs) const {
 }
 
 void Frontier::keep(const Fall& fall, const GridCell& edge) {
-    const auto height = static_cast<float>(fall.edge.y());
+    const float height = fall.edge.y();
     const bool is_known = std::ranges::any_of(edges_, [&](const auto& known) {
         return known.first == edge && std::abs(known.second - height) <= WalkNode::kLevel;
     });
     if (!is_known) {
-        edges_.emplace_back(edge, height);
-        falls.push_back(fall);
+        push_tightly(edges_, {edge, height});
+        push_tightly(falls, fall);
     }
 }
 
 std::vector<Stride> steered_strides(const Fall& fall, bool over_the_rim) {
     std::vector<Stride> strides;
-    Stride stride = fall.stride;
-    const collision::Vec3& ahead = grid_directions()[fall.stride.direction].unit;
+    Stride stride = fall.stride();
+    const collision::Vec3& ahead = grid_directions()[fall.direction].unit;
     const std::uint8_t latest = fall.high ? kLatestInHighFall : kLatestInLowFall;
     for (std::uint8_t after = over_the_rim ? 1 : 0; after <= latest; ++after) {
         stride.steers_after = after;
         for (std::uint8_t i = 0; i < 8; ++i) {
             // Over the rim of the world, ground can only be behind.
-            if (i != fall.stride.direction &&
-                (!over_the_rim || grid_directions()[i].unit.dot(ahead) < -0.1)) {
+            if (i != fall.direction && (!over_the_rim || grid_directions()[i].unit.dot(ahead) < -0.1)) {
                 stride.steering = i;
                 strides.push_back(stride);
             }

@@ -35,11 +35,22 @@ struct Arrival {
 
 /// A fall of which it is yet to be tried how it may be steered.
 struct Fall {
-    Pending from;
-    Stride stride;
-    collision::Vec3 edge = collision::Vec3::Zero();
+    GroundState at;           ///< where the stride starts
+    std::uint32_t ticks = 0;  ///< of the chain there
+    Eigen::Vector3f edge =
+        Eigen::Vector3f::Zero();  ///< where the body leaves the ground, as exactly as LandingPlaces needs it
+    std::uint16_t node = 0;       ///< of `at`
+    std::uint8_t since_keyframe = 0;
+    std::uint8_t direction = 0;  ///< of the stride
+    Gait gait = Gait::walk;
     bool high = false;
     bool gone = false;  ///< straight on, it goes out of the world
+
+    Stride stride() const { return {.direction = direction, .gait = gait}; }
+    /// What the stride starts from.
+    Pending from() const {
+        return {.ticks = ticks, .node = node, .since_keyframe = since_keyframe, .at = at};
+    }
 };
 
 /// What is left to do in a tile while it is explored.

@@ -28,7 +28,8 @@ constexpr std::size_t kMostStoreys = 255;
 std::vector<std::uint8_t> floors_below(const WalkTile& tile) {
     std::vector<std::uint8_t> floors(tile.nodes.size(), 0);
     std::vector<std::pair<float, std::uint16_t>> column;
-    for (const std::uint16_t newest : tile.newest) {
+    for (std::uint32_t cell = 0; cell < WalkTile::kCells * WalkTile::kCells; ++cell) {
+        const std::uint16_t newest = tile.newest[cell];
         column.clear();
         for (std::uint16_t i = newest; i != WalkNode::kNone; i = tile.nodes[i].next) {
             column.emplace_back(tile.nodes[i].y, i);

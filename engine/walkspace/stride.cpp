@@ -66,16 +66,55 @@ StrideEnd Strider::take(const GroundState& from, const Stride& stride, const Wal
     const Vec3 desired = length * direction.unit;
 
     StrideEnd end;
+    if (shares_fall(from, stride, grid)) {
+        // What the last stride did after that is no part of this one's path.
+        shared_.moments.resize(std::min<std::size_t>(stride.steers_after + 1U, shared_.moments.size()));
+        const SharedFall::Moment& moment = shared_.moments.back();
+        state_ = moment.state;
+        path_.resize(moment.ticks);
+        obstructed_ticks_ = moment.obstructed_ticks;
+        end = shared_.end;
+    } else {
+        start(from);
+        if (stride.gait == Gait::jump) {
+            mover_.jump(state_, settings_.jump_speed);
+            end.left_ground = true;
+            end.edge = from.foot;
+        }
+        walk_ahead(desired, count, steepest_rise_ * length + kStepRise, end);
+        if (!state_.grounded) {
+            shared_ = {from, stride.direction, stride.gait, grid.cell, end, {}};
+            note_moment();
+        }
+    }
+    std::size_t ahead_until = path_.size();
+    if (!state_.grounded) {
+        end.clean = false;
+        const bool straight_on = stride.steering == Stride::kStraightOn;
+        const bool let_go = stride.steering == Stride::kLetGo;
+        ahead_until = shared_.moments.front().ticks + ticks_in(stride.steers_after);
+        fall_ahead(desired, stride.steers_after);
+        fall(straight_on ? desired
+             : let_go    ? Vec3(Vec3::Zero())
+                         : Vec3(length * grid_directions()[stride.steering].unit),
+             path_.size() - shared_.moments.front().ticks);
+    }
+    end.ticks_ahead = static_cast<int>(std::min(ahead_until, path_.size()));
+    finish(end);
+    return end;
+}
+
+/// From where a body stands.
+void Strider::start(const GroundState& from) {
     state_ = state_of(from);
     path_.clear();
     obstructed_ticks_ = 0;
-    if (stride.gait == Gait::jump) {
-        mover_.jump(state_, settings_.jump_speed);
-        end.left_ground = true;
-        end.edge = from.foot;
-    }
-    const double level_rise = steepest_rise_ * length + kStepRise;
-    while (state_.grounded && static_cast<int>(path_.size()) < count) {
+    shared_.moments.clear();
+}
+
+/// Until it leaves the ground, or nothing moves any more.
+void Strider::walk_ahead(const Vec3& desired, int most, double level_rise, StrideEnd& end) {
+    while (state_.grounded && static_cast<int>(path_.size()) < most) {
         const Vec3 before = state_.foot;
         const Vec3 edge = edge_below(state_);
         tick(desired);
@@ -90,30 +129,12 @@ StrideEnd Strider::take(const GroundState& from, const Stride& stride, const Wal
             end.edge = edge;
         }
     }
-    std::size_t ahead_until = path_.size();
-    if (!state_.grounded) {
-        const bool straight_on = stride.steering == Stride::kStraightOn;
-        const bool let_go = stride.steering == Stride::kLetGo;
-        const auto steers_after =
-            static_cast<std::size_t>(std::floor(kFifth * stride.steers_after / settings_.seconds + 0.5));
-        ahead_until += steers_after;
-        fall(desired,
-             straight_on ? desired
-             : let_go    ? Vec3(Vec3::Zero())
-                         : Vec3(length * grid_directions()[stride.steering].unit),
-             steers_after, end);
-    }
-    end.ticks_ahead = static_cast<int>(std::min(ahead_until, path_.size()));
-    finish(end);
-    return end;
 }
 
 StrideEnd Strider::walk_to(const GroundState& from, const Vec3& point, double within, double seconds) {
     StrideEnd end;
     end.clean = false;
-    state_ = state_of(from);
-    path_.clear();
-    obstructed_ticks_ = 0;
+    start(from);
     const double length = settings_.walk_speed * settings_.seconds;
     const int most = static_cast<int>(std::ceil(seconds / settings_.seconds));
     while (static_cast<int>(path_.size()) < most) {
@@ -142,8 +163,7 @@ StrideEnd Strider::walk_to(const GroundState& from, const Vec3& point, double wi
 StrideEnd Strider::put_down(const Vec3& foot) {
     StrideEnd end;
     end.clean = false;
-    path_.clear();
-    obstructed_ticks_ = 0;
+    start({});
     const auto placement = collision::nearest_free_placement(
         *world_, filter_, foot, settings_.body.radius, settings_.upright_body().height, kPlacementSearch);
     if (!placement) {
@@ -154,7 +174,7 @@ StrideEnd Strider::put_down(const Vec3& foot) {
     if (!state_.grounded) {
         end.left_ground = true;
         end.edge = state_.foot;
-        fall(Vec3::Zero(), Vec3::Zero(), 0, end);
+        fall(Vec3::Zero(), 0);
     }
     finish(end);
     return end;
@@ -168,6 +188,13 @@ bool Strider::hangs(const GroundState& at) const {
 bool Strider::has_headroom(const GroundState& at) {
     return !settings_.full_height ||
            mover_.resized(state_of(at), *settings_.full_height, upright_cache_).has_value();
+}
+
+void Strider::forget_dense_surroundings() {
+    constexpr std::size_t kDense = 128;  // triangles
+    if (cache_.contacts.capacity() > kDense) {
+        cache_ = {};
+    }
 }
 
 void Strider::tick(const Vec3& desired) {
@@ -186,23 +213,55 @@ void Strider::tick(const Vec3& desired) {
     }
 }
 
-/// Ahead for so many ticks, then steered.
-void Strider::fall(const Vec3& ahead, const Vec3& steered, std::size_t steers_after, StrideEnd& end) {
-    end.clean = false;
+/// Whether the last stride began as this one does.
+bool Strider::shares_fall(const GroundState& from, const Stride& stride, const WalkGrid& grid) const {
+    return !shared_.moments.empty() && shared_.from == from && shared_.direction == stride.direction &&
+           shared_.gait == stride.gait && shared_.cell == grid.cell;
+}
+
+void Strider::note_moment() {
+    shared_.moments.push_back({path_.size(), state_, obstructed_ticks_});
+}
+
+std::size_t Strider::ticks_in(std::size_t fifths) const {
+    return static_cast<std::size_t>(
+        std::floor(kFifth * static_cast<double>(fifths) / settings_.seconds + 0.5));
+}
+
+/// Until so many fifths of a second after it left the ground.
+void Strider::fall_ahead(const Vec3& ahead, std::size_t fifths) {
+    const std::size_t edge = shared_.moments.front().ticks;
+    while (shared_.moments.size() <= fifths && is_falling()) {
+        const std::size_t until = edge + ticks_in(shared_.moments.size());
+        while (path_.size() < until && is_falling()) {
+            fall_for_a_tick(ahead);
+        }
+        if (is_falling()) {
+            note_moment();
+        }
+    }
+}
+
+/// Until it lands. It has been in the air for some ticks.
+void Strider::fall(const Vec3& desired, std::size_t ticks) {
     const auto most = static_cast<std::size_t>(kMaxFall / settings_.seconds);
-    std::size_t next_look = steers_after + kFirstLook;
-    for (std::size_t i = 0; i < most && !state_.grounded && state_.foot.y() >= bottom_; ++i) {
+    std::size_t next_look = ticks + kFirstLook;
+    for (std::size_t i = ticks; i < most && is_falling(); ++i) {
         if (i == next_look) {
             next_look += next_look / 2;
-            if (falls_out_of_the_world(steered)) {
+            if (falls_out_of_the_world(desired)) {
                 state_.foot.y() = bottom_ - 1.0;
                 break;
             }
         }
-        tick(i < steers_after ? ahead : steered);
-        if (fall_limits_ && !state_.grounded && !fall_limits_->overlaps({state_.foot, state_.foot})) {
-            state_.foot.y() = bottom_ - 1.0;
-        }
+        fall_for_a_tick(desired);
+    }
+}
+
+void Strider::fall_for_a_tick(const Vec3& desired) {
+    tick(desired);
+    if (fall_limits_ && !state_.grounded && !fall_limits_->overlaps({state_.foot, state_.foot})) {
+        state_.foot.y() = bottom_ - 1.0;
     }
 }
 

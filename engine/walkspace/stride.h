@@ -98,6 +98,9 @@ public:
     /// Whether a body that has crouched has room to stand up; true for others.
     bool has_headroom(const GroundState& at);
 
+    /// Gives memory back that was only needed in dense surroundings. Nothing is found otherwise for it.
+    void forget_dense_surroundings();
+
     /// The feet at the end of each tick of the last stride.
     const std::vector<collision::Vec3>& path() const { return path_; }
     /// By object: whether any stride was obstructed where it touched it.
@@ -109,9 +112,32 @@ public:
     const collision::QueryFilter& filter() const { return filter_; }
 
 private:
+    /// How far the strides go together that leave the ground alike and are steered elsewhere later.
+    struct SharedFall {
+        GroundState from;
+        std::uint8_t direction = 0;
+        Gait gait = Gait::walk;
+        double cell = 0.0;  ///< of the grid
+        StrideEnd end;      ///< as the body leaves the ground
+        /// One for each fifth of a second in the air, from the first tick there on.
+        struct Moment {
+            std::size_t ticks = 0;  ///< of the stride, so far
+            collision::MoverState state;
+            int obstructed_ticks = 0;
+        };
+        std::vector<Moment> moments;  ///< empty: none is known
+    };
+
+    void start(const GroundState& from);
+    void walk_ahead(const collision::Vec3& desired, int most, double level_rise, StrideEnd& end);
+    bool shares_fall(const GroundState& from, const Stride& stride, const WalkGrid& grid) const;
+    void note_moment();
     void tick(const collision::Vec3& desired);
-    void fall(const collision::Vec3& ahead, const collision::Vec3& steered, std::size_t steers_after,
-              StrideEnd& end);
+    void fall_ahead(const collision::Vec3& ahead, std::size_t fifths);
+    void fall(const collision::Vec3& desired, std::size_t ticks);
+    void fall_for_a_tick(const collision::Vec3& desired);
+    bool is_falling() const { return !state_.grounded && state_.foot.y() >= bottom_; }
+    std::size_t ticks_in(std::size_t fifths) const;
     bool falls_out_of_the_world(const collision::Vec3& desired);
     bool is_free(const collision::Aabb& box);
     double seconds_to_bottom(const collision::Vec3& foot, double speed) const;
@@ -131,6 +157,7 @@ private:
     collision::MoveTrace trace_;
     bool obstructed_ = false;   ///< in the last tick it didn't get as far ahead as desired
     int obstructed_ticks_ = 0;  ///< of this stride
+    SharedFall shared_;         ///< the beginning of the last stride
     std::vector<collision::Vec3> path_;
     std::vector<bool> touched_;
     std::vector<collision::ObjectId> below_;

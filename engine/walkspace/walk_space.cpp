@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/walkspace/tight_growth.h"
+
 namespace campuswalk::engine {
 
 namespace {
@@ -111,7 +113,7 @@ std::uint32_t WalkSpace::add_tile_at(const GridCell& cell) {
     if (!added) {
         return at->second;
     }
-    tiles.emplace_back(first_cell, number);
+    push_tightly(tiles, WalkTile(first_cell, number));
     for (int i = 0; i < 9; ++i) {
         const GridCell beside{first_cell.x + (i % 3 - 1) * WalkTile::kCells,
                               first_cell.z + (i / 3 - 1) * WalkTile::kCells};

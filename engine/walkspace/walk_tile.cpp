@@ -4,10 +4,11 @@
 #include <cassert>
 #include <cmath>
 
+#include "engine/walkspace/tight_growth.h"
+
 namespace campuswalk::engine {
 
 WalkTile::WalkTile(const GridCell& lowest, std::uint32_t own_index) : first_cell(lowest) {
-    newest.fill(WalkNode::kNone);
     neighbours.fill(kNoTile);
     neighbours[4] = own_index;
 }
@@ -36,12 +37,17 @@ std::uint16_t WalkTile::add(WalkNode node) {
     assert(nodes.size() < kMaxNodes);
     const auto index = static_cast<std::uint16_t>(nodes.size());
     node.next = newest[node.cell];
-    newest[node.cell] = index;
-    if (nodes.size() == nodes.capacity()) {  // doubling would waste much of the memory that a tile takes
-        nodes.reserve(nodes.size() + std::max<std::size_t>(64, nodes.size() / 8));
-    }
-    nodes.push_back(node);
+    newest.set(node.cell, index);
+    push_tightly(nodes, node);
     return index;
+}
+
+bool WalkTile::has_drop_from(const collision::Vec3& edge, const WalkGrid& grid) const {
+    constexpr double kSameEdge = 0.01;  // metres
+    const GridCell cell = grid.cell_at(edge);
+    return std::ranges::any_of(drops, [&](const Drop& drop) {
+        return std::abs(drop.edge.y() - edge.y()) <= kSameEdge && grid.cell_at(drop.edge) == cell;
+    });
 }
 
 const GroundState* WalkTile::keyframe(std::uint16_t node) const {

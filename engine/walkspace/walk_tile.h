@@ -59,9 +59,38 @@ struct WalkNodeId {
     friend auto operator<=>(const WalkNodeId&, const WalkNodeId&) = default;
 };
 
+/// A node for each of 32 x 32 cells, or WalkNode::kNone. Quarters without any take no memory.
+class CellLists {
+public:
+    static constexpr std::uint32_t kCells = 32;
+
+    std::uint16_t operator[](std::uint32_t cell) const {
+        const std::vector<std::uint16_t>& quarter = quarters_[quarter_of(cell)];
+        return quarter.empty() ? WalkNode::kNone : quarter[place_of(cell)];
+    }
+    void set(std::uint32_t cell, std::uint16_t node) {
+        std::vector<std::uint16_t>& quarter = quarters_[quarter_of(cell)];
+        if (quarter.empty()) {
+            quarter.assign(kHalf * kHalf, WalkNode::kNone);
+        }
+        quarter[place_of(cell)] = node;
+    }
+
+    friend bool operator==(const CellLists&, const CellLists&) = default;
+
+private:
+    static constexpr std::uint32_t kHalf = kCells / 2;
+    static std::size_t quarter_of(std::uint32_t cell) {
+        return cell / (kCells * kHalf) * 2 + cell % kCells / kHalf;
+    }
+    static std::size_t place_of(std::uint32_t cell) { return cell / kCells % kHalf * kHalf + cell % kHalf; }
+
+    std::array<std::vector<std::uint16_t>, 4> quarters_;
+};
+
 /// 32 x 32 cells and their nodes.
 struct WalkTile {
-    static constexpr int kCells = 32;
+    static constexpr int kCells = static_cast<int>(CellLists::kCells);
     static constexpr std::uint32_t kNoTile = std::numeric_limits<std::uint32_t>::max();
     static constexpr std::size_t kMaxNodes = WalkNode::kNone;
 
@@ -74,15 +103,16 @@ struct WalkTile {
         std::uint16_t node = 0;
         std::uint32_t tile = 0;
     };
-    /// Where the body left the ground in a stride from a node, and fell out of the world.
+    /// Where the body left the ground in a stride from a node, and fell out of the world: one for each cell
+    /// and height.
     struct Drop {
         std::uint16_t node = 0;
         Stride stride;
         collision::Vec3 edge = collision::Vec3::Zero();
     };
 
-    GridCell first_cell;                                ///< its cell with the lowest x and z
-    std::array<std::uint16_t, kCells * kCells> newest;  ///< of each cell, a list by WalkNode::next
+    GridCell first_cell;  ///< its cell with the lowest x and z
+    CellLists newest;     ///< of each cell, a list by WalkNode::next
     std::vector<WalkNode> nodes;
     std::vector<Keyframe> keyframes;  ///< ascending by node
     /// Where a stride didn't get to the cell that it was headed for, in any order: at walls, steps and edges.
@@ -115,6 +145,8 @@ struct WalkTile {
     bool has(std::uint32_t cell, double y, bool hangs) const;
     /// Adds a node to its cell's list. The tile must have room for it.
     std::uint16_t add(WalkNode node);
+    /// Whether there is a drop from the edge's cell at its height.
+    bool has_drop_from(const collision::Vec3& edge, const WalkGrid& grid) const;
     const GroundState* keyframe(std::uint16_t node) const;
 };
 

@@ -162,6 +162,13 @@ TEST(Explore, RecordsFallsOutOfTheWorld) {
     for (const WalkTile& tile : space.tiles) {
         for (const WalkTile::Drop& drop : tile.drops) {
             EXPECT_NEAR(std::max(std::abs(drop.edge.x()), std::abs(drop.edge.z())), 3.0, 0.301);
+            EXPECT_EQ(std::ranges::count_if(tile.drops,
+                                            [&](const WalkTile::Drop& other) {
+                                                return space.grid.cell_at(other.edge) ==
+                                                       space.grid.cell_at(drop.edge);
+                                            }),
+                      1)
+                << "one for each cell of the rim";
             rims[0] = rims[0] || drop.edge.x() > 2.7;
             rims[1] = rims[1] || drop.edge.x() < -2.7;
             rims[2] = rims[2] || drop.edge.z() > 2.7;
