@@ -44,8 +44,8 @@ struct Separation {
 };
 
 /// The pieces of the solid world around a body: triangles and round solids; a box is split into triangles.
-/// When the body comes to the edge of the covered region, the cache gathers what lies beyond it and drops what
-/// is far behind. What it retains from earlier ticks saves time and never changes a result.
+/// When the body comes to the edge of the covered region, the cache gathers what lies beyond it and drops
+/// what is far behind. What it retains from earlier ticks saves time and never changes a result.
 class ContactCache {
 public:
     using Index = std::uint32_t;

@@ -20,7 +20,7 @@ constexpr double kSmallest = 0.08;
 /// Of the hash table: a power of two, and the edge length of the cells that share an entry, metres.
 constexpr std::size_t kFloors = 64;
 constexpr double kCellsPerMetre = 2.0;
-/// After a try in vain, so many moves pass before the next.
+/// After a failed attempt, so many moves pass before the next.
 constexpr int kPause = 3;
 
 /// What is this much farther than the body's reach doesn't matter to it, metres: more than what the heights

@@ -68,11 +68,11 @@ StrideEnd Strider::take(const GroundState& from, const Stride& stride, const Wal
     StrideEnd end;
     if (shares_fall(from, stride, grid)) {
         // What the last stride did after that is no part of this one's path.
-        shared_.moments.resize(std::min<std::size_t>(stride.steers_after + 1U, shared_.moments.size()));
-        const SharedFall::Moment& moment = shared_.moments.back();
-        state_ = moment.state;
-        path_.resize(moment.ticks);
-        obstructed_ticks_ = moment.obstructed_ticks;
+        shared_.forks.resize(std::min<std::size_t>(stride.steers_after + 1U, shared_.forks.size()));
+        const SharedFall::Fork& fork = shared_.forks.back();
+        state_ = fork.state;
+        path_.resize(fork.ticks);
+        obstructed_ticks_ = fork.obstructed_ticks;
         end = shared_.end;
     } else {
         start(from);
@@ -84,7 +84,7 @@ StrideEnd Strider::take(const GroundState& from, const Stride& stride, const Wal
         walk_ahead(desired, count, steepest_rise_ * length + kStepRise, end);
         if (!state_.grounded) {
             shared_ = {from, stride.direction, stride.gait, grid.cell, end, {}};
-            note_moment();
+            note_fork();
         }
     }
     std::size_t ahead_until = path_.size();
@@ -92,12 +92,12 @@ StrideEnd Strider::take(const GroundState& from, const Stride& stride, const Wal
         end.clean = false;
         const bool straight_on = stride.steering == Stride::kStraightOn;
         const bool let_go = stride.steering == Stride::kLetGo;
-        ahead_until = shared_.moments.front().ticks + ticks_in(stride.steers_after);
+        ahead_until = shared_.forks.front().ticks + ticks_in(stride.steers_after);
         fall_ahead(desired, stride.steers_after);
         fall(straight_on ? desired
              : let_go    ? Vec3(Vec3::Zero())
                          : Vec3(length * grid_directions()[stride.steering].unit),
-             path_.size() - shared_.moments.front().ticks);
+             path_.size() - shared_.forks.front().ticks);
     }
     end.ticks_ahead = static_cast<int>(std::min(ahead_until, path_.size()));
     finish(end);
@@ -109,7 +109,7 @@ void Strider::start(const GroundState& from) {
     state_ = state_of(from);
     path_.clear();
     obstructed_ticks_ = 0;
-    shared_.moments.clear();
+    shared_.forks.clear();
 }
 
 /// Until it leaves the ground, or nothing moves any more.
@@ -215,12 +215,12 @@ void Strider::tick(const Vec3& desired) {
 
 /// Whether the last stride began as this one does.
 bool Strider::shares_fall(const GroundState& from, const Stride& stride, const WalkGrid& grid) const {
-    return !shared_.moments.empty() && shared_.from == from && shared_.direction == stride.direction &&
+    return !shared_.forks.empty() && shared_.from == from && shared_.direction == stride.direction &&
            shared_.gait == stride.gait && shared_.cell == grid.cell;
 }
 
-void Strider::note_moment() {
-    shared_.moments.push_back({path_.size(), state_, obstructed_ticks_});
+void Strider::note_fork() {
+    shared_.forks.push_back({path_.size(), state_, obstructed_ticks_});
 }
 
 std::size_t Strider::ticks_in(std::size_t fifths) const {
@@ -230,14 +230,14 @@ std::size_t Strider::ticks_in(std::size_t fifths) const {
 
 /// Until so many fifths of a second after it left the ground.
 void Strider::fall_ahead(const Vec3& ahead, std::size_t fifths) {
-    const std::size_t edge = shared_.moments.front().ticks;
-    while (shared_.moments.size() <= fifths && is_falling()) {
-        const std::size_t until = edge + ticks_in(shared_.moments.size());
+    const std::size_t edge = shared_.forks.front().ticks;
+    while (shared_.forks.size() <= fifths && is_falling()) {
+        const std::size_t until = edge + ticks_in(shared_.forks.size());
         while (path_.size() < until && is_falling()) {
             fall_for_a_tick(ahead);
         }
         if (is_falling()) {
-            note_moment();
+            note_fork();
         }
     }
 }

@@ -120,18 +120,18 @@ private:
         double cell = 0.0;  ///< of the grid
         StrideEnd end;      ///< as the body leaves the ground
         /// One for each fifth of a second in the air, from the first tick there on.
-        struct Moment {
+        struct Fork {
             std::size_t ticks = 0;  ///< of the stride, so far
             collision::MoverState state;
             int obstructed_ticks = 0;
         };
-        std::vector<Moment> moments;  ///< empty: none is known
+        std::vector<Fork> forks;  ///< empty: none is known
     };
 
     void start(const GroundState& from);
     void walk_ahead(const collision::Vec3& desired, int most, double level_rise, StrideEnd& end);
     bool shares_fall(const GroundState& from, const Stride& stride, const WalkGrid& grid) const;
-    void note_moment();
+    void note_fork();
     void tick(const collision::Vec3& desired);
     void fall_ahead(const collision::Vec3& ahead, std::size_t fifths);
     void fall(const collision::Vec3& desired, std::size_t ticks);
