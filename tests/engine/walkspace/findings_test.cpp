@@ -117,6 +117,31 @@ IslandReport inside_shell(scene::Campus& campus) {
     return {};
 }
 
+/// Nobody stands on treads that are no deeper than the body's radius, so the stairs aren't part of the
+/// island, and begin farther away from it than its edge is from the ground below.
+TEST_F(Findings, TheRiserOfStairsWithNarrowTreadsIsNamed) {
+    scene::Campus campus = walled_yard();
+    for (int i = 1; i <= 10; ++i) {
+        add_box(campus, "tread-" + std::to_string(i), {1, 0, 5.0 - 0.3 * i}, {3, 0.17 * i, 5.3 - 0.3 * i});
+    }
+    add_box(campus, "gallery", {0, 1.5, -4}, {4, 1.7, 2});
+    explored(campus);
+    settings_.strides.body.step_height = 0.1;
+    space_.emplace(explore(*worlds_, settings_));
+    std::vector<Island> found = islands();
+    std::erase_if(found, [](const Island& island) {
+        return std::abs(island.nearest_to({2, 1.7, -1}).y() - 1.7) > 0.01 || island.bounds.max.x() > 5.0;
+    });
+    ASSERT_EQ(found.size(), 1U);
+    const auto barrier = [&](const std::vector<bool>& with_stairs) {
+        return find_island_barriers(*worlds_, settings_, *space_, found, 1, nullptr, with_stairs)[0];
+    };
+    ASSERT_TRUE(barrier({}) && barrier({true}));
+    EXPECT_EQ(barrier({})->kind, BarrierKind::ledge) << "the test is about stairs that begin farther away";
+    EXPECT_EQ(barrier({true})->kind, BarrierKind::riser);
+    EXPECT_NEAR(barrier({true})->measured, 0.17, 0.002);
+}
+
 TEST_F(Findings, WhatAShellEnclosesIsAHollow) {
     scene::Campus closed = walled_yard();
     add_object(closed, "shell", shell(0.0), {0, 0, 0});
