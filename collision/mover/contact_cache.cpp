@@ -24,7 +24,7 @@ constexpr std::size_t kManyPieces = 40;
 constexpr double kVerticalMargin = 0.2;
 
 /// Pieces that memory is reserved for at first.
-constexpr std::size_t kInitialCapacity = 64;
+constexpr std::size_t kInitialCapacity = 128;
 
 /// Never 0, which marks a free slot.
 std::uint64_t key_of(ObjectId id, std::uint32_t triangle) {
@@ -222,11 +222,12 @@ void ContactCache::restart_bounds() {
 /// With `push_back` alone, one piece more than ever before would allocate.
 void ContactCache::reserve_for(std::size_t count) {
     if (count > pieces_.capacity()) {
-        const std::size_t room = std::max(kInitialCapacity, count + count / 4);
+        const std::size_t room = std::max(kInitialCapacity, count + count / 2);
         pieces_.reserve(room);
         measured_.reserve(room);
         bounds_.reserve(room / kLanes + 1);
         near_.reserve(room + kLanes + 1);
+        add_measurements();
     }
 }
 
@@ -289,11 +290,21 @@ std::span<const ContactCache::Index> ContactCache::survey(const Vec3& foot, doub
     return {near_.data(), count};
 }
 
+/// Half as many as there may be pieces, as most are never measured; then half more each time, so that warm
+/// ticks which measure a few pieces more than ever before allocate nothing.
+void ContactCache::add_measurements() {
+    const std::size_t count = measurements_.size();
+    measurements_.resize(std::max(pieces_.capacity() / 2, count + count / 2 + 1));
+    unused_.reserve(measurements_.size());
+    for (std::size_t i = count; i < measurements_.size(); ++i) {
+        unused_.push_back(static_cast<std::uint32_t>(i));
+    }
+}
+
 ContactCache::Measurements& ContactCache::measurements_of(Index i) {
     if (measured_[i] == kNotMeasured) {
         if (unused_.empty()) {
-            unused_.push_back(static_cast<std::uint32_t>(measurements_.size()));
-            measurements_.emplace_back();
+            add_measurements();
         }
         measured_[i] = unused_.back();
         unused_.pop_back();

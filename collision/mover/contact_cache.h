@@ -111,6 +111,7 @@ private:
     bool has_piece(ObjectId id, std::uint32_t triangle) const;
     void add(const Obstacle& obstacle, const Aabb& box);
     void add_triangle(ObjectId id, std::uint32_t index, const Triangle& vertices);
+    void add_measurements();
     Measurements& measurements_of(Index i);
     void restart_bounds();
     void reserve_for(std::size_t count);
