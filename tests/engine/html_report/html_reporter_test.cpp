@@ -93,7 +93,7 @@ struct Files {
 };
 
 FileReader reader_of(const std::map<std::string, std::string>& files) {
-    return [&files](const std::string& path) {
+    return [files](const std::string& path) {
         const auto found = files.find(path);
         return found == files.end() ? std::nullopt : std::optional(found->second);
     };
