@@ -134,12 +134,13 @@ void ScriptPlayer::intend(const WalkToStep& step, const AvatarState& avatar, Int
 
 template <>
 std::optional<StepEnd> ScriptPlayer::end_of(const WalkToStep& step, const AvatarState& avatar) {
-    if (has_arrived(step.target, step.within, avatar.position)) {
+    if (has_arrived(step.target, step.within, avatar.position, avatar.grounded)) {
         return StepEnd{EventKind::avatar_arrive, &step.target.label, &step.mark};
     }
     const double remaining = flat(step.target.point - avatar.position).norm();
-    return gives_up(remaining, speed_of(step.speed)) ? blocked("walk_to", step, step.target, avatar)
-                                                     : std::nullopt;
+    return gives_up(remaining, avatar.grounded, speed_of(step.speed))
+               ? blocked("walk_to", step, step.target, avatar)
+               : std::nullopt;
 }
 
 template <>
@@ -155,10 +156,10 @@ void ScriptPlayer::intend(const FollowStep& step, const AvatarState& avatar, Int
 template <>
 std::optional<StepEnd> ScriptPlayer::end_of(const FollowStep& step, const AvatarState& avatar) {
     const Target& last = step.points.back();
-    if (curve_.at_end() && has_arrived(last, step.within, avatar.position)) {
+    if (curve_.at_end() && has_arrived(last, step.within, avatar.position, avatar.grounded)) {
         return StepEnd{EventKind::avatar_arrive, &last.label, &step.mark};
     }
-    return gives_up(curve_.remaining(avatar.position), speed_of(step.speed))
+    return gives_up(curve_.remaining(avatar.position), avatar.grounded, speed_of(step.speed))
                ? blocked("follow", step, last, avatar)
                : std::nullopt;
 }
@@ -203,7 +204,7 @@ std::optional<StepEnd> ScriptPlayer::end_of(const GoToStep& step, const AvatarSt
     const RoutePiece& piece = route_.route.pieces[piece_];
     ++piece_ticks_;
     if (piece.stride ? piece_ticks_ == piece.ticks
-                     : has_arrived(piece.target, piece.within, avatar.position)) {
+                     : has_arrived(piece.target, piece.within, avatar.position, avatar.grounded)) {
         ++piece_;
         piece_ticks_ = 0;
     }
@@ -332,8 +333,8 @@ void ScriptPlayer::go_towards(const Vector3d& point, double speed, const AvatarS
     intent.pitch = turned(avatar.pitch, 0.0);
 }
 
-bool ScriptPlayer::gives_up(double remaining, double speed) {
-    return progress_.gives_up(remaining, speed, dt_);
+bool ScriptPlayer::gives_up(double remaining, bool grounded, double speed) {
+    return progress_.gives_up(remaining, grounded, speed, dt_);
 }
 
 template <typename Travel>

@@ -54,7 +54,7 @@ private:
     double speed_of(const std::optional<double>& own) const;
     void go_towards(const Eigen::Vector3d& point, double speed, const AvatarState& avatar, Intent& intent);
     /// Whether an avatar that has `remaining` metres to go is late or comes no nearer.
-    bool gives_up(double remaining, double speed);
+    bool gives_up(double remaining, bool grounded, double speed);
     template <typename Travel>
     std::optional<StepEnd> blocked(const char* verb, const Travel& step, const Target& target,
                                    const AvatarState& avatar) const;

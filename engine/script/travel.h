@@ -34,9 +34,10 @@ inline Eigen::Vector3d displacement_towards(const Eigen::Vector3d& point, const 
                           : Eigen::Vector3d(Eigen::Vector3d::Zero());
 }
 
-inline bool has_arrived(const Target& target, double within, const Eigen::Vector3d& position) {
+/// Who falls past a place hasn't arrived there.
+inline bool has_arrived(const Target& target, double within, const Eigen::Vector3d& position, bool grounded) {
     const Eigen::Vector3d to_target = target.point - position;
-    return flat(to_target).norm() <= within &&
+    return grounded && flat(to_target).norm() <= within &&
            (!target.has_height || std::abs(to_target.y()) <= kTargetLevel);
 }
 
@@ -49,10 +50,12 @@ struct TravelProgress {
 
     bool is_late(double dt) const { return static_cast<double>(ticks) * dt >= allowed; }
     /// After a tick of `dt` seconds: whether an avatar that has `remaining` metres to go is late or comes no
-    /// nearer.
-    bool gives_up(double remaining, double speed, double dt) {
+    /// nearer. One in the air has to land first.
+    bool gives_up(double remaining, bool grounded, double speed, double dt) {
         if (remaining < nearest - std::min(kProgress, 0.5 * speed * kPatience)) {
             nearest = remaining;
+            since_closer = ticks;
+        } else if (!grounded) {
             since_closer = ticks;
         }
         return is_late(dt) || static_cast<double>(ticks - since_closer) * dt >= kPatience;

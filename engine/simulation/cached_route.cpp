@@ -18,8 +18,8 @@ using scene::DamagedFile;
 namespace {
 
 const scene::CacheFolder::Kind kRouteKind = "route";
-/// Increment the version whenever the layout changes.
-constexpr scene::FileKind kRouteFile = {{'c', 'w', ' ', 'r', 'o', 'u', 't', 'e'}, 2};
+/// Increment the version whenever the layout changes, or how routes are planned and walked.
+constexpr scene::FileKind kRouteFile = {{'c', 'w', ' ', 'r', 'o', 'u', 't', 'e'}, 3};
 
 // ---- what it depends on -------------------------------------------------------------------------------
 

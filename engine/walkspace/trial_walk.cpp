@@ -47,12 +47,13 @@ std::optional<TrialWalk::End> TrialWalk::walk(const MoverState& from, RoutePiece
             return std::nullopt;
         }
         ++progress.ticks;
-        if (has_arrived(target, piece.within, state_.foot)) {
+        if (has_arrived(target, piece.within, state_.foot, state_.grounded)) {
             piece.ticks = progress.ticks;
             return end();
         }
         const bool at_rest = state_.grounded && state_.foot == before;
-        if (at_rest || progress.gives_up(remaining(), settings_.walk_speed, settings_.seconds)) {
+        if (at_rest ||
+            progress.gives_up(remaining(), state_.grounded, settings_.walk_speed, settings_.seconds)) {
             return std::nullopt;
         }
     }

@@ -23,6 +23,7 @@ public:
         intent = player.intend(avatar);
         if (intent.placement) {
             avatar.position = intent.placement->foot;
+            avatar.grounded = true;
         } else if (!stuck) {
             avatar.position += intent.move;
         }

@@ -46,6 +46,20 @@ TEST(Falls, FollowAParabolaAtEveryTickRate) {
     }
 }
 
+TEST(Falls, PastAPlaceDoNotArriveThere) {
+    scene::Campus campus = level_campus();
+    add_box(campus, "terrace", {-5, 0, -1}, {5, 3, 5});
+    WalkToStep step = walk_to(0, -1.7);
+    step.target = {"balcony", {0, 3, -1.7}, true};
+    const RecordedRun high = run(campus, walk_of({spawn_at({0, 3, 0}), step}));
+    EXPECT_TRUE(high.recorder.events("avatar.arrive").empty());
+    EXPECT_EQ(high.recorder.events("avatar.blocked balcony").size(), 1U);
+    const RecordedRun low = run(campus, walk_of({spawn_at({0, 3, 0}), walk_to(0, -1.7)}));
+    const auto arrival = low.recorder.events("avatar.arrive");
+    ASSERT_EQ(arrival.size(), 1U);
+    EXPECT_NEAR(field<Vector3d>(arrival[0], "pos").y(), 0.0, 1e-3) << "at any height, but on its feet";
+}
+
 TEST(Falls, OffALedgeAreLoggedWithTheirHeight) {
     scene::Campus campus = level_campus();
     add_box(campus, "terrace", {-5, 0, -1}, {5, 3, 5});

@@ -85,7 +85,7 @@ bool is_walked_as_planned(const Route& route, const GroundState& from, const Exp
                 return false;
             }
         }
-        if (!piece.stride && !engine::has_arrived(piece.target, piece.within, state.foot)) {
+        if (!piece.stride && !engine::has_arrived(piece.target, piece.within, state.foot, state.grounded)) {
             return false;
         }
     }
