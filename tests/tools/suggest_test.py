@@ -147,6 +147,23 @@ class Suggest(ProgramCase):
         self.assertEqual(closed.code, 1, closed.out)
         self.assertIn("leaf stands in the way", closed.out)
 
+    def test_without_doors_the_walk_goes_to_far_corners(self):
+        # Two halves with 3 m between them are one room, and there is no ground outside.
+        self.write("flat.obj", boxes_obj([
+            ("Flat_floor", -10, -0.2, -3, 10, 0, 3), ("Flat_n", -10, 0, -3, 10, 3, -2.8), ("Flat_s", -10, 0, 2.8, 10, 3, 3),
+            ("Flat_w", -10, 0, -3, -9.8, 3, 3), ("Flat_e", 9.8, 0, -3, 10, 3, 3), ("Flat_mid", -0.1, 0, -3, 0.1, 3, -0.2)]))
+        campus, _ = self.suggest("flat.obj")
+        visits = [[float(c) for c in visit.split(",")]
+                  for visit in re.findall(r"go_to: \[(.*?)\]", self.read("new.walk.yaml").decode())]
+        self.assertEqual(len(visits), 2, visits)
+        xs = sorted(x for x, _, _ in visits)
+        self.assertTrue(xs[0] < -8 and xs[1] > 8, visits)
+        self.write("new.campus.yaml", campus.replace(
+            "colliders:\n", "colliders:\n  - {id: shelf, shape: box, center: [0, 1, 1.3], size: [0.3, 2, 3.2], mode: solid}\n"))
+        closed = self.run_program("run", "new.walk.yaml")
+        self.assertEqual(closed.code, 1, closed.out)
+        self.assertIn("shelf stands in the way", closed.out)
+
     def test_nothing_is_overwritten_without_a_flag(self):
         for taken in ("new.campus.yaml", "new.walk.yaml"):
             self.write(taken, "mine")

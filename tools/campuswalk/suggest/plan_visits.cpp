@@ -40,6 +40,39 @@ bool holds(const scene::UprightBox& box, const Vector3d& foot) {
     return box.depth_of(foot + kWaist * Vector3d::UnitY()) >= 0.0;
 }
 
+/// By tile and node: the strides by which it was reached from a start. 0 for starts, and for places that one
+/// only gets to by a drop.
+std::vector<std::vector<std::uint32_t>> strides_to_nodes(const WalkSpace& reached) {
+    constexpr std::uint32_t kUnknown = 0xFFFFFFFF;
+    constexpr double kDrop = 0.5;  // metres
+    std::vector<std::vector<std::uint32_t>> strides;
+    for (const engine::WalkTile& tile : reached.tiles) {
+        strides.emplace_back(tile.nodes.size(), kUnknown);
+    }
+    const auto strides_to = [&](const WalkNodeId& node) -> std::uint32_t& {
+        return strides[node.tile][node.node];
+    };
+    const auto follow = [&](const WalkNodeId& from, const WalkNodeId& to) {
+        const bool drops = reached.position(from).y() - reached.position(to).y() > kDrop;
+        const bool is_cut_off = strides_to(from) == 0 && reached.parent(from);
+        return drops || is_cut_off ? 0 : strides_to(from) + 1;
+    };
+    std::vector<WalkNodeId> chain;
+    for (std::uint32_t t = 0; t < reached.tiles.size(); ++t) {
+        for (std::uint32_t n = 0; n < strides[t].size(); ++n) {
+            std::optional<WalkNodeId> at = WalkNodeId{t, static_cast<std::uint16_t>(n)};
+            for (; at && strides_to(*at) == kUnknown; at = reached.parent(*at)) {
+                chain.push_back(*at);
+            }
+            for (; !chain.empty(); chain.pop_back()) {
+                const std::optional<WalkNodeId> parent = reached.parent(chain.back());
+                strides_to(chain.back()) = parent ? follow(*parent, chain.back()) : 0;
+            }
+        }
+    }
+    return strides;
+}
+
 /// Plans visits of buildings one by one, each from where the one before ended.
 class BuildingVisits {
 public:
@@ -76,14 +109,18 @@ public:
         return visit_nearest([this](std::size_t b) { return place_beside(b); }, "/around").has_value();
     }
 
-    void stroll() {
-        constexpr double kStroll = 5.0;  // metres
-        const Vector3d far = Vector3d::Constant(4.0 * kStroll);
-        const auto end = nearest_node(reached_, {here_ - far, here_ + far}, here_,
-                                      [&](const Vector3d& foot) { return (foot - here_).norm() >= kStroll; });
-        if (end) {
-            visit("", *end);
-        }
+    /// To the place that is the longest way from the spawn, and to one that is far from both: whatever is
+    /// shut on the way, the walk fails.
+    void go_far() {
+        const std::vector<WalkNodeId> open = open_places();
+        const auto strides = strides_to_nodes(reached_);
+        const auto strides_to = [&](const WalkNodeId& node) { return strides[node.tile][node.node]; };
+        go_to_best_of(open, [&](const WalkNodeId& node) { return static_cast<double>(strides_to(node)); });
+        const Vector3d first = here_;
+        go_to_best_of(open, [&](const WalkNodeId& node) {
+            const Vector3d foot = reached_.position(node);
+            return strides_to(node) == 0 ? 0.0 : std::min((foot - spawn_).norm(), (foot - first).norm());
+        });
     }
 
     std::vector<SuggestedVisit> visits;
@@ -107,6 +144,33 @@ private:
         return nearest_node(reached_, box_about(box), here_, [&](const Vector3d& foot) {
             return box.depth_of(foot + kWaist * Vector3d::UnitY()) >= kInside;
         });
+    }
+
+    /// Around the spawn, with floor on all sides.
+    std::vector<WalkNodeId> open_places() const {
+        constexpr double kFarthest = 40.0;  // metres
+        constexpr int kAround = 2;          // cells
+        const Vector3d far = Vector3d::Constant(kFarthest);
+        std::vector<WalkNodeId> places = reached_.nodes_in({spawn_ - far, spawn_ + far});
+        std::erase_if(places, [&](const WalkNodeId& node) {
+            const engine::GridCell cell = reached_.cell_of(node);
+            const double y = reached_.position(node).y();
+            return reached_.node(node).hangs != 0 ||
+                   std::ranges::any_of(engine::grid_directions(), [&](const engine::GridDirection& side) {
+                       return !reached_.find({cell.x + kAround * side.x, cell.z + kAround * side.z}, y);
+                   });
+        });
+        return places;
+    }
+
+    /// Nowhere if the best is hardly away from here.
+    template <typename Worth>
+    void go_to_best_of(const std::vector<WalkNodeId>& nodes, const Worth& worth) {
+        constexpr double kNear = 3.0;  // metres
+        const auto best = std::ranges::max_element(nodes, {}, worth);
+        if (best != nodes.end() && worth(*best) > 0.0 && distance(*best) > kNear) {
+            visit("", *best);
+        }
     }
 
     double distance(const WalkNodeId& node) const { return (reached_.position(node) - here_).norm(); }
@@ -172,15 +236,16 @@ std::vector<SuggestedVisit> plan_visits(const WalkSpace& reached, engine::Stride
     for (std::size_t i = 0; i < kMaxBuildings && (plan.enter_nearest() || plan.approach_nearest()); ++i) {
     }
     if (plan.visits.empty()) {
-        plan.stroll();
+        plan.go_far();
     }
     return plan.visits;
 }
 
 void add_place_visits(const WalkSpace& reached, engine::Strider& strider, const Vector3d& spawn,
                       const std::vector<scene::Place>& places, std::vector<SuggestedVisit>& visits) {
-    const bool leads_nowhere = visits.size() == 1 && visits.front().trigger.empty();
-    Vector3d here = visits.empty() || leads_nowhere ? spawn : visits.back().to;
+    const bool leads_nowhere =
+        std::ranges::all_of(visits, [](const SuggestedVisit& visit) { return visit.trigger.empty(); });
+    Vector3d here = leads_nowhere ? spawn : visits.back().to;
     std::vector<const scene::Place*> left;
     left.reserve(places.size());
     for (const scene::Place& place : places) {

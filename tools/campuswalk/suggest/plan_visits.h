@@ -11,8 +11,8 @@ namespace campuswalk::tools {
 
 /// Plans visits from the spawn to the nearest building that is reached and from each to the next, three at
 /// most, first of those that are entered, with two of their rooms each; before, two rooms of the building
-/// that the spawn is in. If there is nothing to visit, a walk of a few metres. `interiors` are find_interiors
-/// of the buildings.
+/// that the spawn is in. If there is nothing to visit, far corners of what is reached, two at most.
+/// `interiors` are find_interiors of the buildings.
 std::vector<SuggestedVisit> plan_visits(const engine::WalkSpace& reached, engine::Strider& strider,
                                         const Eigen::Vector3d& spawn,
                                         const std::vector<scene::SuggestedBuilding>& buildings,
