@@ -140,6 +140,7 @@ public:
 
     RouteScore finished() {
         score_.ours = times_of(std::move(our_times_));
+        score_.walked = times_of(std::move(walk_times_));
         if (peer_ != nullptr) {
             score_.peer = times_of(std::move(peer_times_));
         }
@@ -166,7 +167,10 @@ private:
             }
             return std::nullopt;
         }
-        if (!is_walked_as_planned(*route, pair.from, campus_)) {
+        bool walked = false;
+        walk_times_.push_back(
+            microseconds_of([&] { walked = is_walked_as_planned(*route, pair.from, campus_); }));
+        if (!walked) {
             ++score_.blocked;
             show("not walked as planned", pair);
         }
@@ -198,6 +202,7 @@ private:
     engine::RouteSettings settings_;
     RouteScore score_;
     std::vector<double> our_times_;
+    std::vector<double> walk_times_;
     std::vector<double> peer_times_;
     std::vector<double> ratios_;
     std::vector<Vec3> vertices_;
@@ -208,7 +213,8 @@ void print_score(const RouteScore& score) {
     std::printf(
         "  %zu pairs, %zu of them joined: %zu routes found, %zu in other pairs; %zu not walked as planned\n",
         score.pairs, score.joined, score.found, score.found_else, score.blocked);
-    std::printf("    ours: %.0f us (median), %.0f us (p99)\n", score.ours.median, score.ours.p99);
+    std::printf("    ours: %.0f us (median), %.0f us (p99); to walk them once: %.0f us, %.0f us\n",
+                score.ours.median, score.ours.p99, score.walked.median, score.walked.p99);
     if (score.peer) {
         std::printf("  detour: %.1f us (median), %.1f us (p99); arrives in %zu\n", score.peer->median,
                     score.peer->p99, score.by_peer);

@@ -27,6 +27,7 @@ struct RouteScore {
     /// Geometric mean of ours over the peer's, of pairs that both arrive in; seen from above.
     std::optional<double> length_ratio;
     QueryTimes ours;
+    QueryTimes walked;  ///< that a body takes to follow our routes: the mover's share of planning one
     std::optional<QueryTimes> peer;
 };
 
