@@ -19,8 +19,7 @@ struct FailureScene {
     std::string building;           ///< the one with an open window or the nearest; may be empty
     std::string nearest;            ///< the nearest object's id; empty if none is near
     double nearest_distance = 0.0;  ///< metres, from the body
-    /// What to look at: where the reason was measured, or what the body touches or nearly touches. Not
-    /// reported; for pictures.
+    /// What to look at: where the reason was measured, or what the body touches or nearly touches.
     std::optional<Eigen::Vector3d> contact = {};
     std::vector<std::string> last_events;  ///< as the text log prints them, oldest first
 };

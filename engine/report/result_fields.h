@@ -32,6 +32,7 @@ void list_fields(Fields& fields, MaybeConst<FailureScene> auto& scene) {
     fields("building", scene.building);
     fields("nearest", scene.nearest);
     fields("nearest_distance", scene.nearest_distance);
+    fields("contact", scene.contact);
     fields("last_events", scene.last_events);
 }
 

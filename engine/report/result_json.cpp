@@ -25,7 +25,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kHeaderKey = "campuswalk_results";
-constexpr int kHeaderVersion = 3;
+constexpr int kHeaderVersion = 4;
 
 /// JSON has no such numbers; a reader of reports must not fail on a result because of them.
 constexpr std::array<std::pair<double, std::string_view>, 3> kNotFinite = {{
@@ -60,7 +60,8 @@ Json json_of(const Eigen::Vector3d& value) {
 Json json_of(Outcome value) {
     return std::string(name_of(value));
 }
-Json json_of(const std::optional<double>& value) {
+template <typename Value>
+Json json_of(const std::optional<Value>& value) {
     return value ? json_of(*value) : Json();
 }
 /// As in logs: text, because many readers' numbers are all doubles.
@@ -146,19 +147,20 @@ void read(const Json& json, const std::string& where, double& value) {
     }
     value = json.get<double>();
 }
-void read(const Json& json, const std::string& where, std::optional<double>& value) {
-    if (json.is_null()) {
-        value.reset();
-    } else {
-        read(json, where, value.emplace());
-    }
-}
 void read(const Json& json, const std::string& where, Eigen::Vector3d& value) {
     if (!json.is_array() || json.size() != 3) {
         refuse(where, "three numbers", json);
     }
     for (int axis = 0; axis < 3; ++axis) {
         read(json[static_cast<std::size_t>(axis)], where, value[axis]);
+    }
+}
+template <typename Value>
+void read(const Json& json, const std::string& where, std::optional<Value>& value) {
+    if (json.is_null()) {
+        value.reset();
+    } else {
+        read(json, where, value.emplace());
     }
 }
 void read(const Json& json, const std::string& where, Outcome& value) {

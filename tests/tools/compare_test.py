@@ -131,7 +131,7 @@ class Replay(Compare):
 
     def report(self, *results, missing=0):
         planned = len(results) + missing
-        header = {"campuswalk_results": 3, "cases": planned, "shard": 1, "shards": 1, "all_cases": planned,
+        header = {"campuswalk_results": 4, "cases": planned, "shard": 1, "shards": 1, "all_cases": planned,
                   "contents": "0a", "division": "1b", "start": ""}
         self.write("r.jsonl", "\n".join((json.dumps(header), *results)) + "\n")
 

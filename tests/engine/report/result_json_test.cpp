@@ -81,6 +81,7 @@ TEST(ResultJson, RoundTripsEveryFieldOfAFailure) {
     EXPECT_EQ(is.scene.building, was.scene.building);
     EXPECT_EQ(is.scene.nearest, was.scene.nearest);
     EXPECT_EQ(is.scene.nearest_distance, was.scene.nearest_distance);
+    EXPECT_EQ(is.scene.contact, was.scene.contact);
     EXPECT_EQ(is.scene.last_events, was.scene.last_events);
 }
 

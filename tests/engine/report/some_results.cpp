@@ -15,6 +15,7 @@ WalkResult full_result() {
                      .building = "library",
                      .nearest = "library/walls",
                      .nearest_distance = 0.42,
+                     .contact = Eigen::Vector3d(1.0 / 7.0, 1.25, -7.5),
                      .last_events = {"000240    4.000000 ray.enter library/walls",
                                      "000243    4.050000 ray.exit library/walls"}};
     WalkResult result;

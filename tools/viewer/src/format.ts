@@ -174,8 +174,6 @@ export interface Failure {
   line: number;
   column: number;
   scene?: FailureScene | null;
-  /** Where the reason was measured, or what the body touched. */
-  contact?: Point | null;
 }
 
 export interface FailureScene {
@@ -187,6 +185,8 @@ export interface FailureScene {
   building: string;
   nearest: string;
   nearest_distance: number;
+  /** Where the reason was measured, or what the body touches. */
+  contact?: Point | null;
   last_events: string[];
 }
 

@@ -67,7 +67,7 @@ export function reasonOf(failure: Failure, log: readonly LogLine[], ids: Readonl
   const by = event ? (fieldOf(event, 'by') ?? '') : '';
   const named = namedIn(failure.message, ids) ?? (by !== '' && by !== '-' ? by : (namedIn(why, ids) ?? ''));
   return {
-    at: failure.contact ?? ledgeIn(failure.message) ?? placeIn(failure.message) ?? placeIn(why),
+    at: failure.scene?.contact ?? ledgeIn(failure.message) ?? placeIn(failure.message) ?? placeIn(why),
     object: named,
     measure: measureIn(failure.message) ?? measureIn(why),
     tick,
