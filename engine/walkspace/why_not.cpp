@@ -32,21 +32,41 @@ constexpr double kAround = 1.5;
 /// Taking an object away counts as much as changing the body by this share, or climbing so much higher,
 /// metres.
 constexpr double kChangeOfObject = 0.6;
-/// A node of it is a little less.
-constexpr double kChangeOfNode = 0.59;
+/// A node of a mesh a little more: rather the door that somebody put there than a part of the house.
+constexpr double kChangeOfNode = 0.61;
+/// Of objects of about one size, the one without which the way is the shortest.
+constexpr double kAboutOneSize = 1.25;
 
 bool is_about_height(const Barrier& barrier) {
     return barrier.kind == BarrierKind::riser || barrier.kind == BarrierKind::ledge ||
            barrier.kind == BarrierKind::slope;
 }
 
-/// How much would have to change: of heights, in metres; else the share of what the body has.
+/// How much the body would have to change: of heights, in metres; else the share of what it has.
 double change_of(const Barrier& barrier) {
-    if (barrier.kind == BarrierKind::object) {
-        return barrier.is_node ? kChangeOfNode : kChangeOfObject;
-    }
     const bool climb = barrier.kind == BarrierKind::riser || barrier.kind == BarrierKind::ledge;
     return std::abs(barrier.measured - barrier.allowed) / (climb ? 1.0 : barrier.allowed);
+}
+
+/// A change that would do.
+struct Change {
+    Barrier barrier;
+    double amount = 0.0;      ///< see change_of
+    double size = 0.0;        ///< of the object to take away, the diagonal of its bounds, metres; else 0
+    std::size_t strides = 0;  ///< of the whole way without the object; else 0
+};
+
+/// The smallest first, and of objects the smallest: rather a door than the wall beside it.
+void order(std::vector<Change>& changes) {
+    std::ranges::stable_sort(changes, {},
+                             [](const Change& change) { return std::pair(change.amount, change.size); });
+    const Change smallest = changes.front();
+    const auto end = std::ranges::find_if(changes, [&](const Change& change) {
+        return change.amount != smallest.amount || change.size > kAboutOneSize * smallest.size;
+    });
+    const auto shortest = std::min_element(
+        changes.begin(), end, [](const Change& a, const Change& b) { return a.strides < b.strides; });
+    std::rotate(changes.begin(), shortest, shortest + 1);
 }
 
 /// A way that a changed body found.
@@ -86,14 +106,15 @@ public:
         }
         const std::vector<ObjectId> touched = touched_;
         const std::vector<Ability> abilities = abilities_of(body);
-        std::vector<Barrier> found;
+        std::vector<Change> found;
         for (const Ability& ability : abilities) {
             if (auto barrier = try_ability(ability, body)) {
-                found.push_back(std::move(*barrier));
+                const double amount = change_of(*barrier);
+                found.push_back({std::move(*barrier), amount});
             }
         }
         try_objects(touched, found);
-        if (std::ranges::none_of(found, is_about_height)) {
+        if (std::ranges::none_of(found, is_about_height, &Change::barrier)) {
             try_nodes(found);
         }
         if (found.empty() && (query_.single_change || is_exhausted())) {
@@ -103,12 +124,11 @@ public:
             const std::optional<FoundPath> easiest = find_path(easiest_of(abilities), query_.from);
             return easiest ? all_at_once(abilities, *easiest) : closed_off();
         }
-        // Of objects the smallest: rather a door than the wall beside it.
-        std::ranges::stable_sort(found, {}, [&](const Barrier& barrier) {
-            return std::pair(change_of(barrier), size_of_object(barrier));
-        });
-        Barrier smallest = found.front();
-        smallest.parts.assign(found.begin() + 1, found.end());
+        order(found);
+        Barrier smallest = found.front().barrier;
+        for (std::size_t i = 1; i < found.size(); ++i) {
+            smallest.parts.push_back(found[i].barrier);
+        }
         return smallest;
     }
 
@@ -247,7 +267,7 @@ private:
     }
 
     /// Objects that the body touched but that don't carry it: without which of them would there be a way?
-    void try_objects(std::vector<ObjectId> touched, std::vector<Barrier>& found) {
+    void try_objects(std::vector<ObjectId> touched, std::vector<Change>& found) {
         const collision::MoverSettings& body = settings_.strides.body;
         const Vec3 center = query_.within.center();
         const auto distance = [&](ObjectId id) {
@@ -268,13 +288,13 @@ private:
                 barrier.kind = BarrierKind::object;
                 locate(*path, body, barrier);
                 barrier.object = id;
-                found.push_back(barrier);
+                found.push_back({barrier, kChangeOfObject, size_of(id), strides_of(*path)});
             }
         }
     }
 
     /// Nodes near the starts: without which of them would there be a way?
-    void try_nodes(std::vector<Barrier>& found) {
+    void try_nodes(std::vector<Change>& found) {
         if (query_.nodes == nullptr) {
             return;
         }
@@ -296,18 +316,31 @@ private:
                 barrier.object = node.object;
                 barrier.triangle = node.triangle;
                 barrier.is_node = true;
-                found.push_back(barrier);
+                // The node says more than the object that it is part of.
+                std::erase_if(found, [&](const Change& change) {
+                    return change.barrier.kind == BarrierKind::object && change.barrier.object == node.object;
+                });
+                found.push_back({barrier, kChangeOfNode, size_of(node.object), strides_of(*path)});
                 return;
             }
         }
     }
 
-    /// The diagonal of its bounds; 0 for barriers of the body alone.
-    double size_of_object(const Barrier& barrier) const {
-        if (barrier.kind != BarrierKind::object) {
-            return 0.0;
+    /// From where the body was put down.
+    std::size_t strides_of(const FoundPath& path) const {
+        std::size_t strides = path.feet.size();
+        if (query_.known != nullptr) {
+            const Vec3& foot = path.start.foot;
+            auto node = query_.known->find(query_.known->grid.cell_at(foot), foot.y());
+            for (; node; node = query_.known->parent(*node)) {
+                ++strides;
+            }
         }
-        const collision::Aabb& box = worlds_[0].bounds(*barrier.object);
+        return strides;
+    }
+
+    double size_of(ObjectId id) const {
+        const collision::Aabb& box = worlds_[0].bounds(id);
         return (box.max - box.min).norm();
     }
 

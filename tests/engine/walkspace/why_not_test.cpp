@@ -86,5 +86,28 @@ TEST(WhyNot, NamesAndMeasuresEachOf200BuiltBarriers) {
     }
 }
 
+/// Without any of a pen's four panels there would be a way; the one on the way is wanted, though others are a
+/// little smaller.
+TEST(WhyNot, NamesThePanelOnThePath) {
+    BarrierCase pen;
+    pen.world = std::make_unique<collision::World>(std::make_unique<collision::LinearBroadPhase>());
+    const auto box = [&](const Vec3& min, const Vec3& max) {
+        return pen.world->add(
+            {collision::Box{0.5 * (max - min)}, {collision::Mat3::Identity(), 0.5 * (min + max)}});
+    };
+    box({-8, -0.5, -8}, {8, 0, 8});
+    for (const double side : {-1.0, 1.0}) {
+        box({-0.95, 0, side - 0.05}, {0.95, 1.9, side + 0.05});
+    }
+    box({0.95, 0, -1}, {1.05, 1.9, 1});
+    const collision::ObjectId front = box({-1.05, 0, -1}, {-0.95, 2.1, 1});
+    pen.start = Vec3(-4, 0, 0);
+    const auto barrier = barrier_of(pen);
+    ASSERT_TRUE(barrier);
+    EXPECT_EQ(barrier->kind, BarrierKind::object);
+    EXPECT_EQ(barrier->object, front);
+    EXPECT_NEAR(barrier->at.x(), -1.05, 0.01);
+}
+
 }  // namespace
 }  // namespace campuswalk::engine
