@@ -1,5 +1,6 @@
 #include "engine/simulation/simulation.h"
 
+#include <algorithm>
 #include <span>
 #include <utility>
 
@@ -106,7 +107,9 @@ void Simulation::report_motion(const Intent& intent, const Motion& motion) {
 }
 
 Stop Simulation::stop_of_fall() const {
-    Stop stop{state_.walk.mark, "fell", "the avatar fell out of the world"};
+    const std::vector<Step>& steps = state_.walk.steps;
+    const std::size_t step = std::min(intents_.steps_over(), steps.size() - 1);
+    Stop stop{mark_of(steps[step]), "fell", "the avatar fell out of the world"};
     const auto stood = state_.body.last_stood();
     if (!stood) {
         stop.message += "; it never stood on any ground since it was placed";

@@ -107,8 +107,13 @@ void set_boxes(const GeographicBox& geographic, const Projection& projection, co
         throw InputError(mark, "bad-size", "there is no area in the map; pass --bbox or --center");
     }
     if (!(size.maxCoeff() <= kMaxMapSize) || geographic.east - geographic.west > 90.0) {
+        constexpr double kMetresPerKilometre = 1000.0;
+        const auto kilometres = [&](double metres) {
+            return std::to_string(std::lround(metres / kMetresPerKilometre));
+        };
         throw InputError(mark, "bad-size",
-                         "the map is larger than 20 km; choose a part of it with --bbox or --center");
+                         "this is " + kilometres(size.x()) + " km by " + kilometres(size.y()) +
+                             " km, and the limit is 20 km; choose a smaller part with --bbox or --center");
     }
 }
 

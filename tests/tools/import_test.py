@@ -48,11 +48,11 @@ class ImportTest(ProgramCase):
                          ["ATTRIBUTION.md", "a.campus.yaml", "a.walk.yaml", "campus.glb"])
         campus = self.text("out/a.campus.yaml")
         self.assertIn("도서관", campus)
-        self.assertIn("entrance-5:", campus)
+        self.assertRegex(campus, r"entrance-5: \[.*\]  # \S*도서관\n")
         self.assertIn("latitude_deg: 0,", campus)
         self.assertIn("OpenStreetMap contributors", self.text("out/ATTRIBUTION.md"))
         walk = self.text("out/a.walk.yaml")
-        self.assertIn("go_to: entrance-5", walk)
+        self.assertRegex(walk, r"go_to: entrance-5  # \S*도서관\n")
         self.assertEqual(self.run_program("run", self.path("out/a.walk.yaml")).code, 0)
         self.assertEqual(self.run_program("validate", self.path("out/a.campus.yaml")).code, 0)
 

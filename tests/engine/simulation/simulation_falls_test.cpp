@@ -96,7 +96,7 @@ TEST(Falls, OfLessThanHalfAMetreAreNotLogged) {
 
 TEST(Falls, OffTheWorldEndTheWalk) {
     Walk walk = walk_of({spawn_at({0, 0, 0}), teleport_to({20, 0, 0}), wait_for(60.0), snapshot("never")});
-    walk.mark = {"fall.walk.yaml", 0, 0};
+    std::get<WaitStep>(walk.steps[2]).mark = {"fall.walk.yaml", 7, 5};
     const RecordedRun result = run(level_campus(5.0), walk);
     const auto fell = result.recorder.events("avatar.fell stroll");
     ASSERT_EQ(fell.size(), 1U);
@@ -110,6 +110,7 @@ TEST(Falls, OffTheWorldEndTheWalk) {
     EXPECT_EQ(result.summary.failures[0].code, "fell");
     EXPECT_THAT(result.summary.failures[0].message, testing::HasSubstr("fell"));
     EXPECT_EQ(result.summary.failures[0].mark.file, "fall.walk.yaml");
+    EXPECT_EQ(result.summary.failures[0].mark.line, 7) << "of the step during which it fell";
     EXPECT_TRUE(result.recorder.events("snapshot.take").empty());
     EXPECT_EQ(event_line(result.recorder.events().back()), "walk.end stroll");
 }

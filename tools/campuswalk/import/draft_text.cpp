@@ -4,7 +4,7 @@
 #include <array>
 #include <charconv>
 
-#include "tools/campuswalk/base/json_text.h"
+#include "tools/campuswalk/base/yaml_text.h"
 
 namespace campuswalk::tools {
 
@@ -16,11 +16,6 @@ using scene::osm::DraftSpawn;
 using scene::osm::DraftTrigger;
 
 namespace {
-
-/// JSON's strings are YAML's, too.
-std::string yaml_string(const std::string& text) {
-    return json_text(text);
-}
 
 /// In a comment and in code of Markdown.
 std::string plain_name(const std::string& map_file) {
@@ -63,17 +58,6 @@ std::string with_layer(const std::string& layer) {
     return layer.empty() ? "" : ", layer: " + layer;
 }
 
-std::string globs_yaml(const std::vector<std::string>& globs) {
-    if (globs.size() == 1) {
-        return yaml_string(globs.front());
-    }
-    std::string text;
-    for (const std::string& glob : globs) {
-        text += (text.empty() ? "[" : ", ") + yaml_string(glob);
-    }
-    return text + "]";
-}
-
 std::string building_yaml(const DraftBuilding& building) {
     std::string text = "  - id: " + building.id + "\n    title: " + literal(building.title) + "\n";
     text += building.kind.empty() ? "" : "    kind: " + yaml_string(building.kind) + "\n";
@@ -110,6 +94,15 @@ std::string trigger_yaml(const DraftTrigger& trigger) {
 
 }  // namespace
 
+std::string building_of(const DraftPlace& place) {
+    return place.trigger.substr(0, place.trigger.find('/'));
+}
+
+std::string building_title(const CampusDraft& draft, const DraftPlace& place) {
+    const auto building = std::ranges::find(draft.buildings, building_of(place), &DraftBuilding::id);
+    return building == draft.buildings.end() ? "" : building->title;
+}
+
 std::string draft_yaml(const CampusDraft& draft, const std::string& map_file) {
     std::string text = "# Made from " + plain_name(map_file) +
                        " by `campuswalk import osm`. © OpenStreetMap contributors, see ATTRIBUTION.md.\n"
@@ -141,7 +134,7 @@ std::string draft_yaml(const CampusDraft& draft, const std::string& map_file) {
     }
     text += draft.places.empty() ? "" : "places:\n";
     for (const DraftPlace& place : draft.places) {
-        text += "  " + place.name + ": " + list(place.at) + "\n";
+        text += "  " + place.name + ": " + list(place.at) + yaml_comment(building_title(draft, place)) + "\n";
     }
     return text;
 }

@@ -13,6 +13,7 @@
 #include "scene/base/atomic_file.h"
 #include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
+#include "tools/campuswalk/base/yaml_text.h"
 #include "tools/campuswalk/import/draft_text.h"
 #include "tools/campuswalk/loading/walk_loader.h"
 
@@ -22,6 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
+using scene::osm::CampusDraft;
 using scene::osm::DraftPlace;
 using scene::osm::MapFiles;
 
@@ -54,11 +56,12 @@ private:
     fs::path path_;
 };
 
-std::string visit_yaml(const std::vector<const DraftPlace*>& visits, const std::string& campus_file) {
+std::string visit_yaml(const CampusDraft& draft, const std::vector<const DraftPlace*>& visits,
+                       const std::string& campus_file) {
     std::string steps = "  - spawn: start\n";
     std::string expect = "  - never: \"avatar.fell *\"\n";
     for (const DraftPlace* visit : visits) {
-        steps += "  - go_to: " + visit->name + "\n";
+        steps += "  - go_to: " + visit->name + yaml_comment(building_title(draft, *visit)) + "\n";
         expect += "  - sequence: [" + json_text("trigger.enter " + visit->trigger) + "]\n";
     }
     return "# Visits doors near the start; by `campuswalk import osm`.\ncampus: " + json_text(campus_file) +
@@ -83,6 +86,15 @@ std::vector<const DraftPlace*> nearby(const std::vector<DraftPlace>& places, con
         nearest.push_back(place);
     }
     return nearest;
+}
+
+/// A second door of a building says less than the first of another.
+void put_visited_last(std::vector<const DraftPlace*>& places, const std::vector<const DraftPlace*>& visited) {
+    std::ranges::stable_partition(places, [&](const DraftPlace* place) {
+        return std::ranges::find(visited, building_of(*place), [](const DraftPlace* other) {
+                   return building_of(*other);
+               }) == visited.end();
+    });
 }
 
 /// Why the walk fails; empty if it passes.
@@ -115,13 +127,15 @@ Visits playable_visits(const MapFiles& contents, const CampusFiles& files, WalkL
     std::size_t tries = 0;
     while (visits.places.size() < kMaxVisits && tries < kMaxTries) {
         const std::size_t before = visits.places.size();
-        for (const DraftPlace* place : nearby(contents.draft.places, here)) {
+        std::vector<const DraftPlace*> next = nearby(contents.draft.places, here);
+        put_visited_last(next, visits.places);
+        for (const DraftPlace* place : next) {
             if (std::ranges::find(visits.places, place) != visits.places.end()) {
                 continue;
             }
             visits.places.push_back(place);
-            scene::write_file_atomically(files.walk,
-                                         visit_yaml(visits.places, files.campus.filename().string()));
+            scene::write_file_atomically(
+                files.walk, visit_yaml(contents.draft, visits.places, files.campus.filename().string()));
             ++tries;
             const std::string failure = failure_of(files.walk, loader);
             if (failure.empty()) {
@@ -170,8 +184,8 @@ WrittenWalk write_campus_files(const MapFiles& contents, const CampusFiles& file
     WrittenWalk written;
     try {
         const Visits visits = playable_visits(contents, drafts, loader);
-        scene::write_file_atomically(drafts.walk,
-                                     visit_yaml(visits.places, files.campus.filename().string()));
+        scene::write_file_atomically(
+            drafts.walk, visit_yaml(contents.draft, visits.places, files.campus.filename().string()));
         if (!failure_of(drafts.walk, loader).empty()) {
             throw std::runtime_error("the walk of the imported campus doesn't pass; please report this map");
         }

@@ -5,18 +5,13 @@
 
 #include "engine/events/decimals.h"
 #include "tools/campuswalk/base/json_text.h"
-#include "tools/campuswalk/base/text.h"
+#include "tools/campuswalk/base/yaml_text.h"
 
 namespace campuswalk::tools {
 
 using engine::fixed;
 
 namespace {
-
-/// JSON strings are YAML strings, too.
-std::string quoted(const std::string& text) {
-    return json_text(text);
-}
 
 std::string list_of(const Eigen::Vector3d& v) {
     return "[" + fixed(v.x(), 3) + ", " + fixed(v.y(), 3) + ", " + fixed(v.z(), 3) + "]";
@@ -38,11 +33,12 @@ std::string places_yaml(const SuggestedCampus& campus) {
     if (!campus.places) {
         return "";
     }
-    const std::string path = quoted(campus.places->path.generic_string());
+    const std::string path = yaml_string(campus.places->path.generic_string());
     const std::string& name = campus.places->name_property;
     return "places:\n  from: " +
-           (name == config::PlaceFile().name_property ? path
-                                                      : "{file: " + path + ", name: " + quoted(name) + "}") +
+           (name == config::PlaceFile().name_property
+                ? path
+                : "{file: " + path + ", name: " + yaml_string(name) + "}") +
            "\n";
 }
 
@@ -50,24 +46,6 @@ std::string box_yaml(const scene::UprightBox& box) {
     const double yaw_deg = engine::degrees(std::atan2(-box.along.z(), box.along.x()));
     return "shape: box, center: " + list_of(box.center) + ", size: " + list_of(box.size) +
            (box.along.z() == 0.0 ? "" : ", yaw_deg: " + fixed(yaw_deg, 2));
-}
-
-/// One glob, or a list of them in lines that can be read.
-std::string globs_yaml(const std::vector<std::string>& globs) {
-    constexpr std::size_t kLineLength = 90;
-    if (globs.size() == 1) {
-        return quoted(globs[0]);
-    }
-    std::string list = "[";
-    std::size_t line = 0;
-    for (std::size_t i = 0; i < globs.size(); ++i) {
-        const std::string glob = quoted(globs[i]) + (i + 1 < globs.size() ? "," : "]");
-        const bool wraps = line > 0 && line + glob.size() > kLineLength;
-        list += i == 0 ? "" : wraps ? "\n       " : " ";
-        list += glob;
-        line = (wraps ? 0 : line) + glob.size() + 1;
-    }
-    return list;
 }
 
 std::vector<std::string> patterns_of(const std::vector<scene::NodeGlob>& doors) {
@@ -90,7 +68,7 @@ std::string solids_yaml(const SuggestedCampus& campus) {
     for (std::size_t b = 0; b < campus.buildings.size(); ++b) {
         const scene::SuggestedBuilding& building = campus.buildings[b];
         if (!building.globs.empty()) {
-            text += "  - {id: " + quoted(building.id) + ", building: " + quoted(building.id) +
+            text += "  - {id: " + yaml_string(building.id) + ", building: " + yaml_string(building.id) +
                     except_yaml(campus.doors_of[b]) + (building.is_one_node ? "" : ", each: true") +
                     ", shape: mesh, mode: solid, popup: false}\n";
             told.insert(told.end(), building.globs.begin(), building.globs.end());
@@ -98,7 +76,7 @@ std::string solids_yaml(const SuggestedCampus& campus) {
     }
     if (!campus.solids.globs.empty()) {
         text += "  - {id: part, nodes: " +
-                (campus.solids.are_the_rest ? quoted("*") + except_yaml(told)
+                (campus.solids.are_the_rest ? yaml_string("*") + except_yaml(told)
                                             : globs_yaml(campus.solids.globs) + except_yaml(doors)) +
                 ", each: true, shape: mesh, mode: solid}\n";
         told.insert(told.end(), campus.solids.globs.begin(), campus.solids.globs.end());
@@ -140,16 +118,16 @@ std::string campus_yaml(const SuggestedCampus& campus) {
     std::string text =
         "# A first draft by `campuswalk info --suggest`: rename, describe, and split what is solid.\n"
         "scenes:\n  - {file: " +
-        quoted(campus.model);
+        yaml_string(campus.model);
     text += campus.scene.up == scene::UpAxis::z ? ", up: z" : "";
     text += campus.scene.scale != 1.0 ? ", scale: " + json_text(campus.scene.scale) : "";
     text += "}\n";
     text += origin_yaml(campus);
     text += campus.buildings.empty() ? "" : "buildings:\n";
     for (const scene::SuggestedBuilding& building : campus.buildings) {
-        text += "  - {id: " + quoted(building.id) +
+        text += "  - {id: " + yaml_string(building.id) +
                 (building.globs.empty() ? "" : ", nodes: " + globs_yaml(building.globs)) +
-                ", title: " + quoted(building.title) + "}\n";
+                ", title: " + yaml_string(building.title) + "}\n";
     }
     text += campus.doors.empty() ? "colliders:\n"
                                  : "colliders:\n  # Closed doors are left out: nobody could pass them.\n";
@@ -166,8 +144,9 @@ std::string campus_yaml(const SuggestedCampus& campus) {
         const scene::SuggestedBuilding& building = campus.buildings[b];
         const auto add_trigger = [&](const std::string& name, const scene::UprightBox& box,
                                      const char* more) {
-            text += "  - {id: " + quoted(building.id + name) + ", building: " + quoted(building.id) + ", " +
-                    box_yaml(box) + ", mode: trigger" + more + "}\n";
+            text += "  - {id: " + yaml_string(building.id + name) +
+                    ", building: " + yaml_string(building.id) + ", " + box_yaml(box) + ", mode: trigger" +
+                    more + "}\n";
         };
         add_trigger("/around", trigger_about(building), "");
         const std::optional<scene::UprightBox> inside = trigger_inside(building);
@@ -188,16 +167,16 @@ std::string walk_yaml(const SuggestedCampus& campus, const std::string& campus_f
     std::string expect = "  - never: \"avatar.fell *\"\n";
     for (std::size_t v = 0; v < visits; ++v) {
         const SuggestedVisit& visit = campus.visits[v];
-        steps += "  - go_to: " + (visit.place.empty() ? list_of(visit.to) : quoted(visit.place)) + "\n";
+        steps += "  - go_to: " + (visit.place.empty() ? list_of(visit.to) : yaml_string(visit.place)) + "\n";
         if (!visit.trigger.empty()) {
-            expect += "  - sequence: [" + quoted("trigger.enter " + visit.trigger) + "]\n";
+            expect += "  - sequence: [" + yaml_string("trigger.enter " + visit.trigger) + "]\n";
         }
-        expect += visit.place.empty() ? "" : "  - reaches: " + quoted(visit.place) + "\n";
+        expect += visit.place.empty() ? "" : "  - reaches: " + yaml_string(visit.place) + "\n";
     }
     return "# Beside " + campus_file + ", by `campuswalk info --suggest`.\n" +
            (campus.ground ? "# The visitor walks on the box `ground` of that file: the model has no ground.\n"
                           : "") +
-           "campus: " + quoted(campus_file) + "\navatar: adult\nsteps:\n" + steps +
+           "campus: " + yaml_string(campus_file) + "\navatar: adult\nsteps:\n" + steps +
            (visits == 0 ? "  - wait: 1\n" : "") + "expect:\n" + expect;
 }
 
