@@ -156,6 +156,7 @@ class Suggest(ProgramCase):
         visits = [[float(c) for c in visit.split(",")]
                   for visit in re.findall(r"go_to: \[(.*?)\]", self.read("new.walk.yaml").decode())]
         self.assertEqual(len(visits), 2, visits)
+        self.assertIn("# It goes through no door: ", self.read("new.walk.yaml").decode())
         xs = sorted(x for x, _, _ in visits)
         self.assertTrue(xs[0] < -8 and xs[1] > 8, visits)
         self.write("new.campus.yaml", campus.replace(
@@ -216,7 +217,7 @@ class Suggest(ProgramCase):
         self.assertIn("\n# The visitor walks on the box `ground` of that file: the model has no ground.\n",
                       self.read("new.walk.yaml").decode())
         self.assertIn("avatar.arrive", log)
-        self.assertIn(", played, on a box: the model has no ground\n",
+        self.assertIn(", played, on a box: the model has no ground; it goes through no door\n",
                       self.passes("info", "hut.obj", "--suggest", "new.campus.yaml", "--overwrite").out)
 
     def test_an_only_building_without_a_name_is_called_like_its_file(self):

@@ -148,7 +148,7 @@ std::string campus_yaml(const SuggestedCampus& campus) {
                     ", building: " + yaml_string(building.id) + ", " + box_yaml(box) + ", mode: trigger" +
                     more + "}\n";
         };
-        add_trigger("/around", trigger_about(building), "");
+        add_trigger(kAroundTrigger, trigger_about(building), "");
         const std::optional<scene::UprightBox> inside = trigger_inside(building);
         if (inside && campus.interiors[b].can_be_entered) {
             add_trigger("/inside", *inside, ", popup: false");
@@ -160,6 +160,13 @@ std::string campus_yaml(const SuggestedCampus& campus) {
     text +=
         "spawns:\n  start: {at: " + list_of(campus.spawn) + ", yaw_deg: " + fixed(campus.yaw_deg, 1) + "}\n";
     return text + places_yaml(campus);
+}
+
+bool enters_something(const SuggestedCampus& campus, std::size_t visits) {
+    const auto first = campus.visits.begin();
+    return std::any_of(first, first + static_cast<std::ptrdiff_t>(visits), [](const SuggestedVisit& visit) {
+        return !visit.trigger.empty() && !visit.trigger.ends_with(kAroundTrigger);
+    });
 }
 
 std::string walk_yaml(const SuggestedCampus& campus, const std::string& campus_file, std::size_t visits) {
@@ -174,6 +181,9 @@ std::string walk_yaml(const SuggestedCampus& campus, const std::string& campus_f
         expect += visit.place.empty() ? "" : "  - reaches: " + yaml_string(visit.place) + "\n";
     }
     return "# Beside " + campus_file + ", by `campuswalk info --suggest`.\n" +
+           (enters_something(campus, visits)
+                ? ""
+                : "# It goes through no door: none was found that leads anywhere.\n") +
            (campus.ground ? "# The visitor walks on the box `ground` of that file: the model has no ground.\n"
                           : "") +
            "campus: " + yaml_string(campus_file) + "\navatar: adult\nsteps:\n" + steps +

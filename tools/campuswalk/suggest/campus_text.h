@@ -27,7 +27,9 @@ struct SuggestedInterior {
     std::vector<scene::UprightBox> rooms = {};  ///< triggers; room_trigger names them
 };
 
-/// The part of a room's trigger id behind its building's; `room` counts from 0.
+/// The part of the id of a building's trigger behind the building's: of the one about it from outside.
+inline constexpr const char* kAroundTrigger = "/around";
+/// Of a room's; `room` counts from 0.
 std::string room_trigger(std::size_t room);
 
 /// What the files of a suggested campus say.
@@ -60,6 +62,9 @@ inline constexpr double kWaist = 0.9;  ///< metres above the feet
 collision::Aabb box_about(const scene::UprightBox& box);
 
 std::string campus_yaml(const SuggestedCampus& campus);
+/// Whether one of the first `visits` visits leads into a building or to one of its rooms.
+bool enters_something(const SuggestedCampus& campus, std::size_t visits);
+
 /// A walk that makes the first `visits` visits; `campus_file` is the name of the campus file.
 std::string walk_yaml(const SuggestedCampus& campus, const std::string& campus_file, std::size_t visits);
 

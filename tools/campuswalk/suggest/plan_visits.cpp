@@ -106,7 +106,7 @@ public:
     }
 
     bool approach_nearest() {
-        return visit_nearest([this](std::size_t b) { return place_beside(b); }, "/around").has_value();
+        return visit_nearest([this](std::size_t b) { return place_beside(b); }, kAroundTrigger).has_value();
     }
 
     /// To the place that is the longest way from the spawn, and to one that is far from both: whatever is

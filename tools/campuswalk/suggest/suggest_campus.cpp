@@ -243,8 +243,9 @@ int suggest_campus(const scene::SceneFile& model, const SuggestRequest& request)
     scene::write_file_atomically(walk_file, walk_yaml(campus, campus_file.filename().string(), visits));
     print_line("%s: %s", campus_file.string().c_str(),
                scene::plural(campus.buildings.size(), "building").c_str());
-    print_line("%s: %s, played%s", walk_file.string().c_str(), scene::plural(visits, "visit").c_str(),
-               campus.ground ? ", on a box: the model has no ground" : "");
+    print_line("%s: %s, played%s%s", walk_file.string().c_str(), scene::plural(visits, "visit").c_str(),
+               campus.ground ? ", on a box: the model has no ground" : "",
+               enters_something(campus, visits) ? "" : "; it goes through no door");
     print_outside(campus_file, model.path, "the model");
     if (request.places) {
         print_outside(campus_file, request.places->path, "the file of places");
