@@ -123,10 +123,11 @@ on the command line take precedence.
 )" + key_table("walks-config.schema.json") +
            R"(
   projects:
-    adult: {}
+    as-written: {}
     robot: {avatar: robot, tags: [ramps]}
 
-runs every walk as an adult, and those with the tag 'ramps' as a robot as well; '--project robot' selects one.
+runs every walk as it is written, and those with the tag 'ramps' by a robot as well; '--project robot' selects
+one.
 )";
 }
 
