@@ -141,7 +141,7 @@ void WorkerPool::kill_slow_workers() {
             worker.send_signal(SIGKILL);
             worker.wait();
             const double most = *settings_.kill_after;
-            end_task(*index, {false, "stopped: it took more than " + engine::fixed(most, most < 1.0 ? 3 : 1) +
+            end_task(*index, {false, "stopped: it took more than " + engine::fixed(most, most < 0.1 ? 3 : 1) +
                                          " s of wall clock (--kill-after)"});
         }
     }
