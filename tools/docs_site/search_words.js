@@ -1,8 +1,8 @@
 // Put before the theme's search worker by tools/docs-site, so that it gets each message first. Names such as `walk_to`,
 // `no-ground`, `trigger.enter` or `library/door` are found as they are and by each of their parts; and `--strict` is a word,
 // where lunr would take hyphens for the exclusion of what follows.
-"use strict";
 (() => {
+  "use strict"; // here only: the theme's worker follows in this file
   const BETWEEN_WORDS = /[\s:,;()[\]{}"`]+/;
   const AROUND_WORDS = /^[-.]+|[-.]+$/g;
 
