@@ -36,7 +36,7 @@ struct TextureReport {
 
 /// A likely mistake in a model. `code` is stable:
 ///   no-triangles     nothing to walk on
-///   odd-scale        under 0.5 m or over 5 km across; suggests a unit
+///   odd-scale        under 0.5 m or over 5 km across, or with risers of metres; suggests a unit
 ///   coarse-position  so far from the file's origin that float32 spacing exceeds 5 mm
 ///   far-from-origin  over 10 km from the world's origin
 ///   z-up             flat along Z and mostly facing Z: `up: z` is probably missing

@@ -19,11 +19,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kMinDoor = 0.3;       // metres: a cupboard's
-constexpr double kMaxDoor = 6.0;       // metres: a cathedral's
-constexpr double kMinUsualDoor = 1.8;  // metres
-constexpr double kMaxUsualDoor = 3.2;  // metres
-constexpr double kMaxRiser = 0.32;     // metres: avatars step up 0.3 m
+constexpr double kMinDoor = 0.3;         // metres: a cupboard's
+constexpr double kMaxDoor = 6.0;         // metres: a cathedral's
+constexpr double kMinUsualDoor = 1.8;    // metres
+constexpr double kMaxUsualDoor = 3.2;    // metres
+constexpr double kMaxRiser = 0.32;       // metres: avatars step up 0.3 m
+constexpr double kMinUsualRiser = 0.1;   // metres
+constexpr double kMaxUsualRiser = 0.25;  // metres
+constexpr double kMaxLevels = 9.0;       // metres: between landings, of a stair without treads
 
 ModelLint::Place place_of(const NodeReport& node) {
     Vector3d foot = node.bounds.center();
@@ -87,8 +90,8 @@ void check_doors(const Model& model, const std::vector<NodeReport>& nodes, int u
     }
 }
 
-/// By part: the heights of its horizontal faces.
-std::map<std::size_t, std::vector<double>> heights_of_stairs(const Model& model) {
+/// By part: the heights of its horizontal faces, along the axis `up`.
+std::map<std::size_t, std::vector<double>> heights_of_stairs(const Model& model, int up) {
     constexpr double kTreadCosine = 0.99;
     const std::vector<std::size_t> part = named_parts(model, is_stairs_name);
     std::map<std::size_t, std::vector<double>> heights;
@@ -100,25 +103,43 @@ std::map<std::size_t, std::vector<double>> heights_of_stairs(const Model& model)
         for_each_triangle(model, model.nodes[n],
                           [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
                               const Vector3d normal = (b - a).cross(c - a);
-                              if (normal.y() > kTreadCosine * normal.norm()) {
-                                  own.push_back(a.y());
+                              if (normal[up] > kTreadCosine * normal.norm()) {
+                                  own.push_back(a[up]);
                               }
                           });
     }
     return heights;
 }
 
-void check_stairs(const Model& model, const std::vector<NodeReport>& nodes, std::vector<ModelLint>& out) {
+/// That the model isn't in metres, if no stairs have such risers.
+std::optional<std::string> unit_by_riser(double riser) {
+    const auto unit = riser > kMaxLevels ? guess_unit(riser, kMinUsualRiser, kMaxUsualRiser) : std::nullopt;
+    return unit ? std::optional("with `" + std::string(unit->yaml) + "` they would be of " +
+                                in_metres(riser * unit->factor))
+                : std::nullopt;
+}
+
+void check_stairs(const Model& model, const std::vector<NodeReport>& nodes, int up,
+                  std::vector<ModelLint>& out) {
     ModelLint lint{"stair-riser", "", {}};
     double riser = 0.0;
-    for (auto& [part, heights] : heights_of_stairs(model)) {
+    for (auto& [part, heights] : heights_of_stairs(model, up)) {
         const double own = riser_of(std::move(heights));
         if (own > kMaxRiser) {
             riser = lint.places.empty() ? own : riser;
             lint.places.push_back(place_of(nodes[part]));
         }
     }
-    if (!lint.places.empty()) {
+    if (lint.places.empty()) {
+        return;
+    }
+    if (const std::optional<std::string> unit = unit_by_riser(riser)) {
+        lint.code = "odd-scale";
+        lint.message = plural(lint.places.size(), "flight") +
+                       " of stairs with risers that no stairs have, for example '" +
+                       lint.places.front().node + "' with risers of " + in_metres(riser) + "; " + *unit;
+        out.push_back(lint);
+    } else if (up == 1) {
         lint.message = plural(lint.places.size(), "flight") +
                        " of stairs with risers too high to climb, for example '" + lint.places.front().node +
                        "' with risers of " + in_metres(riser) + "; the default avatar steps up 0.3 m";
@@ -147,9 +168,7 @@ double riser_of(std::vector<double> heights) {
 std::vector<ModelLint> lint_named_sizes(const Model& model, const std::vector<NodeReport>& nodes, int up) {
     std::vector<ModelLint> lints;
     check_doors(model, nodes, up, lints);
-    if (up == 1) {
-        check_stairs(model, nodes, lints);
-    }
+    check_stairs(model, nodes, up, lints);
     return lints;
 }
 

@@ -14,6 +14,8 @@ import sys
 import tempfile
 import unittest
 
+import yaml
+
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.join(ROOT, "tools"))
@@ -27,7 +29,7 @@ FENCE = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
 SPAN = re.compile(r"(?<!`)`([^`]+)`(?!`)")
 OPTION = re.compile(r"(?<![\w-])--[a-z][a-z-]+")
 # Of other programs, which the documents name.
-OTHERS = {"--check", "--program"}
+OTHERS = {"--check", "--entrypoint", "--program"}
 
 
 class InlineCommands(unittest.TestCase):
@@ -69,6 +71,45 @@ class InlineCommands(unittest.TestCase):
                     with self.subTest(page=page, call=call):
                         self.assertLessEqual(set(OPTION.findall(call)), self.options["run"])
         self.assertGreater(count, 0)
+
+    def test_the_shards_of_gitlab_merge(self):
+        """The jobs of docs/how-to/ci.md, one machine after the other, with the artifacts of all in one folder."""
+        with open(os.path.join(ROOT, "docs", "how-to", "ci.md"), encoding="utf-8") as file:
+            text = re.search(r"### Shards on GitLab\n.*?```yaml\n(.*?)```", file.read(), re.DOTALL)[1]
+        jobs = yaml.safe_load(text)
+        with tempfile.TemporaryDirectory(prefix="campuswalk-docs-") as folder:
+            tools, joined = os.path.join(folder, "tools"), os.path.join(folder, "joined")
+            os.makedirs(tools)
+            os.symlink(self.program, os.path.join(tools, "campuswalk"))
+
+            def play(job, project, **variables):
+                [script] = jobs[job]["script"]
+                if not self.writes_html():
+                    script = script.replace("--record report", "").replace("--reporter html=out/report.html", "")
+                return subprocess.run(["sh", "-e", "-c", script], cwd=project, capture_output=True, text=True, check=False,
+                                      env={**os.environ, "CI": "true", "PATH": tools + ":" + os.environ["PATH"], **variables})
+
+            subprocess.run([self.program, "init", joined], check=True, capture_output=True)
+            codes = []
+            for index in range(1, jobs["walks"]["parallel"] + 1):
+                project = os.path.join(folder, "machine-%d" % index)
+                subprocess.run([self.program, "init", project], check=True, capture_output=True)
+                codes.append(play("walks", project, CI_NODE_INDEX=str(index), CI_NODE_TOTAL=str(jobs["walks"]["parallel"])).returncode)
+                shutil.copytree(os.path.join(project, "out"), os.path.join(joined, "out"), dirs_exist_ok=True)
+            merged = play("verdict", joined)
+            self.assertEqual((merged.returncode, merged.stderr), (0, ""), merged.stdout)
+            self.assertIn("2 passed (1 by failing as expected)", merged.stdout)
+            self.assertTrue(os.path.isfile(os.path.join(joined, jobs["verdict"]["artifacts"]["reports"]["junit"])))
+            os.remove(os.path.join(joined, "out", "shards", "2.jsonl"))
+            self.assertEqual(play("verdict", joined).returncode, 1)
+        self.assertEqual(set(codes), {0})
+
+    def writes_html(self):
+        with tempfile.TemporaryDirectory(prefix="campuswalk-docs-") as folder:
+            subprocess.run([self.program, "init", folder], check=True, capture_output=True)
+            done = subprocess.run([self.program, "run", "-q", "--rendering-backend", "none", "--reporter", "html=a.html"], cwd=folder,
+                                  capture_output=True, text=True, check=False)
+        return "not-built" not in done.stderr
 
     def test_the_ten_steps_run_as_written(self):
         with open(os.path.join(ROOT, "docs", "how-to", "your-own-campus.md"), encoding="utf-8") as file:

@@ -1,16 +1,25 @@
 #!/usr/bin/env python3
 """The built site: every link, anchor and picture is there, every page is in the navigation, and nothing is loaded from elsewhere.
 
-`site_test.py PROGRAM SITE`. Needs only Python's standard library.
+`site_test.py PROGRAM SITE`. Needs only Python's standard library, and node for the search.
 """
 
 import json
 import os
 import re
+import shutil
+import subprocess
 import sys
 import unittest
 from html.parser import HTMLParser
 from urllib.parse import unquote, urlsplit
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.normpath(os.path.join(HERE, "..", ".."))
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.join(ROOT, "tools"))
+
+from docs_site import repository  # noqa: E402  (the path first)
 
 LOADING = {"script": "src", "img": "src", "iframe": "src", "source": "src", "video": "src", "embed": "src", "object": "data"}
 LOADING_LINKS = {"stylesheet", "preload", "prefetch", "preconnect", "dns-prefetch", "icon", "modulepreload", "manifest"}
@@ -94,11 +103,36 @@ class Site(unittest.TestCase):
                     with self.subTest(page=page, heads=heads):
                         self.assertLessEqual(set(filter(None, heads[1:])), set(re.findall(r'data-label="([^"]*)"', table)))
 
-    def test_the_search_finds_parts_of_names(self):
-        with open(os.path.join(self.site, "search", "search_index.json"), encoding="utf-8") as file:
-            separator = json.load(file)["config"]["separator"]
-        for name in ("avatar.arrive", "step_height", "library/door", "--min-cases", "bad-value"):
-            self.assertEqual([word for word in re.split(separator, name) if word], re.findall("[a-z]+", name))
+    def found(self, *queries):
+        """The pages that the site's own search worker finds for each, the best first."""
+        [worker] = [name for name in self.files if re.fullmatch(r"assets/javascripts/workers/search\..*\.min\.js", name)]
+        done = subprocess.run(["node", os.path.join(HERE, "search.mjs"), os.path.join(self.site, worker),
+                               os.path.join(self.site, "search", "search_index.json")], input=json.dumps(queries),
+                              stdout=subprocess.PIPE, text=True, check=True, timeout=120)
+        return dict(zip(queries, json.loads(done.stdout), strict=True))
+
+    def test_the_search_finds_names_and_their_parts(self):
+        if not shutil.which("node"):
+            self.skipTest("there is no node to run the search")
+        with open(os.path.join(HERE, "search_queries.json"), encoding="utf-8") as file:
+            expected = json.load(file)
+        found = self.found(*expected)
+        for query, page in expected.items():
+            with self.subTest(query=query):
+                self.assertIn(page, found[query][:4])
+        print("site: %d searches" % len(expected))
+
+    def test_files_of_the_repository_are_linked_where_it_is_published(self):
+        text = "See `SECURITY.md`, `config/walks/expectations` and [`tools`](x); `no/file`.\n```sh\ncat `SECURITY.md`\n```\n"
+        self.assertEqual(repository.with_links(text, None, ROOT), text)
+        self.assertEqual(repository.with_links(text, "https://h/", ROOT), text.replace(
+            "See `SECURITY.md`", "See [`SECURITY.md`](https://h/SECURITY.md)").replace(
+            "`config/walks/expectations`", "[`config/walks/expectations`](https://h/config/walks/expectations)"))
+
+        class Published:
+            def initial(self, _):
+                return "uses: actions/checkout@%s # v4\nuses: owner/name@%s # v1\n" % ("1" * 40, "2" * 40)
+        self.assertEqual(repository.address(Published()), "https://github.com/owner/name/blob/%s/" % ("2" * 40))
 
     def test_pictures_are_there_and_described(self):
         count = 0

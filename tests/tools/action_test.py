@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """action.yml's steps, run as GitHub's runner runs them, with actions of others in name only."""
 
+import filecmp
 import glob
 import hashlib
 import os
@@ -207,6 +208,12 @@ class Action(ProgramCase):
             file.write("status: only\n")
         self.assertEqual(self.run_action(runner), 2, runner.output)
 
+    def differing(self, one, other):
+        """The files that both folders have and that aren't the same: one would replace the other where artifacts are joined."""
+        common = [os.path.relpath(name, one) for name in glob.glob(one + "/**", recursive=True)
+                  if os.path.isfile(name) and os.path.exists(os.path.join(other, os.path.relpath(name, one)))]
+        return [name for name in common if not filecmp.cmp(os.path.join(one, name), os.path.join(other, name), shallow=False)]
+
     def test_shards_and_their_merged_report(self):
         whole = self.runner("whole")
         self.narrow_the_door(whole)
@@ -217,6 +224,7 @@ class Action(ProgramCase):
             code = self.run_action(shard, shard=f"{i}/2", artifact=f"campuswalk-{i}")
             self.assertIn(code, (0, 1), shard.output)
             self.assertIn("## campuswalk: ", shard.summary)
+            self.assertEqual(self.differing(os.path.join(shard.workspace, "campus/out"), self.path("downloaded")), [])
             shutil.copytree(os.path.join(shard.workspace, shard.uploads[f"campuswalk-{i}"]), self.path("downloaded"),
                             dirs_exist_ok=True)
         merging = self.runner("merge")

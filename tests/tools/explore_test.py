@@ -84,6 +84,11 @@ class Explore(ProgramCase):
         self.assertRegex(gate["text"], r"^shed/gate-leaf stands in the way at 5\.\d\d, \d\.\d\d, -[45]\.\d\d; "
                                        r"the opening beside it is 0\.55 m wide, the body needs 0\.60 m$")
         self.assertIn("is inside shed/left", self.finding(report, "inside-the-wall")["text"])
+        # In the text, each finding has its place once.
+        lines = re.findall(r"(?m)^ +\d+  (.*)$", self.run_program("explore", "yard.campus.yaml").out)
+        self.assertEqual(len(lines), len(report["findings"]))
+        for line, finding in zip(lines, report["findings"], strict=True):
+            self.assertEqual(line.count("%.2f, %.2f, %.2f" % tuple(finding["at"])), 1, line)
 
     def test_finds_traps_and_holes(self):
         report = self.report()

@@ -225,6 +225,19 @@ class PicturesOfFailures(ImageCase):
             self.assertEqual(self.failures(), [])
             self.assertEqual(self.read("out/short/failure.txt"), b"mine")
 
+    def test_and_snapshots_that_the_walk_does_not_get_to_any_more_go(self):
+        taken = "turn: 180\n  - snapshot: {name: away, width: 96, height: 64, channels: [depth]}"
+        self.write("short.walk.yaml", WALK.replace("turn: 180", taken))
+        self.passes("run", "short.walk.yaml")
+        for name in ("away.png", "away-depth.png", "other.png"):
+            self.write("out/short/" + name, "of a run before")
+        self.write("short.walk.yaml", WALK.replace("turn: 180", "walk_to: [0, -8]\n  - " + taken))
+        blocked = self.run_program("run", "short.walk.yaml")
+        self.assertEqual(blocked.code, 1)
+        self.assertIn("error blocked", blocked.err)
+        left = [name for name in ("away.png", "away-depth.png", "other.png") if "out/short/" + name in self.contents()]
+        self.assertEqual(left, ["away.png", "away-depth.png", "other.png"] if WITHOUT_RENDERING else ["other.png"])
+
     def test_are_not_removed_through_a_link(self):
         self.write("precious/short/failure-eyes.png", "precious")
         os.symlink("precious", self.path("out"))

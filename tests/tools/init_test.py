@@ -57,6 +57,25 @@ class Init(ProgramCase):
     def test_unwritable_folders_are_refused(self):
         self.refused(["room.obj/new"], "room.obj/new: error output-unwritable: ", "'room.obj'")
 
+    def test_a_project_that_is_there_gets_the_file_of_its_ci_and_nothing_else(self):
+        for service, name in (("github", ".github/workflows/walks.yml"), ("gitlab", ".gitlab-ci.yml")):
+            with self.subTest(service=service):
+                self.passes("init", "new-" + service, "--ci", service)
+                self.passes("init", service, "--ci", "none")
+                before = self.contents()
+                added = self.passes("init", service, "--template", "none", "--ci", service)
+                self.assertEqual(added.lines, ["%s/%s" % (service, name)])
+                after = self.contents()
+                self.assertEqual({path for path in after if after[path] is not None} - set(before), {"%s/%s" % (service, name)})
+                self.assertEqual({path: after[path] for path in before}, before)
+                self.assertEqual(self.read("%s/%s" % (service, name)), self.read("new-%s/%s" % (service, name)))
+                self.refused([service, "--template", "none", "--ci", service], "%s/%s: error file-exists: " % (service, name))
+        self.refused(["nowhere", "--template", "none"], "nowhere: error not-a-folder: ")
+        self.refused(["github", "--template", "none", "--ci", "none"], "--template: error bad-value: ")
+        os.makedirs(self.path("linked"))
+        os.symlink(self.path("gitlab"), self.path("linked/.github"))
+        self.refused(["linked", "--template", "none"], "linked/.github/workflows/walks.yml: error output-unwritable: ")
+
     def test_the_workflow_is_pinned_and_strict(self):
         for template, walks in (("minimal", 2), ("stairs", 4), ("campus", 5)):
             self.passes("init", template, "--template", template)
@@ -175,7 +194,7 @@ class Init(ProgramCase):
 
     def test_an_unknown_template_is_refused(self):
         self.assert_bad_usage(self.run_program("init", "new", "--template", "castle"), "campuswalk init",
-                              "--template 'castle' campus|minimal|stairs")
+                              "--template 'castle' campus|minimal|none|stairs")
 
 
 if __name__ == "__main__":

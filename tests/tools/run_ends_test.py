@@ -404,6 +404,7 @@ class CutShort(ManyWalks):
         self.assertEqual(outcome.code, 3)
         self.assertRegex(outcome.err, r"b\.walk\.yaml: .*0\.5 s")
         self.assertEqual([result["outcome"] for result in self.results("r.jsonl")], ["passed", "broken"])
+        self.assertIn("more than 0.001 s of", self.run_walks("--kill-after", "0.001", "b.walk.yaml").err)
 
 
 if __name__ == "__main__":

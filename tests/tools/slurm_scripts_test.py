@@ -274,6 +274,15 @@ class Explorations(SlurmCase):
         self.assertEqual([each["report"] is None for each in json.loads(self.read("merged.json"))["explorations"]],
                          [False, False, True, False])
 
+    def test_names_are_looked_up_before_anything_is_explored(self):
+        for last in (("--avatar", "wheelchair"), ("--require", "nowhere"), ("--from", "nowhere")):
+            for slurm in ((), ("--slurm=script",)):
+                with self.subTest(last=last, slurm=slurm):
+                    outcome = self.explore("--json", "all.json", *last, *slurm)
+                    self.assertEqual((outcome.code, outcome.out), (2, ""))
+                    self.assertIn(last[0] + ":1:1: error unknown-name: ", outcome.err)
+                    self.assertNotIn("all.json", self.contents())
+
     def test_files_of_one_campus_need_one(self):
         self.assert_refused(self.explore("--geojson", "a.geojson"), "explore: error bad-value: --geojson")
         self.assert_refused(self.explore("--only", "5"), "--only: error bad-value: 4")

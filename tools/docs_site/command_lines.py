@@ -82,7 +82,9 @@ def reference(output):
         pages.append("## %s\n\n%s.\n\n```text\n%s\n```\n" % (name, summary.rstrip("."), usage))
         if positionals:
             pages.append(_table("argument", [(_positional(spec), text) for spec, text in positionals]))
-        pages.append(_table("option", [each for each in options if each[0] not in ("-h,--help", "--version")]))
+        own = [each for each in options if each[0] not in ("-h,--help", "--version")]
+        if own:
+            pages.append(_table("option", own))
         if notes:
             pages.append("```text\n%s\n```\n" % notes)
     return "\n".join(pages)

@@ -6,7 +6,7 @@ In a page, a line
     <!-- generated: NAME ARGUMENTS -->
 
 is replaced by what `generators.py` makes of it: so a key, an event, an option or a code is described only where it is
-defined. `<!-- test: ... -->`, which tests/docs/snippets_test.py reads, is left out, and so is a paragraph after `<!-- in the repository -->`.
+defined. Files of the repository are linked to where it is published, if the program knows that (`repository.py`). `<!-- test: ... -->`, which tests/docs/snippets_test.py reads, is left out, and so is a paragraph after `<!-- in the repository -->`.
 """
 
 import argparse
@@ -18,7 +18,8 @@ import sys
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
 
-from docs_site.generators import GENERATORS, Sources  # noqa: E402  (the path first)
+from docs_site import repository  # noqa: E402  (the path first)
+from docs_site.generators import GENERATORS, Sources  # noqa: E402
 
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 GENERATED = re.compile(r"^<!-- generated: (.+?) -->$", re.MULTILINE)
@@ -47,6 +48,7 @@ def main():
     parser.add_argument("out", help="a folder, such as build/docs")
     options = parser.parse_args()
     sources = Sources(ROOT, os.path.abspath(options.program))
+    where = repository.address(sources)
     pages = os.path.join(options.out, "pages")
     shutil.rmtree(pages, ignore_errors=True)
     shutil.copytree(os.path.join(ROOT, "docs"), pages)
@@ -59,7 +61,8 @@ def main():
                 with open(path, encoding="utf-8") as file:
                     text = file.read()
                 with open(path, "w", encoding="utf-8") as file:
-                    file.write(with_generated(text, sources, os.path.relpath(images, base)))
+                    page = with_generated(text, sources, os.path.relpath(images, base))
+                    file.write(repository.with_links(page, where, ROOT))
     shutil.copy(os.path.join(ROOT, "tools", "docs_site", "mkdocs.yml"), options.out)
     return 0
 

@@ -76,6 +76,36 @@ TEST(NamedSizes, AcceptsDoorsOfHousesCupboardsAndCathedrals) {
     EXPECT_TRUE(lints_of(model).empty());
 }
 
+TEST(NamedSizes, NamesTheUnitInWhichRisersAreThoseOfStairs) {
+    for (const auto& [riser, unit] : {std::pair{17.0, "`unit: cm`"}, std::pair{170.0, "`unit: mm`"}}) {
+        Model model;
+        add_stairs(model, "Stairs", riser);
+        const auto lints = lints_of(model);
+        ASSERT_EQ(lints.size(), 1U) << riser;
+        EXPECT_EQ(lints[0].code, "odd-scale");
+        EXPECT_NE(lints[0].message.find(std::string("with ") + unit + " they would be of 0.17 m"),
+                  std::string::npos)
+            << lints[0].message;
+    }
+    Model lying;  // on its back
+    const int group = static_cast<int>(test::add_group(lying, "Stairs"));
+    for (int i = 0; i < 10; ++i) {
+        test::add_box(lying, "tread", {0, -30.0 * (i + 1), 0}, {100, -30.0 * i, 17.0 * (i + 1)}, group);
+    }
+    const auto lints = lint_named_sizes(lying, report(lying).nodes, 2);
+    ASSERT_EQ(lints.size(), 1U);
+    EXPECT_EQ(lints[0].code, "odd-scale");
+}
+
+TEST(NamedSizes, TakesStoreysFarApartForNoUnit) {
+    for (const double storey : {3.0, 4.5, 8.5}) {  // landings, as a stair without treads has
+        Model model;
+        add_stairs(model, "Stairs", storey);
+        ASSERT_EQ(lints_of(model).size(), 1U);
+        EXPECT_EQ(lints_of(model)[0].code, "stair-riser");
+    }
+}
+
 TEST(NamedSizes, ReportsRisersTooHighToClimb) {
     for (const double riser : {0.17, 0.45, 2.0}) {
         Model model;

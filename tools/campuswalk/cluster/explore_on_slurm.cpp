@@ -97,6 +97,7 @@ ArrayJob array_job(const ExplorationRequest& request, const std::vector<std::str
     job.tasks = static_cast<int>(request.all.size());
     job.cpus = request.cpus;
     job.sbatch = sbatch;
+    job.after_restart = "explores from the beginning";
     job.task = {this_program(), "explore", "--only=\"$task\"", "--workers=\"$cpus\"",
                 "--json=\"$folder\"/results/\"$task\".json"};
     job.merge = {this_program(), "explore", "--merge=\"$job\"",

@@ -83,9 +83,8 @@ std::string shard_script(const ArrayJob& job) {
            directive("--array=1-" + std::to_string(job.tasks)) + directive("--requeue") +
            directive("--open-mode=append") + directive("--cpus-per-task=" + std::to_string(job.cpus)) +
            quoted_directive("--output", job.folder.logs() / "%a.txt") + common_directives(job) +
-           "# A node that dies: Slurm starts the task again, and it goes on where its saved results end.\n"
-           "folder=" +
-           shell_word(job.folder.root.generic_string()) +
+           "# A node that dies: Slurm starts the task again, and it " + job.after_restart +
+           ".\nfolder=" + shell_word(job.folder.root.generic_string()) +
            "\n"
            "task=$SLURM_ARRAY_TASK_ID\n"
            "cpus=${SLURM_CPUS_PER_TASK:-1}\n"

@@ -17,6 +17,7 @@ struct ArrayJob {
     std::vector<std::string> task;    ///< with $folder, $task and $cpus
     std::vector<std::string> merge;   ///< with $folder and $job, the array's number
     std::vector<std::string> sbatch;  ///< options for both, as in "--partition=long"
+    std::string after_restart;        ///< what a task does that Slurm starts again, for the script's reader
 };
 
 /// sbatch's options for both jobs. Throws scene::InputError (bad-value) for one that couldn't be a line of a

@@ -208,6 +208,7 @@ private:
             job.task.push_back(shell_word(argument));
         }
         job.merge = merge_command();
+        job.after_restart = "goes on where its saved results end";
         return job;
     }
 

@@ -41,11 +41,14 @@ int explore_campuses(const ExploreCommand& command, const std::vector<std::strin
         explorations_of(command.campuses,
                         command.avatars.empty() ? std::vector<std::string>{kUsualAvatar} : command.avatars),
         command.options.json, command.output, command.options.workers.value_or(1)};
-    const auto explore = [&](const Exploration& each, std::string* json) {
+    const auto options_of = [&](const Exploration& each) {
         ExploreOptions options = command.options;
         options.campus = each.campus;
         options.avatar = each.avatar;
-        return explore_campus(options, json);
+        return options;
+    };
+    const auto explore = [&](const Exploration& each, std::string* json) {
+        return explore_campus(options_of(each), json);
     };
     if (command.only) {
         if (static_cast<std::size_t>(*command.only) > request.all.size()) {
@@ -63,6 +66,9 @@ int explore_campuses(const ExploreCommand& command, const std::vector<std::strin
     }
     if (command.merge) {
         return merge_explorations(request, *command.merge);
+    }
+    for (const Exploration& each : request.all) {  // before the first one takes an hour
+        check_exploration(options_of(each));
     }
     if (command.slurm.mode) {
         return explore_on_slurm(request, command.slurm, arguments);

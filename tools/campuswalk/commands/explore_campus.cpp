@@ -192,6 +192,15 @@ void write_walks(const ExploreOptions& options, const scene::Campus& walked,
 
 }  // namespace
 
+void check_exploration(const ExploreOptions& options) {
+    const scene::CampusDescription campus = config::load_campus_description(options.campus, search_paths());
+    check_places(options, campus);
+    avatar_of(options.avatar, options, campus);
+    for (const std::string& name : options.from) {
+        spawn_position(campus, name);
+    }
+}
+
 int explore_campus(const ExploreOptions& options, std::string* json) {
     check_options(options);
     WalkLoader loader;

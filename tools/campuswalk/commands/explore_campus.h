@@ -32,6 +32,10 @@ struct ExploreOptions {
     std::optional<int> workers;
 };
 
+/// Throws scene::InputError if the campus can't be read, or an option names an avatar, a spawn or a place
+/// that there isn't. Reads no models.
+void check_exploration(const ExploreOptions& options);
+
 /// Walks everywhere, prints the report and writes what the options ask for. Returns the exit code. `json`
 /// becomes the report for programs, instead of the file, if it isn't null.
 int explore_campus(const ExploreOptions& options, std::string* json);

@@ -63,7 +63,7 @@ int print_help(const std::string& word, bool as_json, const std::vector<std::str
 
 void add_help(Command program, CommandAction& chosen) {
     const auto topic = std::make_shared<std::string>();
-    Command command = program.add("help", "Explain files, steps, expectations, events, ...");
+    Command command = program.add("help", "Explain files, steps, expectations, events and more");
     std::vector<std::string> names;
     for (const help::Topic& each : help::topics()) {
         names.emplace_back(each.name);

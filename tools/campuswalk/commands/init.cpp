@@ -18,6 +18,7 @@
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/init/ci_files.h"
 #include "tools/campuswalk/init/templates.h"
+#include "tools/campuswalk/run/plan/find_walks.h"
 
 namespace campuswalk::tools {
 
@@ -96,6 +97,38 @@ void write(const fs::path& path, const std::string& text, Undo& undo) {
     undo.add(path);
 }
 
+void print_written(const fs::path& folder, const init::NewFile& file) {
+    print_line("%s", (folder / file.path).lexically_normal().generic_string().c_str());
+}
+
+/// Adds the service's file, for the walks that are there, to a project. Returns the exit code.
+int add_ci_file(const InitOptions& options) {
+    std::error_code ignored;
+    if (!fs::is_directory(options.folder, ignored)) {
+        throw error_about(options.folder, "not-a-folder",
+                          "there is no such folder; with --template none, name that of your project");
+    }
+    const std::size_t walks = find_walks({options.folder}).size();
+    const std::optional<init::NewFile> file =
+        init::ci_file(options.service, init::publication(), std::max<std::size_t>(walks, 1));
+    if (!file) {
+        throw error_about("--template", "bad-value", "with --ci none, there is nothing to write");
+    }
+    const fs::path path = options.folder / file->path;
+    if (fs::exists(fs::symlink_status(path, ignored))) {
+        throw error_about(path, "file-exists",
+                          "it is there already, and init overwrites nothing; let it write into an empty "
+                          "folder, and take over what you need");
+    }
+    require_writable_file(path, "the file can't be written here");
+    Undo undo;
+    write(path, file->text, undo);
+    undo.finish();
+    print_written(options.folder, *file);
+    print_error_line("now: fill in its empty lines, and commit it");
+    return kPass;
+}
+
 /// Creates a folder with a campus, walks that pass and one that fails as expected, and a workflow that runs
 /// them. Overwrites nothing: a folder with files in it is refused. Returns the exit code.
 int make_project(const InitOptions& options) {
@@ -111,7 +144,7 @@ int make_project(const InitOptions& options) {
     }
     undo.finish();
     for (const init::NewFile& file : files) {
-        print_line("%s", (options.folder / file.path).lexically_normal().generic_string().c_str());
+        print_written(options.folder, file);
     }
     const std::string folder = options.folder.lexically_normal().generic_string();
     print_error_line("now: " + (folder == "." ? "" : "cd " + folder + " && ") + "campuswalk run");
@@ -124,21 +157,30 @@ void add_init(Command program, CommandAction& chosen) {
     const auto options = std::make_shared<InitOptions>();
     Command command =
         program.add("init", "Create a folder with a small school, walks and a CI workflow to start from");
-    command.option({.names = "DIR", .help = "A new or an empty folder", .value = "DIR", .show_default = true},
+    command.option({.names = "DIR",
+                    .help = "A new or an empty folder; with --template none, that of a project",
+                    .value = "DIR",
+                    .show_default = true},
                    options->folder);
     const std::map<std::string, init::Template> templates = {{"minimal", init::Template::minimal},
                                                              {"stairs", init::Template::stairs},
-                                                             {"campus", init::Template::campus}};
+                                                             {"campus", init::Template::campus},
+                                                             {"none", init::Template::none}};
     command.choice(
         {.names = "--template",
-         .help = "minimal (default): a library; stairs: with a gallery; campus: with two more halls"},
+         .help = "minimal (default): a library; stairs: with a gallery; campus: with two more halls; none: "
+                 "only the file of --ci, into a project that is there already"},
         templates, options->which);
     const std::map<std::string, init::Service> services = {
         {"github", init::Service::github}, {"gitlab", init::Service::gitlab}, {"none", init::Service::none}};
     command.choice({.names = "--ci", .help = "Whose CI runs the walks: github (default), gitlab or none"},
                    services, options->service);
-    command.footer("Nothing is overwritten: a folder with files in it is refused.");
-    command.choose(chosen, [options] { return make_project(*options); });
+    command.footer(
+        "Nothing is overwritten: a folder with files in it is refused, and by --template none a file that is "
+        "there.");
+    command.choose(chosen, [options] {
+        return options->which == init::Template::none ? add_ci_file(*options) : make_project(*options);
+    });
 }
 
 }  // namespace campuswalk::tools

@@ -92,7 +92,8 @@ void add_report(Command program, CommandAction& chosen) {
     command.option({.names = "-o", .help = "The report", .value = "FILE", .show_default = true},
                    options->file);
     command.option({.names = "--output",
-                    .help = "Folder of the run's pictures, recordings and campuses",
+                    .help = "Where the run's pictures, recordings and campuses are: its --output, which is "
+                            "read only",
                     .value = "DIR",
                     .show_default = true},
                    options->html.output);

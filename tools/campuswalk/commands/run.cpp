@@ -61,10 +61,11 @@ void add_selection(Command& command, const SharedRunOptions& options) {
     command.flag({.names = "--list", .help = "List what would be run"}, options->list);
     command.flag({.names = "--forbid-only", .help = "Refuse walks with 'status: only'"},
                  options->forbid_only);
-    command.flag({.names = "--strict",
-                  .help = "Refuse walks that are skipped, may fail in any way, expect nothing or have looser "
-                          "tolerances than the defaults; pictures that can't be evaluated are failures"},
-                 options->strict);
+    command.flag(
+        {.names = "--strict",
+         .help = "Refuse walks that are skipped, marked 'only', may fail in any way, expect nothing or have "
+                 "looser tolerances than the defaults; pictures that can't be evaluated are failures"},
+        options->strict);
     command.option({.names = "--min-cases",
                     .help = "A run of fewer walks, in all shards together, is an error",
                     .value = "N"},

@@ -11,7 +11,8 @@ void add_slurm(Command command, SlurmOptions& options) {
     command.choice_flag(
         {.names = "--slurm",
          .help = "Run as an array of jobs on Slurm and wait for the merged report; with script, "
-                 "only write shard.sh and merge.sh, to be edited, and print how to submit them"},
+                 "only write shard.sh and merge.sh, and print how to submit them: each time anew, so edit "
+                 "copies"},
         "submit", {{"submit", SlurmMode::submit}, {"script", SlurmMode::script}}, options.mode);
     command.option({.names = "--partition", .help = "With --slurm: sbatch's option", .value = "NAME"},
                    options.partition);

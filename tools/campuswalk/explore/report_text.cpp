@@ -31,6 +31,10 @@ const char* text_of(engine::Bound bound) {
     return "";
 }
 
+std::string place_text(const collision::Vec3& at) {
+    return fixed(at.x(), 2) + ", " + fixed(at.y(), 2) + ", " + fixed(at.z(), 2);
+}
+
 void print_reached(const WalkReport& report) {
     const std::vector<engine::Storey>& storeys = report.storeys.list;
     const std::string area = fixed(report.space.area(), 1) + " m²";
@@ -116,9 +120,8 @@ void print_other_ground(const WalkReport& report, const char* what, const IsCoun
         }
     }
     if (count > 0) {
-        print_line("%s: %zu, %s m² in all, the largest at %s, %s, %s", what, count, fixed(area, 0).c_str(),
-                   fixed(largest.x(), 2).c_str(), fixed(largest.y(), 2).c_str(),
-                   fixed(largest.z(), 2).c_str());
+        print_line("%s: %zu, %s m² in all, the largest at %s", what, count, fixed(area, 0).c_str(),
+                   place_text(largest).c_str());
     }
 }
 
@@ -135,8 +138,10 @@ void print_report(const scene::Campus& campus, const WalkReport& report, const e
     print_line("findings   %zu", findings.size());
     for (std::size_t i = 0; i < findings.size(); ++i) {
         const Finding& f = findings[i];
-        print_line("%4zu  %s: %s (%s, %s, %s)", i + 1, f.subject.c_str(), f.text.c_str(),
-                   fixed(f.at.x(), 2).c_str(), fixed(f.at.y(), 2).c_str(), fixed(f.at.z(), 2).c_str());
+        const std::string at = place_text(f.at);
+        const bool says_where = f.text.find(at) != std::string::npos;  // as what was measured does
+        print_line("%4zu  %s: %s%s", i + 1, f.subject.c_str(), f.text.c_str(),
+                   says_where ? "" : (" (" + at + ")").c_str());
     }
     print_other_ground(report, "hollows inside solids",
                        [](const engine::IslandReport& entry) { return entry.hollow; });

@@ -94,10 +94,12 @@ walk and above it, then among those that come with the program (adult, child, de
 
 std::string exit_codes() {
     return R"(0    every walk passed; of 'collide': apart; of 'validate': no errors
-1    an expectation failed, or the visitor was blocked, fell, timed out or had no way to go; of 'diff',
-     'imgdiff' and 'replay --verify': different; of 'collide': overlapping; of 'route': no way; of
-     'explore': what --require, --fail-on or --fail-under forbids
-2    bad usage or input, reported as FILE:LINE:COLUMN: error CODE: MESSAGE before that walk runs
+1    an expectation failed, or the visitor was blocked, fell, timed out or had no way to go; of
+     'merge-reports': a walk failed, or results are missing; of 'diff', 'imgdiff' and 'replay --verify':
+     different; of 'collide': overlapping; of 'route': no way; of 'explore': what --require, --fail-on or
+     --fail-under forbids
+2    bad usage or input, reported as FILE:LINE:COLUMN: error CODE: MESSAGE before that walk runs; of
+     'report': results are missing
 3    something failed while running: disk full, no OpenGL; without a message if the output has no reader
      any more, as after '| head'
 5    nothing was selected
@@ -121,10 +123,11 @@ on the command line take precedence.
 )" + key_table("walks-config.schema.json") +
            R"(
   projects:
-    adult: {}
+    as-written: {}
     robot: {avatar: robot, tags: [ramps]}
 
-runs every walk as an adult, and those with the tag 'ramps' as a robot as well; '--project robot' selects one.
+runs every walk as it is written, and those with the tag 'ramps' by a robot as well; '--project robot' selects
+one.
 )";
 }
 

@@ -4,7 +4,7 @@
 
 namespace campuswalk::tools::init {
 
-enum class Template { minimal, stairs, campus };
+enum class Template { minimal, stairs, campus, none };
 
 /// A model in the Wavefront format.
 struct SchoolModel {
@@ -17,6 +17,7 @@ struct SchoolModel {
 ///
 /// `minimal`: terrain, library (its door at z = -6), desk. `stairs`: with a gallery 1.7 m up at the east side
 /// of the yard and a flight of ten steps to it. `campus`: with cafeteria (west), gym (east) and benches, too.
+/// There is none of `none`.
 SchoolModel school(Template which);
 
 }  // namespace campuswalk::tools::init

@@ -158,6 +158,9 @@ std::string campus_yaml(Template which) {
 }  // namespace
 
 std::vector<NewFile> files_of(Template which) {
+    if (which == Template::none) {
+        return {};
+    }
     const SchoolModel model = school(which);
     std::vector<NewFile> files = {{"school.obj", model.obj},
                                   {"school.mtl", model.mtl},

@@ -12,6 +12,7 @@ struct NewFile {
     std::string text;
 };
 
+/// Of `none`: no file.
 std::vector<NewFile> files_of(Template which);
 
 }  // namespace campuswalk::tools::init

@@ -114,18 +114,28 @@ void write_goldens(const std::vector<GoldenUpdate>& updates, bool fails) {
     }
 }
 
-/// Those of an earlier run would be mistaken for this one's.
-void remove_failure_images(const std::filesystem::path& folder) {
+bool is_failure_image(std::string_view name) {
+    return name.starts_with("failure-") &&
+           (name.ends_with("-eyes.png") || name.ends_with("-beside.png") || name.ends_with("-above.png"));
+}
+
+/// Those of an earlier run would be mistaken for this one's: the images of its failures, and those of
+/// snapshots that the walk may not get to now. Whatever else is in the folder stays.
+void remove_images_of_earlier_run(const engine::Walk& walk, const std::filesystem::path& folder) {
     std::error_code ignored;
     if (!std::filesystem::exists(folder, ignored) || !why_folder_unwritable(folder).empty()) {
         return;  // a link may lead anywhere
     }
     for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
-        const std::string name = entry.path().filename().string();
-        const bool is_ours =
-            name.ends_with("-eyes.png") || name.ends_with("-beside.png") || name.ends_with("-above.png");
-        if (name.starts_with("failure-") && is_ours) {
+        if (is_failure_image(entry.path().filename().string())) {
             std::filesystem::remove(entry.path(), ignored);
+        }
+    }
+    for (const engine::Step& step : walk.steps) {
+        if (const auto* snapshot = std::get_if<engine::SnapshotStep>(&step)) {
+            for (const std::string& file : files_of(*snapshot)) {
+                std::filesystem::remove(folder / file, ignored);
+            }
         }
     }
 }
@@ -163,7 +173,7 @@ WalkResult CaseRunner::run(const Case& played, const Send& send) {
     const std::unique_ptr<FrameHelpers> helpers =
         std::exchange(may_fork_, false) ? frame_helpers_for(played) : nullptr;
     WalkResult result = played.result;
-    remove_failure_images(settings_.output / played.folder);
+    remove_images_of_earlier_run(played.walk->walk, settings_.output / played.folder);
     if (!settings_.images) {
         result.not_evaluated = static_cast<std::uint32_t>(
             std::ranges::count_if(played.walk->walk.expectations, engine::is_about_images));

@@ -140,7 +140,8 @@ void WorkerPool::kill_slow_workers() {
         if (index && now > pending_.at(*index).deadline) {
             worker.send_signal(SIGKILL);
             worker.wait();
-            end_task(*index, {false, "stopped: it took more than " + engine::fixed(*settings_.kill_after, 1) +
+            const double most = *settings_.kill_after;
+            end_task(*index, {false, "stopped: it took more than " + engine::fixed(most, most < 0.1 ? 3 : 1) +
                                          " s of wall clock (--kill-after)"});
         }
     }
