@@ -337,15 +337,31 @@ Separation& ContactCache::measure(Index i, const Vec3& foot) {
     return s;
 }
 
+/// By what `survey` reads, at `foot` in the covered region.
+double ContactCache::bound(Index i, const Vec3& foot) const {
+    const Bounds& b = bounds_[i / kLanes];
+    const std::size_t lane = i % kLanes;
+    const Vec3 normal(b.x[lane], b.y[lane], b.z[lane]);
+    return b.offset[lane] + normal.dot(foot - origin_) - slack_;
+}
+
 double ContactCache::known_distance(Index i, const Vec3& foot) const {
+    const double at_least = std::max(0.0, bound(i, foot));
     if (measured_[i] == kNotMeasured) {
-        return 0.0;
+        return at_least;
     }
     const Measurements& known = measurements_[measured_[i]];
-    return std::max(known.measured[0].bound(foot), known.measured[1].bound(foot));
+    return std::max({at_least, known.measured[0].bound(foot), known.measured[1].bound(foot)});
 }
 
 bool ContactCache::known_apart(Index i, const Vec3& from, const Vec3& to, double distance) const {
+    const Bounds& b = bounds_[i / kLanes];
+    const std::size_t lane = i % kLanes;
+    const Vec3 normal(b.x[lane], b.y[lane], b.z[lane]);
+    const double least = distance + slack_ - b.offset[lane];
+    if (normal.dot(from - origin_) >= least && normal.dot(to - origin_) >= least) {
+        return true;  // most pieces, for less than it takes to look up their measurements
+    }
     if (measured_[i] == kNotMeasured) {
         return false;
     }

@@ -79,10 +79,10 @@ public:
     /// The exact separation of the body at `foot` from a piece. The last two measurements of each piece are
     /// cached.
     Separation& measure(Index i, const Vec3& foot);
-    /// A lower bound of the body's distance from the piece, by the cached measurements.
+    /// A lower bound of the body's distance from the piece, by its box or the cached measurements.
     double known_distance(Index i, const Vec3& foot) const;
-    /// Whether the cached measurements prove that the body stays at least `distance` from the piece during
-    /// the straight motion.
+    /// Whether its box or the cached measurements prove that the body stays at least `distance` from the
+    /// piece during the straight motion.
     bool known_apart(Index i, const Vec3& from, const Vec3& to, double distance) const;
 
 private:
@@ -117,6 +117,7 @@ private:
     void reserve_for(std::size_t count);
     void bound_by_box(Index i);
     void set_bound(Index i, const Vec3& normal, double at_origin);
+    double bound(Index i, const Vec3& foot) const;
 
     const World* world_ = nullptr;
     MoverSettings settings_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision/mover/ground_candidates.h"
 #include "collision/mover/upright_distance.h"
 
 namespace campuswalk::collision {
@@ -16,6 +17,9 @@ constexpr double kStepOntoDistance = 0.01;
 /// A contact this low beside the sphere's centre, as a share of its radius, doesn't support it: with a radius
 /// 15 µm smaller, there would be none.
 constexpr double kMinSupportDrop = 0.01;
+
+/// From so many pieces on, those that may carry the body are picked once and not for each piece anew.
+constexpr std::size_t kManyNear = 32;
 
 using Piece = ContactCache::Piece;
 using Rest = MoveBuffers::Rest;
@@ -35,7 +39,7 @@ std::optional<SphereRest> rest_on(const Piece& piece, double x, double z, double
     }
     const Obstacle& o = piece.obstacle;
     if (o.solid == nullptr) {
-        return sphere_rest(o.vertices, o.normal, x, z, reach);
+        return sphere_rest(o.vertices, o.normal, x, z, reach, useful);
     }
     const Segment sphere{{x, highest, z}, {x, highest, z}};
     const Vec3 drop(0, lowest - highest, 0);
@@ -50,18 +54,57 @@ std::optional<SphereRest> rest_on(const Piece& piece, double x, double z, double
     return SphereRest{center.y(), closest(Segment{center, center}, o).on_shape};
 }
 
-bool ends_in_floor(const MoveContext& context, const Vec3& point) {
+/// Whether the point is farther than the tolerance from the triangle's plane, and the triangle surely in it.
+bool is_off_plane(const Obstacle& triangle, const Vec3& point) {
+    constexpr double kFlat = 1e-6;  // metres
+    const Triangle& t = triangle.vertices;
+    const Vec3& n = triangle.normal;
+    return std::abs(n.dot(point - t.a)) > kSurfaceTolerance + 2.0 * kFlat &&
+           std::abs(n.dot(t.b - t.a)) < kFlat && std::abs(n.dot(t.c - t.a)) < kFlat;
+}
+
+bool is_within_tolerance(const Obstacle& triangle, const Vec3& point) {
+    if (is_off_plane(triangle, point)) {
+        return false;
+    }
+    Feature feature = Feature::face;
+    const Vec3 nearest = closest_on_triangle(triangle.vertices, point, feature);
+    return (point - nearest).norm() <= kSurfaceTolerance ||
+           closest(Segment{point, point}, triangle.vertices).distance <= kSurfaceTolerance;
+}
+
+bool is_on_floor(const MoveContext& context, const Vec3& point) {
     return std::ranges::any_of(context.contacts.pieces(), [&](const Piece& p) {
+        const bool is_triangle = p.obstacle.solid == nullptr;
+        if (is_triangle && !p.walkable) {
+            return false;
+        }
         if ((point.array() < p.box.min.array() - kSurfaceTolerance).any() ||
             (point.array() > p.box.max.array() + kSurfaceTolerance).any()) {
             return false;
+        }
+        if (is_triangle) {
+            return is_within_tolerance(p.obstacle, point);
         }
         const Closest c = closest(Segment{point, point}, p.obstacle);
         return c.distance <= kSurfaceTolerance && walkable_at(p.obstacle, c.on_shape, context.body.min_up);
     });
 }
 
-bool carries(const MoveContext& context, const Rest& rest, double highest) {
+/// What carries a body beside one piece often carries it beside the next.
+bool ends_in_floor(MoveContext& context, const Vec3& point) {
+    auto& known = context.buffers.floor_end;
+    if (!known || known->point != point) {
+        known = {point, is_on_floor(context, point)};
+    }
+    return known->is_there;
+}
+
+double highest_edge(const MoverSettings& body, const Support& stand) {
+    return stand.base + body.step_height + kHeightSlack;
+}
+
+bool carries(MoveContext& context, const Rest& rest, double highest) {
     const Obstacle& o = context.contacts.piece(rest.piece).obstacle;
     const Vec3& on = rest.sphere.on;
     const double up = (rest.sphere.height - on.y()) / (context.body.radius + kRestGap);
@@ -74,9 +117,68 @@ bool carries(const MoveContext& context, const Rest& rest, double highest) {
     return low && (up >= context.body.min_up || ends_in_floor(context, on));
 }
 
-double highest_edge(const MoverSettings& body, const Support& stand) {
-    return stand.base + body.step_height + kHeightSlack;
-}
+/// Finds the highest of the pieces that a sphere comes to rest on which moves straight down at (x, z).
+class GroundSearch {
+public:
+    GroundSearch(MoveContext& context, double x, double z, const Support& stand, double up, double down)
+        : context_(context),
+          stand_(stand),
+          x_(x),
+          z_(z),
+          highest_(stand.foot.y() + context.body.radius + up),
+          lowest_(stand.foot.y() + context.body.radius - down),
+          best_(lowest_) {
+        context.buffers.rests.clear();
+    }
+
+    /// A rest below this doesn't count any more.
+    double useful() const { return best_ - 2.0 * kRestGap; }
+    double highest() const { return highest_; }
+    std::optional<ContactCache::Index> highest_piece() const { return highest_piece_; }
+
+    void offer(ContactCache::Index i) {
+        const auto sphere = rest_on(context_.contacts.piece(i), x_, z_, context_.body.radius + kRestGap,
+                                    highest_, lowest_ - 2.0 * kRestGap, useful());
+        if (sphere && sphere->height <= highest_ && sphere->height >= useful() &&
+            sphere->height - sphere->on.y() > kMinSupportDrop * context_.body.radius) {
+            context_.buffers.rests.push_back({i, *sphere});
+            if (sphere->height >= best_) {
+                best_ = sphere->height;
+                highest_piece_ = i;
+            }
+        }
+    }
+
+    Ground found() const {
+        const double radius = context_.body.radius;
+        const double highest_on = highest_edge(context_.body, stand_);
+        Ground ground;
+        ground.support_y = lowest_ - radius;
+        for (const Rest& rest : context_.buffers.rests) {
+            if (rest.sphere.height < useful() || rest.sphere.height < lowest_) {
+                continue;
+            }
+            ground.found = true;
+            const bool adds_nothing = ground.carries && rest.sphere.on.y() <= ground.support_y;
+            if (!adds_nothing && carries(context_, rest, highest_on)) {
+                ground.carries = true;
+                ground.support_y = std::max(ground.support_y, rest.sphere.on.y());
+            }
+        }
+        ground.foot_y = best_ - radius;
+        return ground;
+    }
+
+private:
+    MoveContext& context_;
+    const Support& stand_;
+    double x_;
+    double z_;
+    double highest_;  ///< that its centre may be
+    double lowest_;
+    double best_;
+    std::optional<ContactCache::Index> highest_piece_;
+};
 
 /// Is the piece higher than `height` where the body would touch it? A face that slants down beside a stair
 /// may be tall elsewhere.
@@ -112,44 +214,52 @@ PieceKind kind_of(MoveContext& context, const Piece& piece, const Separation& s,
     const double gap = std::max(0.0, s.distance - body.radius);
     const double ahead = std::min(gap / flat + kStepOntoDistance, kProbeDistance) / flat;
     const Ground there =
-        find_ground(context, foot.x() - ahead * s.normal.x(), foot.z() - ahead * s.normal.z(), stand,
-                    highest - foot.y(), 2.0 * kRestGap);
+        find_ground_beside(context, foot.x() - ahead * s.normal.x(), foot.z() - ahead * s.normal.z(), stand);
     return there.found && !there.carries ? PieceKind::wall : PieceKind::step;
 }
 
 }  // namespace
 
 Ground find_ground(MoveContext& context, double x, double z, const Support& stand, double up, double down) {
-    const double radius = context.body.radius;
-    const double reach = radius + kRestGap;
-    std::vector<Rest>& rests = context.buffers.rests;
-    const double center = stand.foot.y() + radius;
-    const double highest = center + up;
-    const double lowest = center - down;
-    rests.clear();
-    double best = lowest;
+    GroundSearch search(context, x, z, stand, up, down);
+    std::optional<ContactCache::Index>& highest = context.buffers.ground.highest;
+    if (highest) {
+        search.offer(*highest);  // then most of the others need no second look
+    }
     for (const ContactCache::Index i : context.near) {
-        const auto sphere = rest_on(context.contacts.piece(i), x, z, reach, highest, lowest - 2.0 * kRestGap,
-                                    best - 2.0 * kRestGap);
-        if (sphere && sphere->height <= highest && sphere->height >= best - 2.0 * kRestGap &&
-            sphere->height - sphere->on.y() > kMinSupportDrop * radius) {
-            rests.push_back({i, *sphere});
-            best = std::max(best, sphere->height);
+        if (i != highest) {
+            search.offer(i);
         }
     }
-    Ground ground;
-    ground.support_y = lowest - radius;
-    for (const Rest& rest : rests) {
-        if (rest.sphere.height >= best - 2.0 * kRestGap && rest.sphere.height >= lowest) {
-            ground.found = true;
-            if (carries(context, rest, highest_edge(context.body, stand))) {
-                ground.carries = true;
-                ground.support_y = std::max(ground.support_y, rest.sphere.on.y());
-            }
+    highest = search.highest_piece();
+    return search.found();
+}
+
+Ground find_ground_beside(MoveContext& context, double x, double z, const Support& stand) {
+    const double up = highest_edge(context.body, stand) - stand.foot.y();
+    const double down = 2.0 * kRestGap;
+    if (context.near.size() < kManyNear) {
+        return find_ground(context, x, z, stand, up, down);
+    }
+    GroundCandidates& ground = context.buffers.ground;
+    if (ground.foot != stand.foot || ground.base != stand.base) {
+        list_candidates(context, stand, up, down);
+    }
+    GroundSearch search(context, x, z, stand, up, down);
+    if (ground.highest) {
+        search.offer(*ground.highest);
+    }
+    const auto chosen = choose_candidates(
+        ground, context.body.radius + kRestGap, static_cast<float>(x - stand.foot.x()),
+        static_cast<float>(z - stand.foot.z()), static_cast<float>(search.useful() - stand.foot.y()),
+        static_cast<float>(search.highest() - stand.foot.y()));
+    for (const std::uint32_t i : chosen) {
+        if (i < ground.pieces.size() && ground.pieces[i] != ground.highest) {
+            search.offer(ground.pieces[i]);
         }
     }
-    ground.foot_y = best - radius;
-    return ground;
+    ground.highest = search.highest_piece();
+    return search.found();
 }
 
 PieceKind classify(MoveContext& context, ContactCache::Index i, const Support& stand) {

@@ -20,10 +20,22 @@ public:
         if (distance > distance_ || (distance == distance_ && !ahead)) {
             return;
         }
-        if (std::all_of(planes_.begin(), planes_.end(), [&](const HalfPlane& p) { return p.allows(move); })) {
-            best_ = move;
-            distance_ = distance;
+        if (!planes_[forbidding_].allows(move)) {
+            return;
         }
+        const auto forbids = [&](const HalfPlane& p) { return !p.allows(move); };
+        const auto forbidding = std::ranges::find_if(planes_, forbids);
+        if (forbidding != planes_.end()) {
+            forbidding_ = static_cast<std::size_t>(forbidding - planes_.begin());
+            return;
+        }
+        best_ = move;
+        distance_ = distance;
+    }
+    /// Whether a move at least this far from the desired one can't be it.
+    bool is_too_far(double away) const {
+        constexpr double kRounding = 1e-6;  // metres: nearly parallel lines intersect inexactly
+        return away > kRounding && (away - kRounding) * (away - kRounding) > distance_;
     }
     const Vec3& best() const { return best_; }
 
@@ -32,6 +44,7 @@ private:
     std::span<const HalfPlane> planes_;
     Vec3 best_ = Vec3::Zero();
     double distance_;
+    std::size_t forbidding_ = 0;  ///< the last that forbade one: it often forbids the next
 };
 
 }  // namespace
@@ -41,13 +54,24 @@ Vec3 nearest_allowed(const Vec3& desired, std::span<const HalfPlane> planes) {
     if (std::all_of(planes.begin(), planes.end(), [&](const HalfPlane& p) { return p.allows(desired); })) {
         return desired;
     }
+    const auto short_of = [&](const HalfPlane& p) {
+        return -p.room - (p.x * desired.x() + p.z * desired.z());
+    };
     Nearest nearest(desired, planes);
+    for (const HalfPlane& p : planes) {
+        const double away = short_of(p);
+        nearest.offer(desired.x() + away * p.x, desired.z() + away * p.z);
+    }
     for (std::size_t i = 0; i < planes.size(); ++i) {
         const HalfPlane& p = planes[i];
-        const double short_of = -p.room - (p.x * desired.x() + p.z * desired.z());
-        nearest.offer(desired.x() + short_of * p.x, desired.z() + short_of * p.z);
+        if (nearest.is_too_far(std::abs(short_of(p)))) {
+            continue;  // and so are all intersections of its line
+        }
         for (std::size_t j = i + 1; j < planes.size(); ++j) {
             const HalfPlane& q = planes[j];
+            if (nearest.is_too_far(std::abs(short_of(q)))) {
+                continue;
+            }
             const double determinant = p.x * q.z - p.z * q.x;
             if (std::abs(determinant) > 1e-9) {
                 nearest.offer((-p.room * q.z + q.room * p.z) / determinant,

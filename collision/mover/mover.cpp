@@ -53,6 +53,9 @@ void survey(MoveContext& context, const Vec3& foot, double sideways, double up, 
     const Vec3 high(reach, body.height + up + kSurroundings + body.skin, reach);
     context.contacts.cover({foot - low, foot + high}, below, statistics);
     context.near = context.contacts.survey(foot, beside, up, down, body.skin + kListed);
+    context.buffers.ground.foot.reset();
+    context.buffers.ground.highest.reset();
+    context.buffers.floor_end.reset();
 }
 
 Ground underfoot(MoveContext& context, const Vec3& foot) {

@@ -1,5 +1,6 @@
 #include "collision/mover/sphere_rest.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -18,9 +19,18 @@ bool over(const Triangle& t, double x, double z) {
            (turns[0] <= 0.0 && turns[1] <= 0.0 && turns[2] <= 0.0);
 }
 
-/// The highest of the rests offered.
+/// The highest of the rests offered, of those that are useful.
 struct Highest {
-    std::optional<SphereRest> best;
+    double useful;
+    std::optional<SphereRest> best = std::nullopt;
+
+    /// Whether a sphere comes to rest too low on what is no higher than `top`, if the squared height of its
+    /// centre over where it touches, times `scale`, is at most `left`.
+    bool is_below(double top, double scale, double left) const {
+        constexpr double kRounding = 1e-9;
+        const double above = useful - top - kRounding;
+        return above > 0.0 && above * above * scale > left;
+    }
 
     void offer(double height, const Vec3& on) {
         if (!best || height > best->height) {
@@ -33,7 +43,7 @@ void rest_on_vertex(const Vec3& vertex, double x, double z, double radius, Highe
     const double dx = x - vertex.x();
     const double dz = z - vertex.z();
     const double left = radius * radius - (dx * dx + dz * dz);
-    if (left >= 0.0) {
+    if (left >= 0.0 && !highest.is_below(vertex.y(), 1.0, left)) {
         highest.offer(vertex.y() + std::sqrt(left), vertex);
     }
 }
@@ -52,21 +62,21 @@ void rest_on_edge(const Vec3& a, const Vec3& b, double x, double z, double radiu
     // The centre's horizontal distance from the edge's line, times the edge's horizontal length.
     const double aside = wx * e.z() - wz * e.x();
     const double left = radius * radius * flat2 - aside * aside;
-    if (left < 0.0) {
+    if (left < 0.0 || highest.is_below(std::max(a.y(), b.y()), flat2, left)) {
         return;
     }
     const double seen = wx * e.x() + wz * e.z();
     const double up = (seen * e.y() + std::sqrt(left * length2)) / flat2;
-    const double t = (seen + up * e.y()) / length2;
-    if (t >= 0.0 && t <= 1.0) {
-        highest.offer(a.y() + up, a + t * e);
+    const double along = seen + up * e.y();
+    if (along >= 0.0 && along <= length2) {
+        highest.offer(a.y() + up, a + (along / length2) * e);
     }
 }
 
 }  // namespace
 
 std::optional<SphereRest> sphere_rest(const Triangle& triangle, const Vec3& normal, double x, double z,
-                                      double radius) {
+                                      double radius, double useful) {
     constexpr double kSteepest = 1e-5;  // an upright face is touched at its upper edge
     if (std::abs(normal.y()) > kSteepest) {
         const Vec3 up = normal.y() > 0.0 ? normal : Vec3(-normal);
@@ -75,7 +85,7 @@ std::optional<SphereRest> sphere_rest(const Triangle& triangle, const Vec3& norm
             return rest;
         }
     }
-    Highest highest;
+    Highest highest{useful};
     rest_on_vertex(triangle.a, x, z, radius, highest);
     rest_on_vertex(triangle.b, x, z, radius, highest);
     rest_on_vertex(triangle.c, x, z, radius, highest);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "collision/geometry/shapes.h"
@@ -25,8 +26,10 @@ inline SphereRest rest_on_face(const Vec3& vertex, const Vec3& up, double x, dou
 
 /// Where a sphere of `radius` that moves straight down at (x, z) from far above stops on the triangle; none
 /// if it passes beside it. `normal` is the face's, on either side, or zero. Of edges within 1e-5 of upright,
-/// only the ends count.
+/// only the ends count. Where its centre would stop below `useful`, there may be none, too, as that is sooner
+/// known.
 std::optional<SphereRest> sphere_rest(const Triangle& triangle, const Vec3& normal, double x, double z,
-                                      double radius);
+                                      double radius,
+                                      double useful = -std::numeric_limits<double>::infinity());
 
 }  // namespace campuswalk::collision

@@ -22,7 +22,20 @@ bool above_inside(const Triangle& t, const Vec3& normal, const Vec3& point) {
 }
 
 /// The closest points of an upright segment and an edge.
-Closest to_edge(const Segment& s, const Vec3& from, const Vec3& to) {
+struct EdgePoints {
+    Vec3 on_segment;
+    Vec3 on_edge;
+    double distance2;  ///< squared
+
+    /// As their distances compare. Two different squares may have the same root.
+    bool is_nearer_than(const EdgePoints& other) const {
+        constexpr double kSurely = 1.0 - 1e-14;
+        return distance2 < kSurely * other.distance2 ||
+               (distance2 < other.distance2 && std::sqrt(distance2) < std::sqrt(other.distance2));
+    }
+};
+
+EdgePoints to_edge(const Segment& s, const Vec3& from, const Vec3& to) {
     const Vec3 e = to - from;
     const double flat2 = e.x() * e.x() + e.z() * e.z();
     const double length2 = flat2 + e.y() * e.y();
@@ -40,17 +53,17 @@ Closest to_edge(const Segment& s, const Vec3& from, const Vec3& to) {
     }
     const Vec3 q = from + t * e;
     const Vec3 p(s.a.x(), std::clamp(q.y(), s.a.y(), s.b.y()), s.a.z());
-    return {p, q, (p - q).norm(), Feature::edge};
+    return {p, q, (p - q).squaredNorm()};
 }
 
 Closest to_edges(const Segment& upright, const Triangle& t) {
-    Closest best = to_edge(upright, t.a, t.b);
-    for (const Closest& other : {to_edge(upright, t.b, t.c), to_edge(upright, t.c, t.a)}) {
-        if (other.distance < best.distance) {
+    EdgePoints best = to_edge(upright, t.a, t.b);
+    for (const EdgePoints& other : {to_edge(upright, t.b, t.c), to_edge(upright, t.c, t.a)}) {
+        if (other.is_nearer_than(best)) {
             best = other;
         }
     }
-    return best;
+    return {best.on_segment, best.on_edge, std::sqrt(best.distance2), Feature::edge};
 }
 
 }  // namespace

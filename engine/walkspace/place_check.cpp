@@ -12,16 +12,19 @@ using collision::Vec3;
 PlaceCheck check_place(const scene::Campus& campus, Strider& strider, const Vec3& point) {
     const collision::MoverSettings& body = strider.settings().body;
     const collision::World& world = strider.world();
-    if (const auto object = collision::obstruction(world, strider.filter(), point + Vec3(0, 0.02, 0),
-                                                   body.radius, body.height)) {
+    const StrideEnd end = strider.put_down(point);
+    const bool grounded = end.kind == StrideEnd::Kind::grounded;
+    if (const auto object = grounded
+                                ? std::nullopt
+                                : collision::obstruction(world, strider.filter(), point + Vec3(0, 0.02, 0),
+                                                         body.radius, body.height)) {
         const auto free = collision::nearest_free_placement(world, strider.filter(), point, body.radius,
                                                             body.height, kPlacementSearch);
         if (!free) {
             return {std::nullopt, "it is inside " + campus.objects[index_of(*object)].id};
         }
     }
-    const StrideEnd end = strider.put_down(point);
-    if (end.kind != StrideEnd::Kind::grounded) {
+    if (!grounded) {
         return {std::nullopt, "there is no ground below it"};
     }
     if (const double drop = point.y() - end.at.foot.y(); drop > kTargetLevel) {

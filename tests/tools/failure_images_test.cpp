@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <span>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -128,6 +129,25 @@ TEST_F(DrawnFailures, AreThreePerTickWithFailures) {
                                               "failure at 1.00 s from the eyes: stroll/failure-2-eyes.png",
                                               "failure at 1.00 s from beside: stroll/failure-2-beside.png",
                                               "failure at 1.00 s from above: stroll/failure-2-above.png"));
+}
+
+/// A place that can't be reached takes long to be found so: the walk that is played again must not ask anew.
+TEST_F(DrawnFailures, TakeRoutesFromTheMemoryOfThePlayedWalk) {
+    engine::GoToStep go_to;
+    go_to.target = {"in the wall", {0, 0, -5.5}, true};
+    walk_ = engine::walk_of({engine::spawn_at({0, 0, 0}), go_to});
+    const scene::CacheFolder routes(folder_.path() / "routes");
+    engine::RouteMemory memory;
+    memory.cache = engine::RouteCache{&routes, scene::hash_of(std::as_bytes(std::span("campus")))};
+    failures_ = engine::run_walk(campus_, walk_, {}, &memory).failures;
+    ASSERT_EQ(failures_.size(), 1U);
+    EXPECT_EQ(failures_[0].code, "unreachable");
+    const auto stored = [&] { return std::distance(fs::directory_iterator(folder_.path() / "routes"), {}); };
+    ASSERT_EQ(stored(), 1) << "the reason";
+    // Whoever plans it anew stores it anew.
+    fs::remove_all(folder_.path() / "routes");
+    draw_failures(campus_, walk_, failures_, folder_.path() / "out", "stroll", *renderers_, &memory);
+    EXPECT_EQ(stored(), 1) << "it was looked for there";
 }
 
 TEST_F(DrawnFailures, DoNotDependOnFailuresOfOtherWalks) {

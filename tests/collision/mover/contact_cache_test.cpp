@@ -46,6 +46,7 @@ struct Look {
 TEST(ContactCache, ASurveyMissesNothingWithinReach) {
     const MoverSettings body;
     int in_reach = 0;
+    int apart = 0;
     for (std::uint32_t seed = 0; seed < static_cast<std::uint32_t>(support::repeats(20)); ++seed) {
         Dice dice(seed);
         const auto world = support::make_soup(dice);
@@ -64,11 +65,19 @@ TEST(ContactCache, ASurveyMissesNothingWithinReach) {
                     ASSERT_TRUE(near.contains(k)) << "seed " << seed << ", look " << i;
                     ++in_reach;
                 }
+                ASSERT_GE(distance, around.known_distance(k, place) - 1e-9);
                 ASSERT_GE(distance, around.measure(k, look.foot).bound(place) - 1e-9);
+                ASSERT_GE(distance, around.known_distance(k, place) - 1e-9);
+                if (around.known_apart(k, look.foot, place, body.radius)) {
+                    ++apart;
+                    const Vec3 between = 0.5 * (look.foot + place);
+                    ASSERT_GE(closest(body.core(between), o).distance, body.radius - 1e-9);
+                }
             }
         }
     }
     EXPECT_GT(in_reach, support::repeats(1000));
+    EXPECT_GT(apart, support::repeats(1000));
 }
 
 TEST(ContactCache, HoldsEveryTriangleOfTheCoveredBox) {

@@ -57,6 +57,59 @@ TEST(HalfPlanes, NoAllowedPointIsNearerThanTheResult) {
     }
 }
 
+/// The nearest allowed of all moves that could be it: to the last bit, so that no shortcut drops one.
+Vec3 nearest_of_all(const Vec3& desired, const Planes& planes) {
+    Vec3 best = Vec3::Zero();
+    const auto offer = [&](const Vec3& move) {
+        const double distance = (desired - move).squaredNorm();
+        const double least = (desired - best).squaredNorm();
+        const bool ahead = move.x() != best.x() ? move.x() < best.x() : move.z() < best.z();
+        if ((distance < least || (distance == least && ahead)) &&
+            std::ranges::all_of(planes, [&](const HalfPlane& p) { return p.allows(move); })) {
+            best = move;
+        }
+    };
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+        const HalfPlane& p = planes[i];
+        const double away = -p.room - (p.x * desired.x() + p.z * desired.z());
+        offer({desired.x() + away * p.x, 0, desired.z() + away * p.z});
+        for (std::size_t j = i + 1; j < planes.size(); ++j) {
+            const HalfPlane& q = planes[j];
+            const double determinant = p.x * q.z - p.z * q.x;
+            if (std::abs(determinant) > 1e-9) {
+                offer({(-p.room * q.z + q.room * p.z) / determinant, 0,
+                       (-q.room * p.x + p.room * q.x) / determinant});
+            }
+        }
+    }
+    return best;
+}
+
+TEST(HalfPlanes, OfManyNoneIsDroppedThatMatters) {
+    Dice dice(7);
+    int held = 0;
+    for (int i = 0; i < support::repeats(5000); ++i) {
+        Planes planes = random_planes(dice, 1 + i % 60);
+        for (HalfPlane& p : planes) {
+            p.room *= 0.1;
+            if (dice.chance(0.3)) {  // nearly parallel to another, as faces of a round thing are
+                const HalfPlane& other = planes[static_cast<std::size_t>(i) % planes.size()];
+                const double turn = dice.between(-1e-8, 1e-8);
+                p = {other.x - turn * other.z, other.z + turn * other.x, other.room};
+            }
+        }
+        const Vec3 desired(dice.between(-0.03, 0.03), 0, dice.between(-0.03, 0.03));
+        const Vec3 found = nearest_allowed(desired, planes);
+        if (std::ranges::all_of(planes, [&](const HalfPlane& p) { return p.allows(desired); })) {
+            ASSERT_EQ(found, desired) << i;
+        } else {
+            ++held;
+            ASSERT_EQ(found, nearest_of_all(desired, planes)) << i;
+        }
+    }
+    EXPECT_GT(held, support::repeats(5000) / 2);
+}
+
 TEST(HalfPlanes, TheirOrderDoesNotMatter) {
     Dice dice(6);
     for (int i = 0; i < 2000; ++i) {

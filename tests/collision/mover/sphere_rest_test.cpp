@@ -67,5 +67,29 @@ TEST(SphereRest, IsTheHighestContactWithRandomTriangles) {
     EXPECT_GT(found, support::repeats(20000) / 5);
 }
 
+TEST(SphereRest, IsTheSameToTheLastBitWhereItIsUseful) {
+    Dice dice(2);
+    int useful = 0;
+    for (int i = 0; i < support::repeats(50000); ++i) {
+        const Triangle t = support::random_triangle(dice, Vec3::Zero());
+        const double radius = dice.between(0.05, 0.6);
+        const double x = dice.between(-1.2, 1.2);
+        const double z = dice.between(-1.2, 1.2);
+        SCOPED_TRACE(i);
+        const auto rest = sphere_rest(t, face_normal(t), x, z, radius);
+        const double least = rest && dice.chance(0.3) ? rest->height : dice.between(-1.5, 1.5);
+        const auto again = sphere_rest(t, face_normal(t), x, z, radius, least);
+        if (rest && rest->height >= least) {
+            ++useful;
+            ASSERT_TRUE(again);
+            ASSERT_EQ(again->height, rest->height);
+            ASSERT_EQ(again->on, rest->on);
+        } else if (again) {
+            ASSERT_LT(again->height, least);
+        }
+    }
+    EXPECT_GT(useful, support::repeats(50000) / 10);
+}
+
 }  // namespace
 }  // namespace campuswalk::collision

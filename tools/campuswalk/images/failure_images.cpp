@@ -151,13 +151,14 @@ private:
 
 std::vector<engine::Artifact> draw_failures(const scene::Campus& campus, const engine::Walk& walk,
                                             std::span<const engine::Failure> failures, const fs::path& output,
-                                            const fs::path& folder, render::RendererStore& renderers) {
+                                            const fs::path& folder, render::RendererStore& renderers,
+                                            engine::RouteMemory* routes) {
     const std::vector<engine::Tick> moments = moments_of(failures);
     if (moments.empty()) {
         return {};
     }
     FailureImageRenderer images(campus, walk, renderers.of(campus, walk.light), output, folder);
-    engine::Simulation simulation(campus, walk);
+    engine::Simulation simulation(campus, walk, routes);
     auto next = moments.begin();
     while (next != moments.end() && !simulation.finished()) {
         const engine::TickRecord& record = simulation.step();

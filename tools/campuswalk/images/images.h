@@ -14,6 +14,7 @@
 #include "engine/render/snapshot/visibility_report.h"
 #include "engine/report/walk_result.h"
 #include "engine/script/walk.h"
+#include "engine/simulation/route_memory.h"
 #include "scene/campus/campus.h"
 #include "tools/campuswalk/images/rendering_backend.h"
 #include "tools/campuswalk/images/sequence_request.h"
@@ -83,14 +84,15 @@ bool can_make_videos();
 /// Draws the moments of a walk's failures, each from the avatar's eyes, from beside with what is in its way
 /// in the middle, and from above with the path walked so far: `failure[-N]-eyes.png`, `-beside.png` and
 /// `-above.png` in OUTPUT/FOLDER, N counting from the second moment on. Failures of one tick share their
-/// images, and those after the fourth moment get none. Plays the walk again up to the last one. Returns what
-/// was written, with paths relative to `output`. `campus` must outlive `renderers`. Throws std::runtime_error
-/// when an image can't be drawn or written.
+/// images, and those after the fourth moment get none. Plays the walk again up to the last one, with what is
+/// remembered of its routes; `routes` may be null. Returns what was written, with paths relative to `output`.
+/// `campus` must outlive `renderers`. Throws std::runtime_error when an image can't be drawn or written.
 std::vector<engine::Artifact> draw_failures(const scene::Campus& campus, const engine::Walk& walk,
                                             std::span<const engine::Failure> failures,
                                             const std::filesystem::path& output,
                                             const std::filesystem::path& folder,
-                                            engine::render::RendererStore& renderers);
+                                            engine::render::RendererStore& renderers,
+                                            engine::RouteMemory* routes = nullptr);
 
 /// Draws the end of a path from above, with the path; the avatar faces along it. `path` has at least one
 /// point.

@@ -37,7 +37,8 @@ std::vector<std::string> files_of(const engine::SnapshotStep&) {
 
 std::vector<engine::Artifact> draw_failures(const scene::Campus&, const engine::Walk&,
                                             std::span<const engine::Failure>, const std::filesystem::path&,
-                                            const std::filesystem::path&, engine::render::RendererStore&) {
+                                            const std::filesystem::path&, engine::render::RendererStore&,
+                                            engine::RouteMemory*) {
     assert(false);
     return {};
 }

@@ -273,7 +273,7 @@ void CaseRunner::play_into(WalkResult& result, const Case& played, FrameHelpers*
     append(images->sequence_files(), result.artifacts);
     if (result.outcome == Outcome::failed && !result.failures.empty()) {
         append(draw_failures(*loaded.campus, loaded.walk, result.failures, settings_.output, played.folder,
-                             *renderers_),
+                             *renderers_, loaded.routes.get()),
                result.artifacts);
     }
 }
