@@ -30,7 +30,9 @@ constexpr LineColor kTree = {0.05F, 0.85F, 0.10F};
 constexpr double kMaxFlatCosine = 0.93969262;  // cosine of 20 degrees
 constexpr int kCircleParts = 24;
 constexpr double kFullTurn = 2.0 * std::numbers::pi;
-constexpr double kOverGround = 0.04;     // metres, to keep lines out of the ground
+constexpr double kOverGround = 0.04;  // metres, to keep lines out of the ground
+constexpr double kHatchApart = 0.08;  // metres, at least
+constexpr double kMostHatchLines = 50.0;
 constexpr double kContactRadius = 0.35;  // metres, slightly wider than a person
 
 class Outliner {
@@ -54,6 +56,26 @@ public:
                 Vector3d b = a;
                 b[axis] = half[axis];
                 line(a, b);
+            }
+        }
+    }
+
+    /// Parallel lines on all faces of a box.
+    void hatch(const Vector3d& half) {
+        const double apart = std::max(kHatchApart, half.maxCoeff() / kMostHatchLines);
+        for (int axis = 0; axis < 3; ++axis) {
+            const int u = (axis + 1) % 3;
+            const int v = (axis + 2) % 3;
+            for (double at = -half[v] + apart; at < half[v]; at += apart) {
+                for (const int side : {-1, 1}) {
+                    Vector3d a;
+                    a[axis] = side * half[axis];
+                    a[u] = -half[u];
+                    a[v] = at;
+                    Vector3d b = a;
+                    b[u] = half[u];
+                    line(a, b);
+                }
             }
         }
     }
@@ -178,6 +200,11 @@ void add_objects(const scene::Campus& campus, bool colliders, bool triggers,
         const bool solid = any_of(object.detection, Detection::solid);
         if (colliders && (solid || any_of(object.detection, Detection::ray))) {
             add_outline(object.shape, object.X_world_shape, solid ? kSolid : kRayTarget, lines, within);
+            // Nothing else shows it: its edges alone look like an open doorway.
+            const auto* box = std::get_if<collision::Box>(&object.shape);
+            if (within && solid && box != nullptr && campus.objects[i].nodes.roots.empty()) {
+                Outliner(object.X_world_shape, kSolid, lines).hatch(box->half_extents);
+            }
         }
         if (triggers && any_of(object.detection, Detection::trigger)) {
             add_outline(object.shape, object.X_world_shape, kTrigger, lines, within);

@@ -30,7 +30,8 @@ void add_outline(const collision::Shape& shape, const collision::Pose& X_world_s
 void add_tree_boxes(const scene::Campus& campus, int level, std::vector<OverlayLine>& lines);
 
 /// All lines that `overlays` selects. `path` and `contacts` are positions of the foot point. `within`: of
-/// colliders and triggers, and of their meshes, only what overlaps this box.
+/// colliders and triggers, and of their meshes, only what overlaps this box; solid boxes there that no node
+/// shows are hatched.
 std::vector<OverlayLine> overlay_lines(const scene::Campus& campus, const ImageOverlays& overlays,
                                        std::span<const Eigen::Vector3d> path,
                                        std::span<const Eigen::Vector3d> contacts,

@@ -100,12 +100,21 @@ TEST(OverlayLines, ShowOfCollidersAndTheirMeshesWhatIsWithinABox) {
                       .X_world_shape = {.translation = {0, 20, 0}},
                       .detection = Detection::solid});
     campus.world.add({.shape = collision::Box{}, .X_world_shape = {}, .detection = Detection::solid});
+    campus.objects.resize(2);
+    campus.objects[1].nodes.roots.resize(1);
     const auto count = [&](const collision::Aabb& within) {
         return overlay_lines(campus, {.colliders = true}, {}, {}, within).size();
     };
     EXPECT_EQ(count({{-2, 19, -2}, {2, 22, 2}}), 12U) << "one box of the mesh, which is moved up";
     EXPECT_EQ(count({{-2, -1, -2}, {20, 22, 2}}), 36U);
     EXPECT_EQ(count({{3, 3, 3}, {4, 4, 4}}), 0U);
+    campus.objects[1].nodes.roots.clear();  // a box of which there is nothing else to see
+    const collision::Aabb about_box{{-2, -1, -2}, {2, 2, 2}};
+    EXPECT_GT(count(about_box), 60U);
+    for (const OverlayLine& line : overlay_lines(campus, {.colliders = true}, {}, {}, about_box)) {
+        EXPECT_NEAR(line.a.cwiseAbs().maxCoeff(), 0.5, 1e-12) << "on its faces";
+        EXPECT_NEAR(line.b.cwiseAbs().maxCoeff(), 0.5, 1e-12);
+    }
 }
 
 TEST(OverlayLines, TreeBoxesShrinkByLevelAndEncloseTheMesh) {
