@@ -34,8 +34,9 @@ constexpr double kAround = 1.5;
 constexpr double kChangeOfObject = 0.6;
 /// A node of a mesh a little more: rather the door that somebody put there than a part of the house.
 constexpr double kChangeOfNode = 0.61;
-/// Of objects of about one size, the one without which the way is the shortest.
+/// Of objects of about one size, the one without which the way is the shortest, if it is by so much.
 constexpr double kAboutOneSize = 1.25;
+constexpr double kMuchShorter = 0.8;
 
 bool is_about_height(const Barrier& barrier) {
     return barrier.kind == BarrierKind::riser || barrier.kind == BarrierKind::ledge ||
@@ -66,7 +67,9 @@ void order(std::vector<Change>& changes) {
     });
     const auto shortest = std::min_element(
         changes.begin(), end, [](const Change& a, const Change& b) { return a.strides < b.strides; });
-    std::rotate(changes.begin(), shortest, shortest + 1);
+    if (static_cast<double>(shortest->strides) < kMuchShorter * static_cast<double>(smallest.strides)) {
+        std::rotate(changes.begin(), shortest, shortest + 1);
+    }
 }
 
 /// A way that a changed body found.
