@@ -122,6 +122,13 @@ class Site(unittest.TestCase):
                 self.assertIn(page, found[query][:4])
         print("site: %d searches" % len(expected))
 
+    def test_what_is_copied_of_a_session_is_what_is_typed(self):
+        prompts = set()
+        for page in self.pages:
+            with open(os.path.join(self.site, page), encoding="utf-8") as file:
+                prompts.update(re.findall(r'<span class="gp">(.*?)</span>', file.read()))
+        self.assertEqual({prompt.strip() for prompt in prompts}, {"$"})
+
     def test_files_of_the_repository_are_linked_where_it_is_published(self):
         text = "See `SECURITY.md`, `config/walks/expectations` and [`tools`](x); `no/file`.\n```sh\ncat `SECURITY.md`\n```\n"
         self.assertEqual(repository.with_links(text, None, ROOT), text)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes what mkdocs builds: copies docs/, fills in what has its source elsewhere, and copies mkdocs.yml beside it.
+"""Writes what mkdocs builds: copies docs/, fills in what has its source elsewhere, and copies mkdocs.yml and its hook beside it.
 
 In a page, a line
 
@@ -63,7 +63,8 @@ def main():
                 with open(path, "w", encoding="utf-8") as file:
                     page = with_generated(text, sources, os.path.relpath(images, base))
                     file.write(repository.with_links(page, where, ROOT))
-    shutil.copy(os.path.join(ROOT, "tools", "docs_site", "mkdocs.yml"), options.out)
+    for name in ("mkdocs.yml", "session_prompts.py"):
+        shutil.copy(os.path.join(ROOT, "tools", "docs_site", name), options.out)
     return 0
 
 

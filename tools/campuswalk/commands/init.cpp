@@ -48,7 +48,8 @@ void check_folder(const fs::path& folder) {
             if (!is_repository_folder(entry.path())) {
                 throw error_about(folder, "not-empty",
                                   "the folder isn't empty ('" + entry.path().filename().string() +
-                                      "'), and init overwrites nothing; name a new folder");
+                                      "'), and init overwrites nothing; name a new folder, or add CI to "
+                                      "a project with --template none");
             }
         }
     }
