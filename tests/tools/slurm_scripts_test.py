@@ -174,6 +174,18 @@ class Scripts(SlurmCase):
         self.assertEqual(nothing.returncode, 3)
         self.assertEqual(nothing.stderr.count("error task-lost: "), 3)
 
+    def test_a_cancelled_task_is_named_even_if_it_noted_an_interruption(self):
+        self.write_scripts("-g", "w[0-2]", shards=3)
+        for task in (1, 2, 3):
+            self.assertEqual(self.run_task(task), 0)
+        os.remove(self.path("out/slurm/ended/2"))
+        passed = self.read("out/slurm/results/2.jsonl")
+        self.assertEqual(passed.count(b'"outcome":"passed"'), 1)
+        self.write("out/slurm/results/2.jsonl", passed.replace(b'"outcome":"passed"', b'"outcome":"interrupted"'))
+        merged = self.merge()
+        self.assertEqual((merged.returncode, self.read("out/slurm/merged")), (3, b"3\n"), merged.stderr)
+        self.assertTrue(merged.stderr.startswith("task 7_2: error task-lost: "), merged.stderr)
+
     def test_another_run_cannot_be_resumed(self):
         self.assertEqual(self.run_walks("--slurm=script", "--resume").code, 2)
         self.write_scripts()

@@ -186,7 +186,7 @@ int merge_explorations(const ExplorationRequest& request, const std::string& job
     for (const std::string& problem : problems) {
         print_error_line(problem);
     }
-    return problems.empty() ? worst : worse(worst, kRunFailed);
+    return problems.empty() ? worst : kRunFailed;
 }
 
 const std::vector<std::string>& options_of_exploration() {

@@ -79,7 +79,7 @@ int merge_reports(const MergeOptions& options) {
         print_error_line(problem);
     }
     if (tasks && !tasks->problems.empty()) {
-        outcomes.insert(engine::Outcome::broken);  // who knows what else they would have found
+        return kRunFailed;  // who knows what else they would have found; also if they were interrupted
     }
     const int code = exit_code_of(outcomes);
     return code == kPass && !problems.empty() ? kExpectationFailed : code;
