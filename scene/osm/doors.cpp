@@ -24,11 +24,6 @@ struct Door {
     std::optional<double> height = {};  ///< of a bridge that leads to it; else it is at the ground
 };
 
-bool is_entrance(const Tags& tags) {
-    return affirmed(tags, "entrance") || affirmed(tags, "door") || tags.is("building", "entrance") ||
-           tags.is("railway", "subway_entrance");
-}
-
 /// The paths on the ground that walkers may take.
 class PathSegments {
 public:

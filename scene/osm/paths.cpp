@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <unordered_set>
 
 #include "scene/osm/flight_shape.h"
 #include "scene/osm/tag_values.h"
@@ -73,7 +74,18 @@ bool open_to_walkers(const Tags& tags) {
     return admits_walkers(tags) && (tags.has("foot") || !for_vehicles);
 }
 
+bool is_entrance(const Tags& tags) {
+    return affirmed(tags, "entrance") || affirmed(tags, "door") || tags.is("building", "entrance") ||
+           tags.is("railway", "subway_entrance");
+}
+
 std::vector<Path> paths_of(const Map& map, const PlanGeometry& geometry) {
+    std::unordered_set<std::int64_t> entrances;
+    for (const MapNode& node : map.nodes) {
+        if (is_entrance(node.tags)) {
+            entrances.insert(node.id);
+        }
+    }
     std::vector<Path> paths;
     for (const MapWay& way : map.ways) {
         const Highway* highway = highway_of(way.tags);
@@ -91,6 +103,8 @@ std::vector<Path> paths_of(const Map& map, const PlanGeometry& geometry) {
         path.crossing = is_crossing(way.tags);
         path.unbuilt = is_unbuilt(way.tags);
         path.steps = highway->value == "steps";
+        path.from_entrance =
+            path.steps && entrances.contains(way.nodes.front()) && !entrances.contains(way.nodes.back());
         if (!path.unbuilt) {
             path.area = path.steps ? geometry.polygon(outline_of_steps(path))
                                    : geometry.buffer(way.points, 0.5 * path.width, Caps::round);

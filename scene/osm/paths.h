@@ -34,7 +34,8 @@ struct Path {
     bool for_walkers = true;   ///< its tags let walkers in
     bool unbuilt = false;      ///< in a tunnel, or indoors at another level than the ground's
     bool steps = false;
-    Polygons area;             ///< its ribbon in the plan; empty if unbuilt
+    bool from_entrance = false;  ///< steps that begin at an entrance and don't end at one
+    Polygons area;               ///< its ribbon in the plan; empty if unbuilt
     std::vector<double> deck;  ///< its height at each of its points, where it is above the ground; else empty
     std::optional<double> first_height;  ///< of the ends of steps that lead to a bridge; else on the ground
     std::optional<double> last_height;
@@ -55,6 +56,9 @@ bool is_unbuilt(const Tags& tags);
 /// Whether "foot" and "access" let people in, of paths and gates
 /// (wiki.openstreetmap.org/wiki/Key:access).
 bool admits_walkers(const Tags& tags);
+
+/// Whether the tags of a node are those of an entrance.
+bool is_entrance(const Tags& tags);
 
 /// Whether the tags of a highway let people walk there.
 bool open_to_walkers(const Tags& tags);

@@ -140,7 +140,7 @@ double length_of(const std::vector<Point>& line) {
 std::vector<Point> upward(const Path& path) {
     std::vector<Point> points = path.way->points;
     const std::string_view incline = path.way->tags.get("incline");
-    if (incline == "down" || incline.starts_with('-')) {
+    if (incline.empty() ? path.from_entrance : incline == "down" || incline.starts_with('-')) {
         std::reverse(points.begin(), points.end());
     }
     return points;

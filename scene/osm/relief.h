@@ -37,7 +37,8 @@ double rise_of(const Path& path);
 /// Metres that a flight can rise at most: as steep as people build them.
 double greatest_rise(const Path& path);
 
-/// The points of a flight from its foot to its top, by "incline"; as drawn, if that says nothing.
+/// The points of a flight from its foot to its top, by "incline". Without that, up to an entrance that it
+/// begins at, and as drawn otherwise.
 std::vector<Point> upward(const Path& path);
 
 double length_of(const std::vector<Point>& line);

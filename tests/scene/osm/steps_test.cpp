@@ -1,5 +1,6 @@
 #include "scene/osm/steps.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -50,6 +51,33 @@ TEST_F(Steps, RiseAsTagged) {
     EXPECT_NEAR(top_tread(model, steps()), 6.0 * 0.36397, 0.01) << "the tangent of 20 degrees";
     EXPECT_NEAR(top_at(model, 0.1, 0.1, steps()), top_tread(model, steps()) / 14.0, 0.02)
         << "drawn southwards and down, its foot is in the south";
+}
+
+TEST_F(Steps, LeadUpToAnEntranceThatTheyBeginAt) {
+    // Of a building in the north.
+    const auto rise_to_entrance = [&](bool drawn_from_entrance, const MapText::Tags& tags) {
+        MapText map;
+        const auto entrance = map.node(0, 10, {{"entrance", "yes"}});
+        const auto end = map.node(0, 7);
+        const auto west = map.node(-8, 10);
+        map.way_of({west, entrance, map.node(8, 10), map.node(8, 20), map.node(-8, 20), west},
+                   {{"building", "yes"}, {"name", "Hall"}});
+        MapText::Tags all = {{"highway", "steps"}, {"width", "3"}, {"step_count", "8"}};
+        all.insert(all.end(), tags.begin(), tags.end());
+        id_ = map.way_of(drawn_from_entrance ? std::vector{entrance, end} : std::vector{end, entrance}, all);
+        map.way({{0, -60}, {0, 7}}, {{"highway", "footway"}});
+        const ImportedMap imported = import(map.xml());
+        const auto place = std::ranges::find(imported.draft.places, "entrance-" + std::to_string(entrance),
+                                             &DraftPlace::name);
+        EXPECT_NE(place, imported.draft.places.end());
+        if (place != imported.draft.places.end()) {
+            EXPECT_NEAR(place->at.y(), top_at(imported.model, place->at.x(), -place->at.z(), steps()), 0.2);
+        }
+        return top_at(imported.model, 0, 9.9, steps()) - top_at(imported.model, 0, 7.1, steps());
+    };
+    EXPECT_GT(rise_to_entrance(true, {}), 0.7);
+    EXPECT_GT(rise_to_entrance(false, {}), 0.7);
+    EXPECT_LT(rise_to_entrance(true, {{"incline", "up"}}), -0.7) << "down to a basement";
 }
 
 TEST_F(Steps, HaveHandrailsOnTheSideOfTheirDirectionAsDrawn) {
