@@ -14,6 +14,13 @@ namespace campuswalk::collision {
 
 namespace {
 
+/// A limit below that of every volume: a query that has its answer looks no farther.
+constexpr double kNoMore = -1.0;
+
+Triangle in_frame(const Pose& X, const Triangle& t) {
+    return {X.inverse_apply(t.a), X.inverse_apply(t.b), X.inverse_apply(t.c)};
+}
+
 bool before(const MeshHit& a, const MeshHit& b) {
     return a.fraction != b.fraction ? a.fraction < b.fraction : a.triangle < b.triangle;
 }
@@ -84,16 +91,24 @@ void triangles_in_box(const MeshCollider& mesh, const Box& box, const Pose& X_me
                       std::vector<std::uint32_t>& out, QueryStatistics* statistics) {
     out.clear();
     const auto visit = [&](std::uint32_t t, double limit) {
-        const Triangle c = vertices(mesh.mesh(), t);
-        const Triangle local{X_mesh_box.inverse_apply(c.a), X_mesh_box.inverse_apply(c.b),
-                             X_mesh_box.inverse_apply(c.c)};
-        if (overlap(local, box)) {
+        if (overlap(in_frame(X_mesh_box, vertices(mesh.mesh(), t)), box)) {
             out.push_back(t);
         }
         return limit;
     };
     traverse(mesh, BoxVolume(box, X_mesh_box), 0.0, visit, statistics);
     std::sort(out.begin(), out.end());
+}
+
+bool any_in_box(const MeshCollider& mesh, const Box& box, const Pose& X_mesh_box,
+                QueryStatistics* statistics) {
+    bool found = false;
+    const auto visit = [&](std::uint32_t t, double limit) {
+        found = found || overlap(in_frame(X_mesh_box, vertices(mesh.mesh(), t)), box);
+        return found ? kNoMore : limit;
+    };
+    traverse(mesh, BoxVolume(box, X_mesh_box), 0.0, visit, statistics);
+    return found;
 }
 
 std::optional<MeshHit> first_on_ray(const MeshCollider& mesh, const Ray& ray, QueryStatistics* statistics,
@@ -109,7 +124,6 @@ std::optional<MeshHit> first_on_ray(const MeshCollider& mesh, const Ray& ray, Qu
 
 bool any_on_ray(const MeshCollider& mesh, const Ray& ray, QueryStatistics* statistics,
                 SimdTarget simd_target) {
-    constexpr double kNoMore = -1.0;  // below every fraction
     bool found = false;
     const auto visit = [&](std::uint32_t, const Triangle& triangle, double limit) {
         found = found || hit(ray, triangle).has_value();

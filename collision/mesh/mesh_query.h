@@ -61,6 +61,10 @@ bool is_inside(const MeshCollider& mesh, const Vec3& point, QueryStatistics* sta
 void triangles_in_box(const MeshCollider& mesh, const Box& box, const Pose& X_mesh_box,
                       std::vector<std::uint32_t>& out, QueryStatistics* statistics = nullptr);
 
+/// Whether there is such a triangle.
+bool any_in_box(const MeshCollider& mesh, const Box& box, const Pose& X_mesh_box,
+                QueryStatistics* statistics = nullptr);
+
 struct MeshPoint {
     Vec3 point = Vec3::Zero();
     double distance = 0.0;

@@ -18,7 +18,7 @@ constexpr double kStill = 1e-9;
 /// Seconds; see Stride::steers_after.
 constexpr double kFifth = 0.2;
 /// In a fall, after so many ticks, half as many more and so on, it is asked whether it goes on for ever.
-constexpr std::size_t kFirstLook = 16;
+constexpr std::size_t kFirstLook = 8;
 /// What is nearer than this to a fall may be touched, metres.
 constexpr double kFreeMargin = 0.05;
 /// One of so many obstructed ticks of a stride tells what is touched: along a wall, all would tell the same.
@@ -57,6 +57,11 @@ Strider::Strider(const collision::World& world, const StrideSettings& settings,
       touched_(world.size(), false) {}
 
 StrideEnd Strider::take(const GroundState& from, const Stride& stride, const WalkGrid& grid) {
+    return take(from, stride, grid, [](const GroundState&, double) { return true; });
+}
+
+StrideEnd Strider::take(const GroundState& from, const Stride& stride, const WalkGrid& grid,
+                        const IsWorthIt& is_worth_it) {
     const GridDirection& direction = grid_directions()[stride.direction];
     const GridCell cell = grid.cell_at(from.foot);
     const Vec3 goal = grid.center({cell.x + direction.x, cell.z + direction.z});
@@ -81,7 +86,7 @@ StrideEnd Strider::take(const GroundState& from, const Stride& stride, const Wal
             end.left_ground = true;
             end.edge = from.foot;
         }
-        walk_ahead(desired, count, steepest_rise_ * length + kStepRise, end);
+        walk_ahead(desired, count, steepest_rise_ * length + kStepRise, is_worth_it, end);
         if (!state_.grounded) {
             shared_ = {from, stride.direction, stride.gait, grid.cell, end, {}};
             note_fork();
@@ -112,8 +117,9 @@ void Strider::start(const GroundState& from) {
     shared_.forks.clear();
 }
 
-/// Until it leaves the ground, or nothing moves any more.
-void Strider::walk_ahead(const Vec3& desired, int most, double level_rise, StrideEnd& end) {
+/// Until it leaves the ground, nothing moves any more, or something is in the way and it isn't worth it.
+void Strider::walk_ahead(const Vec3& desired, int most, double level_rise, const IsWorthIt& is_worth_it,
+                         StrideEnd& end) {
     while (state_.grounded && static_cast<int>(path_.size()) < most) {
         const Vec3 before = state_.foot;
         const Vec3 edge = edge_below(state_);
@@ -127,6 +133,11 @@ void Strider::walk_ahead(const Vec3& desired, int most, double level_rise, Strid
         if (!state_.grounded) {
             end.left_ground = true;
             end.edge = edge;
+        } else if (const int left = most - static_cast<int>(path_.size());
+                   obstructed_ && left > 0 &&
+                   !is_worth_it({state_.foot, state_.support_y}, left * desired.norm())) {
+            end.given_up = true;
+            break;
         }
     }
 }
@@ -302,8 +313,7 @@ bool Strider::is_free(const collision::Aabb& box) {
         }
         const collision::Pose& X = object.X_world_shape;
         const collision::Pose X_mesh_box{X.rotation.transpose(), X.inverse_apply(box.center())};
-        collision::triangles_in_box(**mesh, shape, X_mesh_box, triangles_below_);
-        return triangles_below_.empty();
+        return !collision::any_in_box(**mesh, shape, X_mesh_box);
     });
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "collision/base/function_ref.h"
 #include "collision/mover/mover.h"
 #include "engine/walkspace/walk_grid.h"
 
@@ -45,6 +46,7 @@ struct StrideEnd {
     GroundState at;        ///< if it stands
     collision::Vec3 edge;  ///< if it left the ground: where it last stood, at the height of what carried it
     bool left_ground = false;
+    bool given_up = false;  ///< half-way, on the ground: see Strider::take
     /// Nothing was in the way, no step climbed, no edge passed: the way back is free as well.
     bool clean = true;
     int ticks = 0;
@@ -83,8 +85,14 @@ public:
     /// Falls end where they leave this box, as if out of the world: for searches that end there as well.
     void limit_falls(const collision::Aabb& box) { fall_limits_ = box; }
 
+    /// Whether a body that stands there may get somewhere that is worth it with so many metres more.
+    using IsWorthIt = collision::FunctionRef<bool(const GroundState& at, double metres)>;
+
     /// Towards the middle of the next cell in the stride's direction.
     StrideEnd take(const GroundState& from, const Stride& stride, const WalkGrid& grid);
+    /// Likewise, but a body that something is in the way of gives up once it isn't worth going on.
+    StrideEnd take(const GroundState& from, const Stride& stride, const WalkGrid& grid,
+                   const IsWorthIt& is_worth_it);
     /// Towards a point, as the step walk_to goes, for at most `seconds`: ends on the ground within `within`
     /// of it, horizontally, or at a standstill. TrialWalk arrives exactly as the step does.
     StrideEnd walk_to(const GroundState& from, const collision::Vec3& point, double within, double seconds);
@@ -129,7 +137,8 @@ private:
     };
 
     void start(const GroundState& from);
-    void walk_ahead(const collision::Vec3& desired, int most, double level_rise, StrideEnd& end);
+    void walk_ahead(const collision::Vec3& desired, int most, double level_rise, const IsWorthIt& is_worth_it,
+                    StrideEnd& end);
     bool shares_fall(const GroundState& from, const Stride& stride, const WalkGrid& grid) const;
     void note_fork();
     void tick(const collision::Vec3& desired);
@@ -161,7 +170,6 @@ private:
     std::vector<collision::Vec3> path_;
     std::vector<bool> touched_;
     std::vector<collision::ObjectId> below_;
-    std::vector<std::uint32_t> triangles_below_;
     std::uint64_t ticks_ = 0;
 };
 

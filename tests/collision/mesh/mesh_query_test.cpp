@@ -329,6 +329,7 @@ TEST(TrianglesInBox, AgreeWithALoopOverAllTriangles) {
                 std::vector<std::uint32_t> inside{12345};
                 triangles_in_box(*mesh, box, X, inside);
                 ASSERT_EQ(inside, expected) << m << ' ' << i;
+                ASSERT_EQ(any_in_box(*mesh, box, X), !expected.empty()) << m << ' ' << i;
             }
             found += expected.size();
         }

@@ -140,6 +140,39 @@ TEST(Explore, WalksUpSlopesOfFiftyDegrees) {
     EXPECT_FALSE(walks_up(51.0));
 }
 
+/// In a pit of 20 m by 20 m, whose floor slopes and whose edges no stride leads over, askew to the cells.
+WalkSpace explored_pit(double slope_deg) {
+    const double rise = 20.0 * std::tan(support::radians(slope_deg));
+    TriangleMesh mesh;
+    support::add_quad(mesh, {-10, 0, 10}, {10, rise, 10}, {10, rise, -10}, {-10, 0, -10});
+    support::add_box(mesh, {-11, -1, -10}, {-10, 30, 10});
+    support::add_box(mesh, {10, -1, -10}, {11, 30, 10});
+    support::add_box(mesh, {-11, -1, -11}, {11, 30, -10});
+    support::add_box(mesh, {-11, -1, 10}, {11, 30, 11});
+    const Eigen::AngleAxisf askew(0.4F, Eigen::Vector3f::UnitY());
+    for (Eigen::Vector3f& p : mesh.positions) {
+        p = askew * p;
+    }
+    return explored(campus_of(std::move(mesh)), {0, 0.5 * rise + 0.3, 0});
+}
+
+TEST(Explore, TakesFewStridesToGroundThatItKnows) {
+    struct Pit {
+        double slope_deg;
+        double strides;  ///< a node, at most
+        double ticks;    ///< likewise: a stride straight to the next cell takes 11
+    };
+    // Without looking ahead up and down slopes: 2.7 and 4.7 strides. Sliding along the walls to the end of
+    // each stride: 13.8 ticks on the level.
+    for (const Pit& pit : {Pit{0.0, 1.2, 13.5}, Pit{25.0, 1.4, 16.0}, Pit{42.0, 1.8, 21.0}}) {
+        const WalkSpace space = explored_pit(pit.slope_deg);
+        const auto nodes = static_cast<double>(space.node_count());
+        EXPECT_GE(space.area(), 19.4 * 19.4) << pit.slope_deg;
+        EXPECT_LE(static_cast<double>(space.strides), pit.strides * nodes) << pit.slope_deg;
+        EXPECT_LE(static_cast<double>(space.ticks), pit.ticks * nodes) << pit.slope_deg;
+    }
+}
+
 /// Whether a passage with a ceiling at this height is walked through.
 bool fits_under(double ceiling) {
     // In a room: on the rim of a floor, a body hangs lower.

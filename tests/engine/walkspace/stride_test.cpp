@@ -93,6 +93,27 @@ TEST(Strider, DoesNotCallASlideAlongAWallClean) {
     EXPECT_FALSE(end.clean);
 }
 
+TEST(Strider, GivesUpAtAWallOnceItIsNotWorthIt) {
+    StrideOn floor([](TriangleMesh& mesh) { support::add_box(mesh, {0.5, 0, -2}, {1, 2, 2}); });
+    const GroundState start = floor.state_at({0.15, 0.0, 0.1});
+    const StrideEnd whole = floor.strider.take(start, {.direction = 4}, kGrid);
+    const auto until = [&](double least) {
+        return floor.strider.take(start, {.direction = 4}, kGrid,
+                                  [&](const GroundState&, double metres) { return metres > least; });
+    };
+    EXPECT_FALSE(whole.given_up);
+    EXPECT_EQ(until(0.0).at, whole.at);
+    const StrideEnd half = until(0.1);
+    EXPECT_TRUE(half.given_up);
+    EXPECT_EQ(half.kind, Kind::grounded);
+    EXPECT_NEAR((whole.ticks - half.ticks) * 1.4 / 60.0, 0.1, 1.4 / 60.0);
+    const GroundState away = floor.state_at({-1.9, 0.0, 0.1});
+    const StrideEnd free =
+        floor.strider.take(away, {.direction = 4}, kGrid, [](const GroundState&, double) { return false; });
+    EXPECT_FALSE(free.given_up) << "nothing is in the way";
+    EXPECT_EQ(free.at, floor.strider.take(away, {.direction = 4}, kGrid).at);
+}
+
 TEST(Strider, DoesNotCallAStepClean) {
     StrideOn floor([](TriangleMesh& mesh) { support::add_box(mesh, {0.5, 0, -2}, {3, 0.2, 2}); });
     GroundState at = floor.state_at({-0.1, 0.0, 0.1});
