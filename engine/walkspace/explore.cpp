@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/walkspace/frontier.h"
+#include "engine/walkspace/known_cells.h"
 #include "engine/walkspace/landing_places.h"
 #include "engine/walkspace/path_order.h"
 #include "engine/walkspace/tight_growth.h"
@@ -48,7 +49,6 @@ public:
         if (!has_goal()) {  // on a path to a goal they are as good
             diagonals_later_ = order_.ticks_in(kDiagonalsLater / settings_.strides.walk_speed);
         }
-        most_rise_ = settings.strides.body.steepest_rise() * space_.grid.cell / kDiagonal;
         for (std::size_t i = 0; i < worlds.size(); ++i) {
             workers_.push_back({Strider(worlds[i], settings.strides, settings.solids)});
             if (!settings.within.empty()) {
@@ -238,9 +238,7 @@ private:
         for (std::uint8_t i = first; i < first + 4; ++i) {
             const GridDirection& direction = grid_directions()[i];
             const GridCell goal{cell.x + direction.x, cell.z + direction.z};
-            const GridCell behind{cell.x - direction.x, cell.z - direction.z};
-            if (is_known(goal, from.at, tile, worker) ||
-                is_known_ahead(goal, behind, from.at, tile, worker)) {
+            if (is_known(cell, direction, from.at, tile, worker)) {
                 continue;
             }
             const StrideEnd end = try_stride(tile, from, {.direction = i}, worker);
@@ -263,70 +261,20 @@ private:
         }
     }
 
-    /// Whether the cell has a node at this height; it is in the tile or beside it. What was reached there in
-    /// this round counts too, but for a path to a point: a later arrival may be the better one.
-    bool is_known(const GridCell& cell, const GroundState& from, std::uint32_t tile,
-                  const Worker& worker) const {
+    /// Whether a stride to the cell ahead would find nothing new.
+    bool is_known(const GridCell& cell, const GridDirection& direction, const GroundState& from,
+                  std::uint32_t tile, const Worker& worker) const {
+        const GridCell ahead{cell.x + direction.x, cell.z + direction.z};
+        const GridCell behind{cell.x - direction.x, cell.z - direction.z};
         const double y = from.foot.y();
-        if (settings_.known != nullptr && settings_.known->find(cell, y)) {
-            return true;
-        }
-        const std::size_t side = space_.tiles[tile].side_of(cell);
-        const std::uint32_t number = space_.tiles[tile].neighbours[side];
         const bool hangs = worker.strider.hangs(from);
-        if (number != WalkTile::kNoTile) {
-            const WalkTile& other = space_.tiles[number];
-            if (other.has(other.index_of(cell), y, hangs)) {
-                return true;
-            }
-        }
-        return side != 4 && !settings_.towards && frontiers_[tile].has_sent(cell, y, hangs);
+        return known_.has(ahead, y, hangs, tile) || (!hangs && known_.has_ahead(ahead, behind, y, tile));
     }
 
-    /// Whether a body that slides along what is in its way may get to a cell without a node at this height,
-    /// in so many metres.
-    bool may_get_to_new_cell(const GroundState& at, double metres, std::uint32_t tile,
-                             const Worker& worker) const {
-        if (settings_.jump) {  // off what it stands against
-            return true;
-        }
-        const Vec3& foot = at.foot;
-        const GridCell first = space_.grid.cell_at(foot.x() - metres, foot.z() - metres);
-        const GridCell last = space_.grid.cell_at(foot.x() + metres, foot.z() + metres);
-        for (int z = first.z; z <= last.z; ++z) {
-            for (int x = first.x; x <= last.x; ++x) {
-                const Vec3 to_middle = flat(space_.grid.center({x, z}) - foot);
-                const Vec3 to_cell =
-                    (to_middle.cwiseAbs() - 0.5 * space_.grid.cell * Vec3::Ones()).cwiseMax(0.0);
-                if (collision::horizontal_norm(to_cell) <= metres && !is_known({x, z}, at, tile, worker)) {
-                    return true;
-                }
-            }
-        }
-        return false;
-    }
-
-    /// Whether the ground goes on ahead as it comes from behind, up or down a slope, and is known there.
-    bool is_known_ahead(const GridCell& ahead, const GridCell& behind, const GroundState& from,
-                        std::uint32_t tile, const Worker& worker) const {
-        const double y = from.foot.y();
-        if (worker.strider.hangs(from)) {
-            return false;
-        }
-        const auto before = level_in(behind, y, most_rise_, tile);
-        return before && level_in(ahead, 2.0 * y - *before, WalkNode::kLevel, tile);
-    }
-
-    /// The height of the cell's node nearest to a height; the cell is in the tile or beside it.
-    std::optional<double> level_in(const GridCell& cell, double y, double tolerance,
-                                   std::uint32_t tile) const {
-        const std::uint32_t number = space_.tiles[tile].neighbours[space_.tiles[tile].side_of(cell)];
-        if (number == WalkTile::kNoTile) {
-            return std::nullopt;
-        }
-        const WalkTile& other = space_.tiles[number];
-        const auto node = other.find(other.index_of(cell), y, tolerance);
-        return node ? std::optional<double>(other.nodes[*node].y) : std::nullopt;
+    /// Whether a body that slides along what is in its way may get to a new cell in so many metres.
+    bool is_worth_it(const GroundState& at, double metres, std::uint32_t tile, const Worker& worker) const {
+        return settings_.jump ||  // off what it stands against
+               !known_.has_all_near(at.foot, metres, worker.strider.hangs(at), tile);
     }
 
     StrideEnd try_stride(std::uint32_t tile, const Pending& from, const Stride& stride, Worker& worker) {
@@ -349,10 +297,9 @@ private:
     }
 
     StrideEnd take(std::uint32_t tile, const Pending& from, const Stride& stride, Worker& worker) {
-        const StrideEnd end =
-            worker.strider.take(from.at, stride, space_.grid, [&](const GroundState& at, double metres) {
-                return may_get_to_new_cell(at, metres, tile, worker);
-            });
+        const StrideEnd end = worker.strider.take(
+            from.at, stride, space_.grid,
+            [&](const GroundState& at, double metres) { return is_worth_it(at, metres, tile, worker); });
         ++worker.strides;
         if (end.given_up) {
             return end;
@@ -530,12 +477,12 @@ private:
 
     const ExploreSettings& settings_;
     const PathOrder order_;
-    double most_rise_ = 0.0;             ///< of walkable ground, to the next cell, metres
     std::uint32_t diagonals_later_ = 0;  ///< ticks
     WalkSpace space_;
     std::vector<Worker> workers_;
     std::vector<Frontier> frontiers_;  ///< by tile
-    bool is_cut_ = false;              ///< by the most nodes
+    const KnownCells known_{settings_, space_, frontiers_};
+    bool is_cut_ = false;  ///< by the most nodes
 };
 
 }  // namespace

@@ -40,7 +40,7 @@ constexpr double kLastPiece = 4.0;
 /// Nodes this near the target are asked whether they lead there, metres.
 constexpr double kNearTarget = 0.6;
 /// Nodes are at least this far from what is avoided, metres.
-constexpr double kRoomBeside = 0.1;
+constexpr double kRoomBesideAvoided = 0.1;
 /// So many guesses are walked before the way is looked for by walking everywhere.
 constexpr int kMostGuesses = 12;
 /// After so many searches a leg is walked as the last chain goes, stride by stride.
@@ -333,7 +333,7 @@ private:
     /// So that there is room for straight pieces beside it.
     bool is_close_to_what_is_avoided(const Vec3& foot) const {
         return std::ranges::any_of(grid_directions(), [&](const GridDirection& direction) {
-            return settings_.keep_out(foot + kRoomBeside * direction.unit);
+            return settings_.keep_out(foot + kRoomBesideAvoided * direction.unit);
         });
     }
 

@@ -1,0 +1,66 @@
+#include "engine/walkspace/known_cells.h"
+
+#include <cstddef>
+
+#include "engine/script/travel.h"
+
+namespace campuswalk::engine {
+
+using collision::Vec3;
+
+KnownCells::KnownCells(const ExploreSettings& settings, const WalkSpace& space,
+                       const std::vector<Frontier>& frontiers)
+    : settings_(settings),
+      space_(space),
+      frontiers_(frontiers),
+      most_rise_(settings.strides.body.steepest_rise() * space.grid.cell / kDiagonal) {}
+
+bool KnownCells::has(const GridCell& cell, double y, bool hangs, std::uint32_t tile) const {
+    if (settings_.known != nullptr && settings_.known->find(cell, y)) {
+        return true;
+    }
+    const std::size_t side = space_.tiles[tile].side_of(cell);
+    const std::uint32_t number = space_.tiles[tile].neighbours[side];
+    if (number != WalkTile::kNoTile) {
+        const WalkTile& other = space_.tiles[number];
+        if (other.has(other.index_of(cell), y, hangs)) {
+            return true;
+        }
+    }
+    return side != 4 && !settings_.towards && frontiers_[tile].has_sent(cell, y, hangs);
+}
+
+bool KnownCells::has_ahead(const GridCell& ahead, const GridCell& behind, double y,
+                           std::uint32_t tile) const {
+    const auto before = level_in(behind, y, most_rise_, tile);
+    return before && level_in(ahead, 2.0 * y - *before, WalkNode::kLevel, tile);
+}
+
+bool KnownCells::has_all_near(const Vec3& foot, double metres, bool hangs, std::uint32_t tile) const {
+    const GridCell first = space_.grid.cell_at(foot.x() - metres, foot.z() - metres);
+    const GridCell last = space_.grid.cell_at(foot.x() + metres, foot.z() + metres);
+    for (int z = first.z; z <= last.z; ++z) {
+        for (int x = first.x; x <= last.x; ++x) {
+            const Vec3 to_middle = flat(space_.grid.center({x, z}) - foot);
+            const Vec3 to_cell = (to_middle.cwiseAbs() - 0.5 * space_.grid.cell * Vec3::Ones()).cwiseMax(0.0);
+            if (collision::horizontal_norm(to_cell) <= metres && !has({x, z}, foot.y(), hangs, tile)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/// The height of the cell's node nearest to a height; the cell is in the tile or beside it.
+std::optional<double> KnownCells::level_in(const GridCell& cell, double y, double tolerance,
+                                           std::uint32_t tile) const {
+    const std::uint32_t number = space_.tiles[tile].neighbours[space_.tiles[tile].side_of(cell)];
+    if (number == WalkTile::kNoTile) {
+        return std::nullopt;
+    }
+    const WalkTile& other = space_.tiles[number];
+    const auto node = other.find(other.index_of(cell), y, tolerance);
+    return node ? std::optional<double>(other.nodes[*node].y) : std::nullopt;
+}
+
+}  // namespace campuswalk::engine
