@@ -4,7 +4,7 @@ import { describe, test } from 'node:test';
 import { join } from 'node:path';
 import { ask, open } from '../support/browser.mjs';
 import { withIndex } from '../support/page_file.mjs';
-import { browser, page, reports, totals } from './session.mjs';
+import { browser, goToWalk, page, reports, totals } from './session.mjs';
 
 describe('the list', () => {
   test('opens from disk without a message or a request', async () => {
@@ -49,6 +49,21 @@ describe('the list', () => {
     assert.equal(await page.inputValue('.filter-box'), 's:failed');
     await page.waitForFunction(() => location.hash === '#q=s:failed');
     await page.fill('.filter-box', '');
+  });
+
+  test('has all its paths in a picture that is taken at once', async () => {
+    await page.mouse.move(2, 2);
+    await goToWalk('first-tour');
+    // Within the page, so that nothing but the page itself takes time.
+    const pictures = await page.evaluate(async () => {
+      const listed = new Promise((resolve) => addEventListener('hashchange', resolve, { once: true }));
+      location.hash = '#';
+      await listed;
+      const atOnce = await window.campuswalk.picture(320, 180);
+      await new Promise((resolve) => setTimeout(resolve, 300));
+      return [atOnce, await window.campuswalk.picture(320, 180)];
+    });
+    assert.equal(pictures[0], pictures[1]);
   });
 
   test('of ten thousand walks scrolls and filters at once', async () => {

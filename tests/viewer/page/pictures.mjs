@@ -21,6 +21,7 @@ describe('the pictures of', () => {
   for (const [name, report, hash] of views) {
     test(`${name} are as they were`, async () => {
       const shown = report() === reports.report ? page : await open(browser, report());
+      await shown.mouse.move(2, 2); // a row under the pointer emphasizes its path
       await go(shown, '#');
       await go(shown, hash);
       const address = await ask(shown, 'picture', 320, 180);

@@ -88,6 +88,9 @@ export class Overview {
     await this.loadImage();
     const holder = this.plan.canvas.parentElement!;
     this.isPosing = true;
+    // What is listed belongs in it, even if the plan still waits for a pause in the typing.
+    clearTimeout(this.waiting);
+    this.collect();
     const completed = new Promise<void>((resolve) => (this.complete = resolve));
     this.plan.resize(width, height);
     this.draw();
