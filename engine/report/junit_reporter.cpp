@@ -63,14 +63,13 @@ void append_problem(pugi::xml_node test, const char* kind, std::string_view type
 
 /// Schemas allow several, but most readers show only the first: all failures are in it.
 void append_failures(pugi::xml_node test, const WalkResult& result) {
-    const std::string verdict = verdict_in_words(result);
-    std::string details = verdict.empty() ? "" : verdict + "\n";
+    std::string details;
     for (const Failure& failure : result.failures) {
         details += details_of(failure);
     }
-    const bool use_verdict = !verdict.empty() || result.failures.empty();
-    append_problem(test, "failure", use_verdict ? "status" : result.failures.front().code,
-                   use_verdict ? verdict : result.failures.front().message, details);
+    const bool says_why = !result.failures.empty();
+    append_problem(test, "failure", says_why ? result.failures.front().code : name_of(result.outcome),
+                   says_why ? result.failures.front().message : "", details);
 }
 
 void append_error(pugi::xml_node test, const WalkResult& result) {

@@ -44,7 +44,7 @@ EvaluatedWalk outcome_of_failures(std::vector<Failure> failures, const WalkStatu
     }
     if (std::string message = mismatch(failed, status); !message.empty()) {
         evaluated.outcome = Outcome::failed;
-        evaluated.failures.push_back({status.mark, "xfail", std::move(message), {}});
+        evaluated.failures.push_back({status.mark, std::string(kXfailCode), std::move(message), {}});
     }
     return evaluated;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "engine/report/walk_result.h"
@@ -8,9 +9,12 @@
 
 namespace campuswalk::engine {
 
+/// The code of the failure to fail as a walk's status says. It belongs to no moment of the walk.
+inline constexpr std::string_view kXfailCode = "xfail";
+
 struct EvaluatedWalk {
     Outcome outcome = Outcome::passed;
-    std::vector<Failure> failures;  ///< the walk's own and, if it should have failed differently, "xfail"
+    std::vector<Failure> failures;  ///< the walk's own and, if it should have failed differently, kXfailCode
 };
 
 /// The verdict on a walk that has been run. `failures` are all of them, including those that observers found.

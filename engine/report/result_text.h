@@ -16,7 +16,7 @@ constexpr bool failed_as_expected(const WalkResult& result) {
 /// Simulated seconds.
 double seconds_of(const WalkResult& result);
 
-/// What is wrong with a case besides its failures and diagnostics, for instance an xfail that passed. Empty
+/// What is wrong with a case besides its failures and diagnostics, for instance that it was interrupted. Empty
 /// if those say everything.
 std::string verdict_in_words(const WalkResult& result);
 

@@ -225,6 +225,15 @@ class PicturesOfFailures(ImageCase):
             self.assertEqual(self.failures(), [])
             self.assertEqual(self.read("out/short/failure.txt"), b"mine")
 
+    def test_show_no_moment_of_a_walk_that_should_have_failed(self):
+        self.write("short.walk.yaml", WALK + "status: {is: xfail, failures: [never]}\n")
+        outcome = self.run_program("run", "short.walk.yaml", "--reporter", "list")
+        self.assertEqual(outcome.code, 1)
+        self.assertEqual(self.failures(), [])
+        complaints = [line for line in outcome.lines if line.startswith("   ")]
+        self.assertEqual(len(complaints), 1, complaints)
+        self.assertRegex(complaints[0], r"^   short.walk.yaml:10:\d+: error xfail: expected to fail with never, but passed$")
+
     def test_and_snapshots_that_the_walk_does_not_get_to_any_more_go(self):
         taken = "turn: 180\n  - snapshot: {name: away, width: 96, height: 64, channels: [depth]}"
         self.write("short.walk.yaml", WALK.replace("turn: 180", taken))

@@ -94,6 +94,10 @@ RunReport mixed_report() {
     wrong.outcome = Outcome::failed;
     wrong.expected_to_fail = true;
     wrong.status_reason = "the door is too narrow";
+    wrong.failures = {{{"walks/wrong.walk.yaml", 3, 9},
+                       "xfail",
+                       "expected to fail because the door is too narrow, but passed",
+                       {}}};
     WalkResult broken = skipped_result("broken");
     broken.outcome = Outcome::broken;
     broken.status_reason.clear();

@@ -11,6 +11,7 @@
 #include "engine/render/overlay/map_marks.h"
 #include "engine/render/overlay/walk_trail.h"
 #include "engine/render/snapshot/renderer_store.h"
+#include "engine/report/outcome.h"
 #include "engine/simulation/simulation.h"
 #include "tools/campuswalk/images/contact_camera.h"
 #include "tools/campuswalk/images/images.h"
@@ -30,11 +31,11 @@ constexpr int kHeight = 720;  // pixels
 /// As far around what is in the way colliders are outlined, metres: all of them would hide it.
 constexpr double kOutlined = 4.0;
 
-/// The first failures' ticks, in order.
+/// The first failures' ticks, in order; none of a walk that should have failed and didn't.
 std::vector<engine::Tick> moments_of(std::span<const engine::Failure> failures) {
     std::set<engine::Tick> ticks;
     for (const engine::Failure& failure : failures) {
-        if (ticks.size() < kMaxMoments) {
+        if (ticks.size() < kMaxMoments && failure.code != engine::kXfailCode) {
             ticks.insert(failure.scene.tick);
         }
     }
