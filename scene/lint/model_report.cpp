@@ -97,4 +97,12 @@ ModelReport report(const Model& model) {
     return result;
 }
 
+void add_repairs(const std::vector<Diagnostic>& repairs, ModelReport& report) {
+    std::vector<ModelLint> lints;
+    for (const Diagnostic& repair : repairs) {
+        lints.push_back({repair.code, repair.message});
+    }
+    report.warnings.insert(report.warnings.begin(), lints.begin(), lints.end());
+}
+
 }  // namespace campuswalk::scene

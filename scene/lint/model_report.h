@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/base/diagnostic.h"
 #include "scene/lint/doors.h"
 #include "scene/lint/flights.h"
 #include "scene/model/model.h"
@@ -78,6 +79,9 @@ struct ModelReport {
 };
 
 ModelReport report(const Model& model);
+
+/// What the import says that it left out or repaired becomes the report's first warnings.
+void add_repairs(const std::vector<Diagnostic>& repairs, ModelReport& report);
 
 /// Of all but the doors in doorways. `report`: all but the warnings, doors and flights are filled in.
 std::vector<ModelLint> find_lints(const Model& model, const ModelReport& report);

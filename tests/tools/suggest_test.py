@@ -96,6 +96,13 @@ class Suggest(ProgramCase):
         self.assertRegex(log, r" origin=85000\.000,0\.000,-446000\.000")
         self.assertRegex(log, r"trigger\.enter +hut-1/around")
 
+    def test_what_the_import_leaves_out_is_told_as_info_tells_it(self):
+        self.write("plain.obj", boxes_obj([("meadow", -20, -1, -20, 20, 0, 20)]) + "l 1 2\n")
+        warnings = self.passes("info", "plain.obj").out.split("\nwarnings ")[1].splitlines()[1:]
+        self.assertRegex(warnings[0], "points-and-lines: .* 1 points and lines are ignored")
+        told = self.passes("info", "plain.obj", "--suggest", "plain.campus.yaml").out.splitlines()
+        self.assertEqual(told[told.index("1 warning about the model") + 1:], warnings)
+
     def test_centimetres_are_inferred_from_a_door_that_is_left_open(self):
         door = [[-0.5, 0, -4.04], [0.5, 2.1, -4.02]]
         # The hut with a doorway in its front, and a door in that.

@@ -76,11 +76,7 @@ ModelInfo info_of(const scene::ImportedModel& imported) {
     if (!scene::has_wrong_frame(info.report)) {
         info.buildings = scene::suggest_buildings(imported.model, info.report);
     }
-    std::vector<scene::ModelLint> repairs;
-    for (const scene::Diagnostic& repair : imported.warnings) {
-        repairs.push_back({repair.code, repair.message});
-    }
-    info.report.warnings.insert(info.report.warnings.begin(), repairs.begin(), repairs.end());
+    scene::add_repairs(imported.warnings, info.report);
     return info;
 }
 

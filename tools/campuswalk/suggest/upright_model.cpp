@@ -18,11 +18,13 @@ bool has_lint(const scene::ModelReport& report, const std::string& code) {
 
 UprightModel load_upright(const scene::SceneFile& file) {
     UprightModel upright{file, {}, {}, Vector3d::Zero()};
+    std::vector<scene::Diagnostic> repairs;
     for (int turn = 0; turn < 3; ++turn) {
         scene::ImportedModel imported = read_model(upright.file, scene::EmptyModel::refuse);
         upright.report = scene::report(imported.model);
         upright.models.clear();
         upright.models.push_back(std::move(imported.model));
+        repairs = std::move(imported.warnings);
         if (has_lint(upright.report, "z-up") && upright.file.up == scene::UpAxis::y) {
             upright.file.up = scene::UpAxis::z;
         } else if (const auto scale = scene::scale_from_doors(upright.models[0], upright.report.nodes)) {
@@ -40,6 +42,7 @@ UprightModel load_upright(const scene::SceneFile& file) {
         upright.report = scene::report(upright.models[0]);
     }
     lint_ground(ground_of(upright.models[0], upright.report), upright.report);
+    scene::add_repairs(repairs, upright.report);
     return upright;
 }
 
