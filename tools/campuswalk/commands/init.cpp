@@ -118,8 +118,8 @@ int add_ci_file(const InitOptions& options) {
     const fs::path path = options.folder / file->path;
     if (fs::exists(fs::symlink_status(path, ignored))) {
         throw error_about(path, "file-exists",
-                          "it is there already, and init overwrites nothing; let it write into an empty "
-                          "folder, and take over what you need");
+                          "it is there already, and init overwrites nothing; let `campuswalk init NEW` write "
+                          "into a new folder, with the same --ci, and take over what you need");
     }
     require_writable_file(path, "the file can't be written here");
     Undo undo;

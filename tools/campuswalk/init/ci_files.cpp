@@ -65,7 +65,7 @@ walks:
   timeout: 30 minutes
   variables:
     # To be filled in here: pipelines of forks don't get the project's variables.
-    CAMPUSWALK: "@ADDRESS@"   # the address of campuswalk_@VERSION@_amd64.deb
+    CAMPUSWALK: "@ADDRESS@"   # campuswalk_@VERSION@_amd64.deb: its https address, or a path in the project
     CAMPUSWALK_SHA256: ""   # of that file, from the release's SHA256SUMS
   before_script:
     - >-
@@ -73,9 +73,12 @@ walks:
       { echo "fill in CAMPUSWALK and CAMPUSWALK_SHA256 in .gitlab-ci.yml"; exit 1; }
     - apt-get update -q
     - apt-get install -y -q --no-install-recommends ca-certificates curl
-    - >-
-      curl --fail --silent --show-error --location --proto =https
-      --output /tmp/campuswalk.deb "$CAMPUSWALK"
+    - |
+      case "$CAMPUSWALK" in
+        https://*) curl --fail --silent --show-error --location --proto =https \
+                     --output /tmp/campuswalk.deb "$CAMPUSWALK" ;;
+        *) cp "$CAMPUSWALK" /tmp/campuswalk.deb ;;
+      esac
     - echo "$CAMPUSWALK_SHA256  /tmp/campuswalk.deb" | sha256sum --check
     - apt-get install -y -q /tmp/campuswalk.deb
   script:

@@ -169,7 +169,7 @@ std::vector<NewFile> files_of(Template which) {
                                   {"walks/visit.walk.yaml", kVisit},
                                   {"walks/wall.walk.yaml", kWall},
                                   {"walks.config.yaml", kConfig},
-                                  {".gitignore", "out/\n.campuswalk/\n"}};
+                                  {".gitignore", "out/\nreport.html\n.campuswalk/\n"}};
     if (which != Template::minimal) {
         files.push_back({"avatars/robot.avatar.yaml", kRobot});
         files.push_back({"walks/upstairs.walk.yaml", kUpstairs});
