@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using RecordingJson = nlohmann::json;
 
 constexpr double kTellApart = 1.0;  // millimetres, along an axis
 // What a walk can't come to: a year of ticks, and a thousand million metres or turns.
@@ -25,14 +25,14 @@ Vector3d point(const RecordedPath::Key& key) {
 }
 
 /// The sums of a list of differences; empty if it isn't a list of whole numbers with sums up to `most`.
-std::vector<std::int64_t> summed(const Json& path, const char* name, std::int64_t most) {
+std::vector<std::int64_t> summed(const RecordingJson& path, const char* name, std::int64_t most) {
     std::vector<std::int64_t> values;
     const auto list = path.find(name);
     if (list == path.end() || !list->is_array()) {
         return {};
     }
     std::int64_t value = 0;
-    for (const Json& difference : *list) {
+    for (const RecordingJson& difference : *list) {
         // An unsigned one above the signed numbers reads as a negative one.
         const std::int64_t step =
             difference.is_number_integer() ? difference.get<std::int64_t>() : 2 * most + 1;
@@ -50,17 +50,17 @@ bool ascend_from_zero(const std::vector<std::int64_t>& ticks) {
 }
 
 /// Whether a viewer finds in it what it reads besides the path.
-bool is_recording(const Json& json) {
+bool is_recording(const RecordingJson& json) {
     const auto version = json.is_object() ? json.find("campuswalk_recording") : json.end();
     return version != json.end() && *version == 1 && has_numbers(json, {"ticks_per_second", "ticks"}) &&
            json["ticks_per_second"] > 0 && json.contains("campus") && has_strings(json["campus"], {"file"}) &&
            json.contains("avatar") && has_numbers(json["avatar"], {"radius", "height", "eye_height"}) &&
            json.contains("way") && json["way"].is_object() &&
-           has_list(json, "log", [](const Json& line) { return line.is_string(); });
+           has_list(json, "log", [](const RecordingJson& line) { return line.is_string(); });
 }
 
-std::optional<RecordedPath> path_of(const Json& recording) {
-    const Json& stored = recording["way"];
+std::optional<RecordedPath> path_of(const RecordingJson& recording) {
+    const RecordingJson& stored = recording["way"];
     const std::vector<std::int64_t> ticks = summed(stored, "tick", kMostTicks);
     std::array<std::vector<std::int64_t>, 5> columns;
     constexpr std::array<const char*, 5> kNames = {"x", "y", "z", "yaw", "pitch"};
@@ -78,7 +78,7 @@ std::optional<RecordedPath> path_of(const Json& recording) {
     for (std::size_t i = 0; i < ticks.size(); ++i) {
         path.keys.push_back({ticks[i], {columns[0][i], columns[1][i], columns[2][i]}, false});
     }
-    const bool cuts_fit = has_list(stored, "cut", [&](const Json& index) {
+    const bool cuts_fit = has_list(stored, "cut", [&](const RecordingJson& index) {
         const bool fits = index.is_number_unsigned() && index.get<std::uint64_t>() < path.keys.size();
         if (fits) {
             path.keys[index.get<std::size_t>()].cut = true;
@@ -124,7 +124,7 @@ Vector3d RecordedPath::at(Tick tick) const {
 }
 
 std::optional<RecordedPath> read_recorded_path(std::string_view recording) {
-    const std::optional<Json> json = parse_foreign(recording);
+    const std::optional<RecordingJson> json = parse_foreign<RecordingJson>(recording);
     return json && is_recording(*json) ? path_of(*json) : std::nullopt;
 }
 

@@ -26,8 +26,16 @@ constexpr std::array<const char*, PathSample::kSize + 1> kColumns = {"tick", "x"
 constexpr double kReach = 0.1;
 constexpr double kUnderfoot = 0.1;
 
+/// As a JSON string has it, too.
+bool is_plain(char c) {
+    return c >= ' ' && c <= '~' && c != '"' && c != '\\';
+}
+
 /// Bytes that aren't UTF-8 can't be written in JSON: they become U+FFFD.
 std::string json_text(const std::string& text) {
+    if (std::ranges::all_of(text, is_plain)) {  // nearly all lines of logs
+        return '"' + text + '"';
+    }
     return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 

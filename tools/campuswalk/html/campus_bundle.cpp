@@ -55,7 +55,7 @@ void write_bundle(const fs::path& output, const std::string& file, const engine:
 std::optional<engine::ReportCampus> read_bundle(const fs::path& output, const std::string& file) {
     const std::string name = bundle_name(file);
     const std::optional<std::string> text = read_below(output, name + ".json");
-    const std::optional<Json> json = text ? engine::parse_foreign(*text) : std::nullopt;
+    const std::optional<Json> json = text ? engine::parse_foreign<Json>(*text) : std::nullopt;
     if (!json || !engine::has_numbers(*json, {"campuswalk_campus", "error"}) ||
         (*json)["campuswalk_campus"] != 1 || !json->contains("campus") ||
         !engine::is_campus_entry((*json)["campus"])) {
