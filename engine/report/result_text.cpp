@@ -67,7 +67,7 @@ std::string place_of(const FailureScene& scene) {
     std::string place = "at " + fixed(scene.time, 3) + " s, " + fixed(scene.position) + ", facing " +
                         fixed(degrees(scene.yaw), 1) + " degrees";
     if (!scene.building.empty()) {
-        place += "; building " + printable(scene.building);
+        place += "; in or near " + printable(scene.building);
     }
     if (!scene.nearest.empty()) {
         place +=

@@ -16,8 +16,8 @@ constexpr bool failed_as_expected(const WalkResult& result) {
 /// Simulated seconds.
 double seconds_of(const WalkResult& result);
 
-/// What is wrong with a case besides its failures and diagnostics, for instance that it was interrupted. Empty
-/// if those say everything.
+/// What is wrong with a case besides its failures and diagnostics, for instance that it was interrupted.
+/// Empty if those say everything.
 std::string verdict_in_words(const WalkResult& result);
 
 /// "2 expectations not evaluated"; empty if all were.

@@ -5,6 +5,7 @@ docs/how-to/your-own-campus.md run as written, on a model that `init` makes.
 `inline_commands_test.py PROGRAM [SITE]`.
 """
 
+import hashlib
 import os
 import re
 import shlex
@@ -103,6 +104,42 @@ class InlineCommands(unittest.TestCase):
             os.remove(os.path.join(joined, "out", "shards", "2.jsonl"))
             self.assertEqual(play("verdict", joined).returncode, 1)
         self.assertEqual(set(codes), {0})
+
+    def test_the_job_of_github_without_the_action(self):
+        """Its scripts, with an archive that has only a link to the program in it."""
+        with open(os.path.join(ROOT, "docs", "how-to", "ci.md"), encoding="utf-8") as file:
+            text = re.search(r"### Without the action\n.*?```yaml\n(.*?)```", file.read(), re.DOTALL)[1]
+        install, run, summarize = (step["run"] for step in yaml.safe_load(text)["jobs"]["walks"]["steps"] if "run" in step)
+        with tempfile.TemporaryDirectory(prefix="campuswalk-docs-") as folder:
+            project, elsewhere, archived = (os.path.join(folder, name) for name in ("project", "elsewhere", "archived"))
+            subprocess.run([self.program, "init", project], check=True, capture_output=True)
+            name = re.search(r"tar .* -xf (\S+)", install)[1]
+            tools = os.path.join(archived, name.rsplit("-linux", 1)[0] + "-linux-x86_64", "bin")
+            os.makedirs(tools)
+            os.makedirs(elsewhere)
+            os.symlink(self.program, os.path.join(tools, "campuswalk"))
+            archive = os.path.join(project, name)
+            subprocess.run(["tar", "-C", archived, "-cJf", archive, "."], check=True)
+            with open(archive, "rb") as file:
+                digest = hashlib.sha256(file.read()).hexdigest()
+            files = {key: os.path.join(folder, key) for key in ("GITHUB_PATH", "GITHUB_STEP_SUMMARY")}
+
+            def play(script, path=""):
+                return subprocess.run(["bash", "-e", "-c", script], cwd=project, capture_output=True, text=True, check=False,
+                                      env={**os.environ, **files, "CI": "true", "GITHUB_WORKSPACE": project,
+                                           "RUNNER_TEMP": elsewhere, "PATH": path + os.environ["PATH"]})
+
+            self.assertNotEqual(play(install.replace("HASH", "0" * 64)).returncode, 0)
+            self.assertFalse(os.path.exists(files["GITHUB_PATH"]))
+            self.assertEqual(play(install.replace("HASH", digest)).returncode, 0)
+            with open(files["GITHUB_PATH"], encoding="utf-8") as file:
+                path = file.read().strip() + ":"
+            run = run if self.writes_html() else run.replace("--reporter html=out/report.html", "")
+            done = play(run, path)
+            self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
+            self.assertEqual(play(summarize).returncode, 0)
+            with open(files["GITHUB_STEP_SUMMARY"], encoding="utf-8") as file:
+                self.assertIn("walks/visit.walk.yaml", file.read())
 
     def writes_html(self):
         with tempfile.TemporaryDirectory(prefix="campuswalk-docs-") as folder:

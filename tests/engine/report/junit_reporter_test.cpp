@@ -25,7 +25,7 @@ TEST(JunitReporter, HasASuitePerFileAndACasePerWalk) {
     <testcase name="visit" classname="walks/visit.walk.yaml" time="4.000" />
     <testcase name="visit kiosk #1" classname="walks/visit.walk.yaml" time="4.000">
       <failure type="sequence" message="popup.open library never came; last was &quot;ray.exit library/walls&quot;">walks/visit.walk.yaml:12:5: error sequence: popup.open library never came; last was "ray.exit library/walls"
-at 4.050 s, 0.333,-0.125,-7.310, facing 45.0 degrees; building library; nearest library/walls, 0.42 m away
+at 4.050 s, 0.333,-0.125,-7.310, facing 45.0 degrees; in or near library; nearest library/walls, 0.42 m away
 000240    4.000000 ray.enter library/walls
 000243    4.050000 ray.exit library/walls
 </failure>

@@ -29,7 +29,7 @@ TEST(MarkdownReporter, HasATableThenWhatFailedWithItsImages) {
 ### walks/visit.walk.yaml
 
 - walks/visit.walk.yaml\:12\:5\: error sequence\: popup.open library never came; last was "ray.exit library/walls"
-  at 4.050 s, 0.333,-0.125,-7.310, facing 45.0 degrees; building library; nearest library/walls, 0.42 m away
+  at 4.050 s, 0.333,-0.125,-7.310, facing 45.0 degrees; in or near library; nearest library/walls, 0.42 m away
 
 - failure from above: out/visit/failure-above.png
 )");

@@ -81,7 +81,7 @@ xfail walks/door.walk.yaml                              4.0 s  5.0 m  the door i
 
 1) walks/visit.walk.yaml
    walks/visit.walk.yaml:12:5: error sequence: popup.open library never came; last was "ray.exit library/walls"
-     at 4.050 s, 0.333,-0.125,-7.310, facing 45.0 degrees; building library; nearest library/walls, 0.42 m away
+     at 4.050 s, 0.333,-0.125,-7.310, facing 45.0 degrees; in or near library; nearest library/walls, 0.42 m away
      the last events before it:
        000240    4.000000 ray.enter library/walls
        000243    4.050000 ray.exit library/walls
@@ -113,8 +113,9 @@ TEST(ListReporter, PrintsASceneOnceForFailuresOfOneTick) {
 
 TEST(ListReporter, GivesTheReasonForOtherOutcomes) {
     const std::string text = written("list", mixed_report());
-    EXPECT_THAT(text, HasSubstr("walks/wrong.walk.yaml\n   walks/wrong.walk.yaml:3:9: error xfail: expected to "
-                                "fail because the door is too narrow, but passed\n\n"));
+    EXPECT_THAT(text,
+                HasSubstr("walks/wrong.walk.yaml\n   walks/wrong.walk.yaml:3:9: error xfail: expected to "
+                          "fail because the door is too narrow, but passed\n\n"));
     EXPECT_THAT(text, HasSubstr("   walks/typo.walk.yaml:3:1: error bad-value: speed must be > 0\n"));
     EXPECT_THAT(text, ContainsRegex("walks/broken.walk.yaml\n   [a-z]"));
     EXPECT_THAT(text, ContainsRegex("walks/stopped.walk.yaml\n   [a-z]"));
@@ -177,7 +178,7 @@ not ok 2 - walks/visit.walk.yaml
       file: "walks/visit.walk.yaml"
       line: 12
       column: 5
-      place: "at 4.050 s, 0.333,-0.125,-7.310, facing 45.0 degrees; building library; nearest library/walls, 0.42 m away"
+      place: "at 4.050 s, 0.333,-0.125,-7.310, facing 45.0 degrees; in or near library; nearest library/walls, 0.42 m away"
   ...
 ok 3 - walks/lift.walk.yaml # SKIP the lift is out of order
 not ok 4 - walks/door.walk.yaml # TODO the door is too narrow
@@ -189,7 +190,7 @@ not ok 4 - walks/door.walk.yaml # TODO the door is too narrow
       file: "walks/door.walk.yaml"
       line: 12
       column: 5
-      place: "at 4.050 s, 0.333,-0.125,-7.310, facing 45.0 degrees; building library; nearest library/walls, 0.42 m away"
+      place: "at 4.050 s, 0.333,-0.125,-7.310, facing 45.0 degrees; in or near library; nearest library/walls, 0.42 m away"
   ...
 )");
     EXPECT_EQ(written("tap", {}), "TAP version 14\n1..0\n");
@@ -214,7 +215,7 @@ TEST(GithubReporter, AnnotatesEveryFailureAtItsLine) {
                             xfail_result("door")}}),
         "::error file=walks/visit.walk.yaml,line=12,col=5,title=walks/visit.walk.yaml%3A sequence::"
         "popup.open library never came; last was \"ray.exit library/walls\"%0A"
-        "at 4.050 s, 0.333,-0.125,-7.310, facing 45.0 degrees; building library; nearest library/walls, "
+        "at 4.050 s, 0.333,-0.125,-7.310, facing 45.0 degrees; in or near library; nearest library/walls, "
         "0.42 m away\n"
         "::error file=walks/typo.walk.yaml,line=3,col=1,title=walks/typo.walk.yaml%3A bad-value::"
         "speed must be > 0\n"

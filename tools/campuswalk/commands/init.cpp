@@ -136,8 +136,9 @@ int make_project(const InitOptions& options) {
     check_folder(options.folder);
     std::vector<init::NewFile> files = init::files_of(options.which);
     const auto walks = static_cast<std::size_t>(std::count_if(files.begin(), files.end(), is_walk));
-    if (std::optional<init::NewFile> file = init::ci_file(options.service, init::publication(), walks)) {
-        files.push_back(std::move(*file));
+    const std::optional<init::NewFile> service = init::ci_file(options.service, init::publication(), walks);
+    if (service) {
+        files.push_back(*service);
     }
     Undo undo;
     for (const init::NewFile& file : files) {
@@ -149,6 +150,9 @@ int make_project(const InitOptions& options) {
     }
     const std::string folder = options.folder.lexically_normal().generic_string();
     print_error_line("now: " + (folder == "." ? "" : "cd " + folder + " && ") + "campuswalk run");
+    if (service) {
+        print_error_line("before you commit: fill in the empty lines of " + service->path);
+    }
     return kPass;
 }
 
