@@ -56,8 +56,8 @@ expect:
 def measure_walks(program, folder):
     """Shares of wall and of processor time that a report adds: medians of rounds without, with, with, without, so that
     neither a machine that gets slower or faster nor one that is busy for a while favours one of them. In memory, where there
-    is such a folder: on disk, ext4 would take longer to make a thousand files than to walk, if as many were deleted in the last
-    five minutes (it passes over their inodes one by one), and so measure what ran before."""
+    is such a folder: ext4 passes one by one over the inodes of files that were deleted in the last five minutes, which took up
+    to 0.3 s of processor time for a thousand recordings, so that it measured what had run before."""
     write_walks(folder)
 
     def play(*arguments):
