@@ -90,7 +90,9 @@ std::vector<const DraftPlace*> nearby(const std::vector<DraftPlace>& places, con
 
 /// A second door of a building says less than the first of another.
 void put_visited_last(std::vector<const DraftPlace*>& places, const std::vector<const DraftPlace*>& visited) {
-    std::ranges::stable_partition(places, [&](const DraftPlace* place) {
+    // Not std::ranges::stable_partition: its result is a subrange, which clang 14 can't compile with
+    // libstdc++ 12.
+    std::stable_partition(places.begin(), places.end(), [&](const DraftPlace* place) {
         return std::ranges::find(visited, building_of(*place), [](const DraftPlace* other) {
                    return building_of(*other);
                }) == visited.end();
