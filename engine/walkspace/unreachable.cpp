@@ -137,10 +137,8 @@ UnreachableReason reason_at(const Vec3& point, const std::string& problem, const
             Vec3(point + 0.5 * strides.body.height * Vec3::UnitY())};
 }
 
-}  // namespace
-
-UnreachableReason why_unreachable(const scene::Campus& campus, const RouteSettings& settings,
-                                  const RouteRequest& request, const NoRoute& none) {
+UnreachableReason why_target_is_unreachable(const scene::Campus& campus, const RouteSettings& settings,
+                                            const RouteRequest& request, const NoRoute& none) {
     Strider strider(campus.world, settings.strides, settings.solids);
     if (none.no_room) {
         const PlaceCheck place = check_place(campus, strider, none.target.point);
@@ -182,6 +180,17 @@ UnreachableReason why_unreachable(const scene::Campus& campus, const RouteSettin
         find_island_barriers(worlds, exploration, none.reached, islands, 1, &nodes, {true}).front();
     return barrier ? UnreachableReason{barrier_text(campus, *barrier), barrier->at}
                    : nearest_reason(none.reached, none.target);
+}
+
+}  // namespace
+
+UnreachableReason why_unreachable(const scene::Campus& campus, const RouteSettings& settings,
+                                  const RouteRequest& request, const NoRoute& none) {
+    UnreachableReason why = why_target_is_unreachable(campus, settings, request, none);
+    if (none.target.label != request.to.back().label) {
+        why.text = "the way goes through " + none.target.label + ", and that can't be reached: " + why.text;
+    }
+    return why;
 }
 
 }  // namespace campuswalk::engine

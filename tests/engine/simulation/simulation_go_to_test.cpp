@@ -48,6 +48,17 @@ TEST(GoTo, HeedsWhatIsEnabledThen) {
                 testing::HasSubstr("go_to goal can't be reached: gate stands in the way"));
 }
 
+TEST(GoTo, SaysThatItIsThePlaceToGoThroughThatCantBeReached) {
+    const scene::Campus campus = yard();
+    GoToStep step = go_to(8, 8);
+    step.through = {{"fountain", {0, 0, 0}, false}};
+    const RecordedRun result = run(campus, walk_of({spawn_at({0, 0, 8}), step}));
+    ASSERT_EQ(result.summary.failures.size(), 1U);
+    EXPECT_THAT(result.summary.failures.front().message,
+                testing::HasSubstr("go_to goal can't be reached: the way goes through fountain, and that "
+                                   "can't be reached: gate stands in the way"));
+}
+
 TEST(GoTo, SaysHowHighTheRiserIsThatKeepsItAway) {
     scene::Campus campus = level_campus(10.0);
     add_box(campus, "stage", {-3, 0, -8}, {3, 0.45, -3});
