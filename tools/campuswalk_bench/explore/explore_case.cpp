@@ -8,6 +8,7 @@
 #include <memory>
 #include <utility>
 
+#include "engine/walkspace/walk_report.h"
 #include "tools/campuswalk_bench/engines/peer_engines.h"
 #include "tools/campuswalk_bench/explore/solid_triangles.h"
 #include "tools/campuswalk_bench/measure/heap.h"
@@ -128,13 +129,17 @@ void print_escapes(const char* how, const AdversaryResult& result) {
     }
 }
 
-void print_time(const ExploreTime& time, const ExploreTime* peer) {
+void print_time(const ExploreScore& score, const ExploreTime& time) {
+    const ExploreTime* peer = score.time("recast", time.threads);
     std::printf("  %8s, %zu thread%s: %9.3f s (median; least %.3f; of the processor %.3f)",
                 time.engine.c_str(), time.threads, time.threads == 1 ? " " : "s", time.median, time.least,
                 time.processor);
     if (time.engine == "ours" && peer != nullptr) {
         std::printf(", %.2fx recast's (of the processor %.2fx)", time.median / peer->median,
                     time.processor / peer->processor);
+    }
+    if (time.engine == "report") {
+        std::printf(": %.2fx reach", time.median / score.time("ours", time.threads)->median);
     }
     std::printf("\n");
 }
@@ -147,7 +152,7 @@ void print_score(const ExploreScore& score) {
         std::printf("  recast: %.1f m2\n", score.disagreement->polygon_area);
     }
     for (const ExploreTime& time : score.times) {
-        print_time(time, score.time("recast", time.threads));
+        print_time(score, time);
     }
     if (score.disagreement) {
         print_one_sided("ours", score.disagreement->only_ours);
@@ -194,6 +199,11 @@ ExploreScore explore_campus(const ExploredCampus& campus, const ExploreCaseSetti
     for (std::size_t i = 0; i < kMostThreads; ++i) {
         add_task(tasks, "ours", i + 1, [&campus, &space = spaces[i], threads = i + 1] {
             space.emplace(explore(campus.worlds(threads), campus.settings()));
+        });
+    }
+    for (std::size_t i = 0; i < kMostThreads; ++i) {
+        add_task(tasks, "report", i + 1, [&campus, threads = i + 1] {
+            engine::report_walks(*campus.campus, campus.avatar, campus.worlds(threads), campus.settings());
         });
     }
     for (std::size_t i = 0; i < peers.size(); ++i) {

@@ -21,9 +21,10 @@ struct ExploreCaseSettings {
     std::size_t routes = 0;         ///< between random pairs of places
 };
 
-/// How long one of the two took on so many threads, seconds.
+/// How long one of them took on so many threads, seconds.
 struct ExploreTime {
-    std::string engine;  ///< "ours" or "recast"
+    std::string
+        engine;  ///< "ours", "recast", or "report": ours with islands, reasons, traps, holes and so on
     std::size_t threads = 1;
     double least = 0.0;
     double median = 0.0;

@@ -34,6 +34,8 @@ std::string line(const ExploreScore& score, const ExploreTime& time) {
                 (score.disagreement ? engine::fixed(score.disagreement->only_ours.area, 1) : "") + ',' +
                 std::to_string(score.adversary.escapes.size()) + ',' +
                 std::to_string(score.steered.escapes.size());
+    } else if (time.engine == "report") {
+        text += ",,,,,,";
     } else {
         text += engine::fixed(score.disagreement->polygon_area, 1) + ",,,," +
                 engine::fixed(score.disagreement->only_peer.area, 1) + ",,";
