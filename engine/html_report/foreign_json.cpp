@@ -3,7 +3,6 @@
 namespace campuswalk::engine {
 
 bool is_nested_deeply(std::string_view text) {
-    constexpr int kDeepest = 64;
     int depth = 0;
     bool in_string = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -21,6 +20,14 @@ bool is_nested_deeply(std::string_view text) {
         }
     }
     return false;
+}
+
+std::optional<nlohmann::ordered_json> parse_foreign(std::string_view text) {
+    if (text.starts_with(kByteOrderMark) || is_nested_deeply(text)) {
+        return std::nullopt;
+    }
+    nlohmann::ordered_json json = nlohmann::ordered_json::parse(text, nullptr, false);
+    return json.is_discarded() ? std::nullopt : std::optional(std::move(json));
 }
 
 }  // namespace campuswalk::engine

@@ -157,6 +157,7 @@ THIRD_PARTY = {
     "fontconfig/": ["engine/render", "tests/engine/render"],
     "pango/": ["engine/render", "tests/engine/render"],
     "libdeflate.h": ["engine/render", "engine/html_report", "tests/engine/html_report"],
+    "simdjson.h": ["engine/html_report"],
     "gif_lib.h": ["engine/render", "tests/engine/render"],
     "spng.h": ["engine/render", "tests/engine/render"],
     "yaml-cpp/": ["config/loader/yaml"],

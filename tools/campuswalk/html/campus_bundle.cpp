@@ -43,19 +43,21 @@ std::string bundle_name(const std::string& file) {
 
 void write_bundle(const fs::path& output, const std::string& file, const engine::ReportCampus& campus) {
     const std::string name = bundle_name(file);
-    Json json = {{"campuswalk_campus", 1}, {"glb", nullptr}, {"error", campus.error}};
+    Json glb;
     if (!campus.glb.empty()) {
-        json["glb"] = fs::path(name + kGlbEnding).filename().generic_string();
+        glb = fs::path(name + kGlbEnding).filename().generic_string();
         scene::write_file_atomically(output / (name + kGlbEnding), campus.glb);
     }
-    json["campus"] = Json::parse("{" + campus.entry + "}");
-    scene::write_file_atomically(output / (name + ".json"), json_text(json) + "\n");
+    const std::string text = "{\"campuswalk_campus\":1,\"glb\":" + json_text(glb) +
+                             ",\"error\":" + json_text(campus.error) + ",\"campus\":{" + campus.entry +
+                             "}}\n";
+    scene::write_file_atomically(output / (name + ".json"), engine::printable_json(text));
 }
 
 std::optional<engine::ReportCampus> read_bundle(const fs::path& output, const std::string& file) {
     const std::string name = bundle_name(file);
     const std::optional<std::string> text = read_below(output, name + ".json");
-    const std::optional<Json> json = text ? engine::parse_foreign<Json>(*text) : std::nullopt;
+    const std::optional<Json> json = text ? engine::parse_foreign(*text) : std::nullopt;
     if (!json || !engine::has_numbers(*json, {"campuswalk_campus", "error"}) ||
         (*json)["campuswalk_campus"] != 1 || !json->contains("campus") ||
         !engine::is_campus_entry((*json)["campus"])) {

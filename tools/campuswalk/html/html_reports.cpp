@@ -155,7 +155,7 @@ std::string read_findings(const std::vector<fs::path>& files) {
     }
     Json all = Json::array();
     for (const fs::path& file : files) {
-        const std::optional<Json> json = engine::parse_foreign<Json>(read_bytes(file));
+        const std::optional<Json> json = engine::parse_foreign(read_bytes(file));
         if (!json || !engine::has_numbers(*json, {"campuswalk_explore"}) ||
             (*json)["campuswalk_explore"] != 1 || !engine::has_strings(*json, {"campus"}) ||
             !engine::has_list(*json, "findings", is_finding)) {
