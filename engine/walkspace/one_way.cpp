@@ -32,13 +32,18 @@ class Parts {
 public:
     Parts(const WorkerWorlds& worlds, const ExploreSettings& settings, const WalkSpace& space)
         : space_(space),
-          numbers_(space),
+          numbers_(space_),
           sets_(numbers_.count()),
           strider_(worlds[0], settings.strides, settings.solids),
           step_(settings.strides.body.step_height) {
-        numbers_.for_each([&](const WalkNodeId& ref) {
-            if (const auto parent = space.parent(ref); parent && space.node(ref).returns == 1) {
-                sets_.join(numbers_(ref), numbers_(*parent));
+        for_each_stride([&](const WalkNodeId& from, const WalkNodeId& to) {
+            if (space_.node(to).returns == 1) {
+                sets_.join(numbers_(to), numbers_(from));
+            }
+        });
+        for_each_stride([&](const WalkNodeId& from, const WalkNodeId& to) {
+            if (space_.node(to).returns == 0) {
+                sources_[part_of(to)].insert(part_of(from));
             }
         });
         for (const WalkNodeId& start : space.starts) {
@@ -49,67 +54,33 @@ public:
     /// Nodes by part that is no one's way home, after all ways were tried.
     std::map<std::size_t, std::vector<WalkNodeId>> without_path_home() {
         std::map<std::size_t, std::vector<WalkNodeId>> parts = others();
-        // A part whose parent's part it is entered from by a stride makes the parent's part lead where it
-        // leads.
         for (bool changed = true; changed;) {
             changed = false;
             for (const auto& [part, nodes] : parts) {
-                if (!leads_home(part) && finds_path(nodes)) {
+                if (!leads_home(part) && finds_path(part, nodes)) {
                     mark_home(part);
                     changed = true;
                 }
+            }
+        }
+        for (const auto& [part, nodes] : parts) {
+            if (!leads_home(part) && (finds_any_path(part, nodes) || finds_winding_path(part, nodes))) {
+                mark_home(part);
             }
         }
         std::erase_if(parts, [&](const auto& part) { return leads_home(part.first); });
         return parts;
     }
 
-    /// Every stride from every node, steered in each way if it falls: does one lead home?
-    bool has_any_path(const std::vector<WalkNodeId>& nodes) {
-        return std::ranges::any_of(nodes, [&](const WalkNodeId& ref) {
-            const GroundState at = space_.state_at(ref, strider_);
-            for (std::uint8_t direction = 0; direction < 8; ++direction) {
-                for (std::uint8_t steering : {Stride::kStraightOn, Stride::kLetGo}) {
-                    if (leads_home_from(at, {.direction = direction, .steering = steering})) {
-                        return true;
-                    }
-                }
-            }
-            return false;
-        });
-    }
-
-    /// Two legs in any directions, sliding along what is in the way: does one end where there is a way home?
-    /// In a corner, no stride of a cell may lead out.
-    bool has_winding_path(const std::vector<WalkNodeId>& nodes) {
-        const std::size_t every = std::max<std::size_t>(1, nodes.size() / kWindingStarts);
-        for (std::size_t i = 0; i < nodes.size(); i += every) {
-            const GroundState start = space_.state_at(nodes[i], strider_);
-            for (const GridDirection& first : grid_directions()) {
-                const auto middle = walk_on(start, first);
-                if (!middle) {
-                    continue;
-                }
-                for (const GridDirection& second : grid_directions()) {
-                    if (const auto end = walk_on(*middle, second); end && leads_home_at(*end)) {
-                        return true;
-                    }
-                }
-            }
-        }
-        return false;
-    }
-
 private:
-    std::optional<GroundState> walk_on(const GroundState& from, const GridDirection& direction) {
-        const double far = 2.0 * kLeg * strider_.settings().walk_speed;
-        const StrideEnd end = strider_.walk_to(from, from.foot + far * direction.unit, 0.02, kLeg);
-        return end.kind == StrideEnd::Kind::grounded ? std::optional(end.at) : std::nullopt;
-    }
-
-    bool leads_home_at(const GroundState& at) {
-        const auto there = space_.find(space_.grid.cell_at(at.foot), at.foot.y());
-        return there && leads_home(part_of(*there));
+    /// Calls `visit(from, to)` for those that the space was explored by.
+    template <typename Visit>
+    void for_each_stride(const Visit& visit) const {
+        numbers_.for_each([&](const WalkNodeId& to) {
+            if (const auto from = space_.parent(to)) {
+                visit(*from, to);
+            }
+        });
     }
 
     std::size_t part_of(const WalkNodeId& ref) { return sets_.root(numbers_(ref)); }
@@ -128,30 +99,35 @@ private:
     /// The part leads home, and so does every part that leads into it.
     void mark_home(std::size_t part) {
         home_.insert(part);
-        for_each_start_of(part, [&](const WalkNodeId& parent) {
-            if (const std::size_t before = part_of(parent); !leads_home(before)) {
-                mark_home(before);
+        for (const std::size_t source : sources_[part]) {
+            if (!leads_home(source)) {
+                mark_home(source);
             }
-        });
+        }
     }
 
-    template <typename Visit>
-    void for_each_start_of(std::size_t part, const Visit& visit) {
-        if (entered_.empty()) {
-            numbers_.for_each([&](const WalkNodeId& ref) {
-                const auto parent = space_.parent(ref);
-                if (parent && space_.node(ref).returns == 0) {
-                    entered_[part_of(ref)].push_back(*parent);
-                }
-            });
+    /// Whether one that leads there leads home. If not, that is noted: it may turn out to lead home later.
+    bool leads_home_into(std::size_t part, std::size_t there) {
+        if (there != part) {
+            sources_[there].insert(part);
         }
-        for (const WalkNodeId& parent : entered_[part]) {
-            visit(parent);
-        }
+        return leads_home(there);
+    }
+
+    std::optional<std::size_t> part_at(const StrideEnd& end) {
+        const auto node = end.kind == StrideEnd::Kind::grounded
+                              ? space_.find(space_.grid.cell_at(end.at.foot), end.at.foot.y())
+                              : std::nullopt;
+        return node ? std::optional(part_of(*node)) : std::nullopt;
+    }
+
+    bool leads_home_by(std::size_t part, const StrideEnd& end) {
+        const auto there = part_at(end);
+        return there && leads_home_into(part, *there);
     }
 
     /// Tries where its nodes lie beside others that lead home.
-    bool finds_path(const std::vector<WalkNodeId>& nodes) {
+    bool finds_path(std::size_t part, const std::vector<WalkNodeId>& nodes) {
         std::size_t tries = 0;
         for (const WalkNodeId& ref : nodes) {
             const GridCell cell = space_.cell_of(ref);
@@ -162,7 +138,8 @@ private:
                 if (!beside || !leads_home(part_of(*beside))) {
                     continue;
                 }
-                if (leads_home_from(space_.state_at(ref, strider_), {.direction = direction})) {
+                const GroundState at = space_.state_at(ref, strider_);
+                if (leads_home_by(part, strider_.take(at, {.direction = direction}, space_.grid))) {
                     return true;
                 }
                 if (++tries == kTries) {
@@ -173,9 +150,62 @@ private:
         return false;
     }
 
-    bool leads_home_from(const GroundState& at, const Stride& stride) {
-        const StrideEnd end = strider_.take(at, stride, space_.grid);
-        return end.kind == StrideEnd::Kind::grounded && leads_home_at(end.at);
+    /// Every stride from every node, straight on or straight down if it falls: does one lead home?
+    bool finds_any_path(std::size_t part, const std::vector<WalkNodeId>& nodes) {
+        for (const WalkNodeId& ref : nodes) {
+            const GroundState at = space_.state_at(ref, strider_);
+            for (std::uint8_t direction = 0; direction < 8; ++direction) {
+                const StrideEnd end = strider_.take(at, {.direction = direction}, space_.grid);
+                if (leads_home_by(part, end)) {
+                    return true;
+                }
+                const Stride let_go{.direction = direction, .steering = Stride::kLetGo};
+                if (end.left_ground && leads_home_by(part, strider_.take(at, let_go, space_.grid))) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    /// Two legs in any directions, sliding along what is in the way: does one end where there is a way home?
+    /// In a corner, no stride of a cell may lead out.
+    bool finds_winding_path(std::size_t part, const std::vector<WalkNodeId>& nodes) {
+        const std::size_t every = std::max<std::size_t>(1, nodes.size() / kWindingStarts);
+        for (std::size_t i = 0; i < nodes.size(); i += every) {
+            const GroundState start = space_.state_at(nodes[i], strider_);
+            for (const GridDirection& first : grid_directions()) {
+                const StrideEnd middle = walk_on(start, first);
+                if (middle.kind != StrideEnd::Kind::grounded) {
+                    continue;
+                }
+                for (const std::size_t there : parts_one_leg_from(middle.at)) {
+                    if (leads_home_into(part, there)) {
+                        return true;
+                    }
+                }
+            }
+        }
+        return false;
+    }
+
+    StrideEnd walk_on(const GroundState& from, const GridDirection& direction) {
+        const double far = 2.0 * kLeg * strider_.settings().walk_speed;
+        return strider_.walk_to(from, from.foot + far * direction.unit, 0.02, kLeg);
+    }
+
+    /// Bodies that stand in one cell at one height are taken for one.
+    const std::set<std::size_t>& parts_one_leg_from(const GroundState& at) {
+        const auto level = static_cast<int>(std::floor(at.foot.y() / WalkNode::kLevel));
+        const auto [known, is_new] = one_leg_from_.try_emplace({space_.grid.cell_at(at.foot), level});
+        if (is_new) {
+            for (const GridDirection& direction : grid_directions()) {
+                if (const auto there = part_at(walk_on(at, direction))) {
+                    known->second.insert(*there);
+                }
+            }
+        }
+        return known->second;
     }
 
     const WalkSpace& space_;
@@ -184,7 +214,8 @@ private:
     Strider strider_;
     double step_;
     std::set<std::size_t> home_;
-    std::map<std::size_t, std::vector<WalkNodeId>> entered_;  ///< by part: from where
+    std::map<std::size_t, std::set<std::size_t>> sources_;  ///< of each part: those that lead into it
+    std::map<std::pair<GridCell, int>, std::set<std::size_t>> one_leg_from_;
 };
 
 /// Parts of one pit, between which one can't walk back, are one trap.
@@ -213,9 +244,6 @@ std::vector<Trap> find_traps(const WorkerWorlds& worlds, const ExploreSettings& 
     std::vector<Trap> traps;
     Strider strider(worlds[0], settings.strides, settings.solids);
     for (auto& [part, nodes] : parts.without_path_home()) {
-        if (parts.has_any_path(nodes) || parts.has_winding_path(nodes)) {
-            continue;
-        }
         Trap trap;
         trap.nodes = std::move(nodes);
         trap.entrance = trap.nodes.front();

@@ -1,6 +1,7 @@
 // Storeys, unreached ground, traps and holes: what a report on a walk space is made of.
 
 #include <cmath>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -202,6 +203,37 @@ TEST_F(Findings, APitThatOneCantClimbOutOfIsATrap) {
     EXPECT_NEAR(traps[0].drop, 1.0, 0.05);
     EXPECT_NEAR(static_cast<double>(traps[0].nodes.size()) * pit.grid.cell * pit.grid.cell,
                 (2 - 0.6) * (3 - 0.6), 1.0);
+}
+
+/// From the gallery over three balconies down to the ground, one jump after the other, and no way back up.
+TEST_F(Findings, WhatIsLeftOverSeveralLedgesIsNoTrap) {
+    scene::Campus campus = yard_with_gallery();
+    const auto add_balcony = [&](const std::string& name, double z, double height) {
+        add_box(campus, name, {-2, height - 0.2, z}, {2, height, z + 1.6});
+        add_box(campus, name + "/left", {-2.2, height - 0.2, z}, {-2, 4, z + 1.6});
+        add_box(campus, name + "/right", {2, height - 0.2, z}, {2.2, 4, z + 1.6});
+    };
+    add_balcony("upper", -0.5, 2.25);
+    add_balcony("middle", 1.1, 1.5);
+    add_balcony("lower", 2.7, 0.75);
+    const WalkSpace& space = explored(campus);
+    ASSERT_TRUE(space.find(space.grid.cell_at(0.0, 0.3), 2.25));
+    ASSERT_TRUE(space.find(space.grid.cell_at(0.0, 3.5), 0.75));
+    EXPECT_TRUE(find_traps(*worlds_, settings_, space).empty());
+
+    add_box(campus, "lower/railing", {-2, 0.75, 4.2}, {2, 4, 4.3});
+    const WalkSpace& closed = explored(campus);
+    std::set<GridCell> trapped;
+    for (const Trap& trap : find_traps(*worlds_, settings_, closed)) {
+        for (const WalkNodeId& node : trap.nodes) {
+            trapped.insert(closed.cell_of(node));
+        }
+    }
+    for (const double z : {0.3, 1.9, 3.5}) {
+        EXPECT_TRUE(trapped.contains(closed.grid.cell_at(0.0, z))) << "now nobody leaves the lowest";
+    }
+    EXPECT_FALSE(trapped.contains(closed.grid.cell_at(0.0, -3.0))) << "the gallery";
+    EXPECT_FALSE(trapped.contains(closed.grid.cell_at(0.0, 5.0))) << "the yard";
 }
 
 TEST_F(Findings, ATriggerThatReachesThroughAFloorIsFound) {
