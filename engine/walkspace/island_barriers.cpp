@@ -200,10 +200,16 @@ std::optional<Barrier> barrier_before(const WorkerWorlds& worlds, const ExploreS
     query.is_beyond = on_island(island, reached.grid, query.within);
     query.known = &reached;
     query.nodes = nodes;
+    std::optional<bool> enclosed;
+    query.is_enclosed = [&] {
+        if (!enclosed) {
+            enclosed = is_enclosed(worlds[0], settings, reached, island);
+        }
+        return *enclosed;
+    };
     std::optional<Barrier> barrier = why_not(worlds, settings, query);
     const bool is_closed_off = barrier && barrier->kind == BarrierKind::solid;
-    const bool is_ledge =
-        is_closed_off && ledge.measured > kHighestRiser && !is_enclosed(worlds[0], settings, reached, island);
+    const bool is_ledge = is_closed_off && ledge.measured > kHighestRiser && !query.is_enclosed();
     return is_ledge ? ledge : barrier;
 }
 

@@ -120,12 +120,8 @@ public:
         if (std::ranges::none_of(found, is_about_height, &Change::barrier)) {
             try_nodes(found);
         }
-        if (found.empty() && (query_.single_change || is_exhausted())) {
-            return closed_off();
-        }
         if (found.empty()) {
-            const std::optional<FoundPath> easiest = find_path(easiest_of(abilities), query_.from);
-            return easiest ? all_at_once(abilities, *easiest) : closed_off();
+            return several_changes(abilities);
         }
         order(found);
         Barrier smallest = found.front().barrier;
@@ -185,22 +181,24 @@ private:
             ability.apply(value, changed);
             return changed;
         };
-        if (is_exhausted() || !find_path(with(ability.easier.back()), query_.from)) {
+        std::optional<FoundPath> path =
+            is_exhausted() ? std::nullopt : find_path(with(ability.easier.back()), query_.from);
+        if (!path) {
             return std::nullopt;
         }
         double fails = ability.have;
         double passes = ability.easier.back();
-        std::optional<FoundPath> path;
-        for (const double value : ability.easier) {
-            path = find_path(with(value), query_.from);
-            if (path) {
-                passes = value;
-                break;
+        std::span<const double> between(ability.easier.begin(), ability.easier.end() - 1);
+        while (!between.empty()) {
+            const std::size_t middle = between.size() / 2;
+            if (auto harder = find_path(with(between[middle]), query_.from)) {
+                passes = between[middle];
+                path = std::move(harder);
+                between = between.first(middle);
+            } else {
+                fails = between[middle];
+                between = between.subspan(middle + 1);
             }
-            fails = value;
-        }
-        if (!path) {
-            return std::nullopt;  // what one more start would do, another's chain may not
         }
         const std::vector<GroundState> near = starts_near(path->start.foot);
         while (std::abs(passes - fails) > ability.precision) {
@@ -381,6 +379,15 @@ private:
         barrier.from = query_.from.empty() ? Vec3(Vec3::Zero()) : query_.from.front().foot;
         barrier.at = barrier.from;
         return barrier;
+    }
+
+    /// Where no single change is enough.
+    Barrier several_changes(const std::vector<Ability>& abilities) {
+        if (query_.single_change || is_exhausted() || (query_.is_enclosed && query_.is_enclosed())) {
+            return closed_off();
+        }
+        const std::optional<FoundPath> easiest = find_path(easiest_of(abilities), query_.from);
+        return easiest ? all_at_once(abilities, *easiest) : closed_off();
     }
 
     /// There is a way with every ability at its easiest; now each is made as hard as the others allow.

@@ -48,6 +48,9 @@ struct PassageQuery {
     collision::Aabb within;                       ///< where to look for ways, horizontally and vertically
     const WalkSpace* known = nullptr;             ///< where the body got to; may be null
     const scene::NodeTriangles* nodes = nullptr;  ///< what meshes consist of; may be null
+    /// Whether solids surround what is beyond, so that no body gets there: asked only where no single change
+    /// helps. May be empty.
+    std::function<bool()> is_enclosed = {};
     bool single_change = false;     ///< don't look for ways that take several changes at once, which is slow
     bool only_risers = false;       ///< don't change anything but the step, up to kHighestRiser
     double longest_crossing = 6.0;  ///< a way across the barrier is no longer than this, metres
