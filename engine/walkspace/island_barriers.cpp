@@ -200,6 +200,7 @@ std::optional<Barrier> barrier_before(const WorkerWorlds& worlds, const ExploreS
     query.is_beyond = on_island(island, reached.grid, query.within);
     query.known = &reached;
     query.nodes = nodes;
+    query.likely_riser = ledge.measured;
     std::optional<bool> enclosed;
     query.is_enclosed = [&] {
         if (!enclosed) {

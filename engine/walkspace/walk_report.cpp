@@ -76,7 +76,7 @@ std::vector<bool> disabled_or_door(const collision::World& world, const ExploreS
 /// A room is no hollow though its door has two leaves, or leads to another room that is closed.
 bool is_hollow(const collision::World& world, ExploreSettings settings, const WalkSpace& reached,
                const IslandReport& entry) {
-    if (!may_be_hollow(world, entry) || !is_enclosed(world, settings, reached, entry.island)) {
+    if (!may_be_hollow(world, entry)) {
         return false;
     }
     const std::vector<bool> disabled = disabled_or_door(world, settings, entry.island);

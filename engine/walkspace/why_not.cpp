@@ -188,27 +188,31 @@ private:
         }
         double fails = ability.have;
         double passes = ability.easier.back();
-        std::span<const double> between(ability.easier.begin(), ability.easier.end() - 1);
-        while (!between.empty()) {
-            const std::size_t middle = between.size() / 2;
-            if (auto harder = find_path(with(between[middle]), query_.from)) {
-                passes = between[middle];
-                path = std::move(harder);
-                between = between.first(middle);
-            } else {
-                fails = between[middle];
-                between = between.subspan(middle + 1);
+        const auto probe = [&](double value, std::span<const GroundState> from) {
+            if (value <= std::min(fails, passes) || value >= std::max(fails, passes)) {
+                return;
             }
+            if (auto harder = find_path(with(value), from)) {
+                passes = value;
+                path = std::move(harder);
+            } else {
+                fails = value;
+            }
+        };
+        if (ability.kind == BarrierKind::riser && query_.likely_riser) {
+            const double likely = *query_.likely_riser - collision::kHeightSlack;
+            probe(likely + ability.precision, query_.from);
+            probe(likely - ability.precision, query_.from);
+        }
+        for (std::span<const double> steps = ability.easier; !steps.empty();) {
+            const double middle = steps[steps.size() / 2];
+            probe(middle, query_.from);
+            const bool too_little = std::abs(middle - ability.have) <= std::abs(fails - ability.have);
+            steps = too_little ? steps.subspan(steps.size() / 2 + 1) : steps.first(steps.size() / 2);
         }
         const std::vector<GroundState> near = starts_near(path->start.foot);
         while (std::abs(passes - fails) > ability.precision) {
-            const double middle = 0.5 * (passes + fails);
-            if (auto nearer = find_path(with(middle), near)) {
-                passes = middle;
-                path = std::move(nearer);
-            } else {
-                fails = middle;
-            }
+            probe(0.5 * (passes + fails), near);
         }
         return measured(ability, passes, body, *path);
     }

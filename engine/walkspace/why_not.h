@@ -51,6 +51,8 @@ struct PassageQuery {
     /// Whether solids surround what is beyond, so that no body gets there: asked only where no single change
     /// helps. May be empty.
     std::function<bool()> is_enclosed = {};
+    /// How high the step up to what is beyond probably is, metres: saves searches where that is right.
+    std::optional<double> likely_riser = {};
     bool single_change = false;     ///< don't look for ways that take several changes at once, which is slow
     bool only_risers = false;       ///< don't change anything but the step, up to kHighestRiser
     double longest_crossing = 6.0;  ///< a way across the barrier is no longer than this, metres
