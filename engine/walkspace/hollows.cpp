@@ -102,9 +102,18 @@ private:
         if (!floor || !ceiling || !is_within_world(middle)) {
             return true;
         }
-        // The cubes whose middles are between the two.
-        const Span span{index_of(*floor - 0.5 * cube_) + 1, index_of(*ceiling - 0.5 * cube_)};
+        // The cubes whose middles are between the two; below a skybox, those around this one first.
+        constexpr int kCubesAtOnce = 40;
+        const double low = std::max(*floor, middle.y() - kCubesAtOnce * cube_);
+        const double high = std::min(*ceiling, middle.y() + kCubesAtOnce * cube_);
+        const Span span{index_of(low - 0.5 * cube_) + 1, index_of(high - 0.5 * cube_)};
         filled_[{cube[0], cube[2]}].push_back(span);
+        for (const int beyond : {span.low - 1, span.high + 1}) {
+            const Cube next{cube[0], beyond, cube[2]};
+            if (const double y = middle_of(next).y(); *floor < y && y < *ceiling) {
+                waiting_.push_back(next);
+            }
+        }
         Cube each = cube;
         for (each[1] = span.low; each[1] <= span.high; ++each[1]) {
             ++cubes_;

@@ -153,6 +153,24 @@ TEST_F(Findings, WhatAShellEnclosesIsAHollow) {
     EXPECT_FALSE(inside_shell(with_window).hollow);
 }
 
+/// Higher than the air of a column is filled at once.
+TEST_F(Findings, ATowerIsAHollowUnlessItHasNoRoof) {
+    collision::TriangleMesh walls;
+    support::add_quad(walls, {-2, 0, 2}, {2, 0, 2}, {2, 25, 2}, {-2, 25, 2});
+    support::add_quad(walls, {-2, 0, -2}, {-2, 0, 2}, {-2, 25, 2}, {-2, 25, -2});
+    support::add_quad(walls, {2, 0, 2}, {2, 0, -2}, {2, 25, -2}, {2, 25, 2});
+    support::add_quad(walls, {2, 0, -2}, {-2, 0, -2}, {-2, 25, -2}, {2, 25, -2});
+    scene::Campus open = walled_yard();
+    add_object(open, "tower", std::make_shared<const collision::MeshCollider>(walls), {0, 0, 0});
+    add_box(open, "sky", {-8, 30, -8}, {8, 30.2, 8});
+    EXPECT_FALSE(inside_shell(open).hollow) << "its air leads over the walls down to the yard";
+    scene::Campus closed = walled_yard();
+    support::add_quad(walls, {-2, 25, 2}, {2, 25, 2}, {2, 25, -2}, {-2, 25, -2});
+    add_object(closed, "tower", std::make_shared<const collision::MeshCollider>(walls), {0, 0, 0});
+    add_box(closed, "sky", {-8, 30, -8}, {8, 30.2, 8});
+    EXPECT_TRUE(inside_shell(closed).hollow);
+}
+
 TEST_F(Findings, ARoomBehindAClosedDoorIsNoHollow) {
     scene::Campus campus = walled_yard();
     add_box(campus, "west", {-2.2, 0, -2}, {-2, 3, 2.2});
