@@ -64,7 +64,11 @@ bool has_list_of_strings(const dom::element& json, const char* name) {
 std::vector<std::int64_t> summed(const dom::element& path, const char* name, std::int64_t most) {
     std::vector<std::int64_t> values;
     std::int64_t value = 0;
-    for (const dom::element difference : member_as<dom::array>(path, name).value_or(dom::array())) {
+    const auto list = member_as<dom::array>(path, name);
+    if (!list) {
+        return {};
+    }
+    for (const dom::element difference : *list) {
         std::int64_t step = 0;
         if (difference.get(step) != simdjson::SUCCESS || step < -2 * most || step > 2 * most ||
             value + step < -most || value + step > most) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace campuswalk::engine {
 namespace {
@@ -51,6 +52,43 @@ TEST(RecordedPath, OtherTextIsNone) {
           "\xEF\xBB\xBF" + recording(kStraight)}) {
         EXPECT_FALSE(read_recorded_path(text)) << text;
     }
+}
+
+using RecordingJson = nlohmann::ordered_json;
+
+/// Whatever stands in place of any of its values.
+TEST(RecordedPath, IsReadOrNoneWhateverIsInIt) {
+    const std::string whole = recording(kStraight);
+    for (std::size_t size = 0; size < whole.size(); ++size) {
+        EXPECT_FALSE(read_recorded_path(whole.substr(0, size))) << size;
+    }
+    const RecordingJson flat = RecordingJson::parse(whole).flatten();
+    for (const auto& [pointer, value] : flat.items()) {
+        for (RecordingJson::json_pointer at(pointer); !at.empty(); at.pop_back()) {
+            for (const char* other :
+                 {"null", "true", "1", "-1", "1.5", "\"a\"", "[]", "{}", "[[]]", "[null]"}) {
+                RecordingJson changed = RecordingJson::parse(whole);
+                changed[at] = RecordingJson::parse(other);
+                const auto read = read_recorded_path(changed.dump());
+                EXPECT_TRUE(!read || !read->keys.empty()) << changed;
+            }
+            RecordingJson changed = RecordingJson::parse(whole);
+            RecordingJson& parent = changed[at.parent_pointer()];
+            if (parent.is_object()) {
+                parent.erase(at.back());
+                const auto read = read_recorded_path(changed.dump());
+                EXPECT_TRUE(!read || !read->keys.empty()) << changed;
+            }
+        }
+    }
+}
+
+TEST(RecordedPath, TakesTheLastOfSeveralMembersAsBrowsersDo) {
+    std::string twice = recording(kStraight);
+    twice.insert(twice.size() - 1, R"(,"log":7)");
+    EXPECT_FALSE(read_recorded_path(twice));
+    twice.insert(twice.size() - 1, R"(,"log":["a line"])");
+    EXPECT_TRUE(read_recorded_path(twice));
 }
 
 TEST(RecordedPath, IsNoneIfNoWalkCanHaveLeftIt) {
