@@ -23,8 +23,7 @@ struct ExploreCaseSettings {
 
 /// How long one of them took on so many threads, seconds.
 struct ExploreTime {
-    std::string
-        engine;  ///< "ours", "recast", or "report": ours with islands, reasons, traps, holes and so on
+    std::string engine;  ///< "ours", "recast", or "report": ours with reasons, traps, holes and so on
     std::size_t threads = 1;
     double least = 0.0;
     double median = 0.0;
