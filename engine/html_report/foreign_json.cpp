@@ -2,6 +2,10 @@
 
 namespace campuswalk::engine {
 
+namespace {
+
+/// Whether brackets are nested more than kDeepest deep. Of text that isn't JSON, it counts at least as deep
+/// as a parser gets before it notices.
 bool is_nested_deeply(std::string_view text) {
     int depth = 0;
     bool in_string = false;
@@ -21,6 +25,8 @@ bool is_nested_deeply(std::string_view text) {
     }
     return false;
 }
+
+}  // namespace
 
 std::optional<nlohmann::ordered_json> parse_foreign(std::string_view text) {
     if (text.starts_with(kByteOrderMark) || is_nested_deeply(text)) {

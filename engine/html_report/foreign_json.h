@@ -16,10 +16,6 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // browsers refuse 
 /// Copying, printing and reading what is nested more deeply would take as much stack.
 constexpr int kDeepest = 64;
 
-/// Whether brackets are nested more than kDeepest deep. Of text that isn't JSON, it counts at least as deep
-/// as a parser gets before it notices.
-bool is_nested_deeply(std::string_view text);
-
 /// None for text that isn't JSON, begins with a byte order mark, or is nested deeply.
 std::optional<nlohmann::ordered_json> parse_foreign(std::string_view text);
 

@@ -168,7 +168,8 @@ Vector3d RecordedPath::at(Tick tick) const {
     return point(from) + share * (point(*after) - point(from));
 }
 
-// simdjson, as a run reads a recording of each of its walks: nlohmann's lexer took most of that time.
+// simdjson, as a run reads a recording of each of its walks: nlohmann's lexer was the largest part of that
+// time.
 std::optional<RecordedPath> read_recorded_path(std::string_view recording) {
     dom::parser parser;
     dom::element json;
