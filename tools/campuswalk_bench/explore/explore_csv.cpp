@@ -35,7 +35,7 @@ std::string line(const ExploreScore& score, const ExploreTime& time) {
                 std::to_string(score.adversary.escapes.size()) + ',' +
                 std::to_string(score.steered.escapes.size());
     } else if (time.engine == "report") {
-        text += ",,,,,,";
+        return text + ",,,,,,,,,,\n";
     } else {
         text += engine::fixed(score.disagreement->polygon_area, 1) + ",,,," +
                 engine::fixed(score.disagreement->only_peer.area, 1) + ",,";

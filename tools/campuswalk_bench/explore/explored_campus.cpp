@@ -86,6 +86,7 @@ ExploredCampus make_small() {
     collision::Object ground;
     ground.shape = std::make_shared<const collision::MeshCollider>(std::move(made.mesh));
     campus->world.add(std::move(ground));
+    campus->objects.emplace_back().id = "ground";
     return {"small", std::move(campus), made.paths.front().start, {}};
 }
 

@@ -15,16 +15,23 @@ ExploreScore score_of(double ours, double peer, double bytes) {
 
 TEST(ExploreVerdicts, CompareScoresWithTargets) {
     const std::vector<Verdict> verdicts = explore_verdicts({score_of(8, 1, 100), score_of(1, 2, 390)});
-    ASSERT_EQ(verdicts.size(), 9U);
+    ASSERT_EQ(verdicts.size(), 11U);
     EXPECT_DOUBLE_EQ(verdicts[0].value.value(), 2.0) << "the geometric mean of 8 and 0.5";
     EXPECT_TRUE(verdicts[0].holds);
     EXPECT_FALSE(verdicts[1].value) << "two threads weren't measured";
     EXPECT_FALSE(verdicts[1].holds);
-    EXPECT_DOUBLE_EQ(verdicts[2].value.value(), 390.0) << "the worst campus";
-    EXPECT_TRUE(verdicts[2].holds);
-    EXPECT_DOUBLE_EQ(verdicts[3].value.value(), 0.0);
-    EXPECT_TRUE(verdicts[3].holds);
-    EXPECT_FALSE(verdicts[4].value) << "no walk steered";
+    EXPECT_DOUBLE_EQ(verdicts[4].value.value(), 390.0) << "the worst campus";
+    EXPECT_TRUE(verdicts[4].holds);
+    EXPECT_DOUBLE_EQ(verdicts[5].value.value(), 0.0);
+    EXPECT_TRUE(verdicts[5].holds);
+    EXPECT_FALSE(verdicts[6].value) << "no walk steered";
+}
+
+TEST(ExploreVerdicts, LeaveReachOutOfAReportsTime) {
+    ExploreScore score = score_of(2, 1, 1);
+    EXPECT_FALSE(explore_verdicts({score})[2].value) << "no report was measured";
+    score.times.push_back({"report", 1, 7, 7, 7});
+    EXPECT_DOUBLE_EQ(explore_verdicts({score})[2].value.value(), 2.5) << "(7 - 2) / 2";
 }
 
 TEST(ExploreVerdicts, CountWalksThatGotOutside) {
@@ -33,8 +40,8 @@ TEST(ExploreVerdicts, CountWalksThatGotOutside) {
     score.adversary.escapes.resize(1);
     EXPECT_FALSE(is_correct(score));
     const std::vector<Verdict> verdicts = explore_verdicts({score});
-    EXPECT_DOUBLE_EQ(verdicts[3].value.value(), 10.0) << "of 10,000";
-    EXPECT_FALSE(verdicts[3].holds);
+    EXPECT_DOUBLE_EQ(verdicts[5].value.value(), 10.0) << "of 10,000";
+    EXPECT_FALSE(verdicts[5].holds);
 }
 
 TEST(ExploreVerdicts, CompareRoutesWithThePeers) {
@@ -48,15 +55,15 @@ TEST(ExploreVerdicts, CompareRoutesWithThePeers) {
     other.routes->ours.median = 20.0;
     EXPECT_TRUE(is_correct(one));
     const std::vector<Verdict> verdicts = explore_verdicts({one, other, score_of(1, 1, 1)});
-    EXPECT_DOUBLE_EQ(verdicts[5].value.value(), 100.0);
-    EXPECT_TRUE(verdicts[5].holds);
-    EXPECT_NEAR(verdicts[6].value.value(), 0.9, 1e-12);
-    EXPECT_NEAR(verdicts[7].value.value(), 4.0, 1e-12) << "the geometric mean of 8 and 2";
-    EXPECT_NEAR(verdicts[8].value.value(), 30.0, 1e-12);
+    EXPECT_DOUBLE_EQ(verdicts[7].value.value(), 100.0);
+    EXPECT_TRUE(verdicts[7].holds);
+    EXPECT_NEAR(verdicts[8].value.value(), 0.9, 1e-12);
+    EXPECT_NEAR(verdicts[9].value.value(), 4.0, 1e-12) << "the geometric mean of 8 and 2";
+    EXPECT_NEAR(verdicts[10].value.value(), 30.0, 1e-12);
 
     other.routes->found = 99;
     EXPECT_FALSE(is_correct(other));
-    EXPECT_FALSE(explore_verdicts({other})[5].holds);
+    EXPECT_FALSE(explore_verdicts({other})[7].holds);
     one.routes->blocked = 1;
     EXPECT_FALSE(is_correct(one));
 }
