@@ -101,7 +101,7 @@ private:
         const std::uint32_t tile = tile_for(cell);
         WalkNode node;
         node.y = static_cast<float>(at.foot.y());
-        node.cell = space_.tiles[tile].index_of(cell) & 1023U;
+        node.cell = space_.tiles[tile].index_of(cell) & 255U;
         node.parent_tile = WalkNode::kStart;
         node.returns = 1;
         node.low = workers_.front().strider.has_headroom(at) ? 0 : 1;
@@ -423,7 +423,7 @@ private:
             node.parent_tile = 4;
         }
         node.y = static_cast<float>(arrival.at.foot.y());
-        node.cell = space_.tiles[tile].index_of(arrival.cell) & 1023U;
+        node.cell = space_.tiles[tile].index_of(arrival.cell) & 255U;
         node.parent = arrival.parent.node;
         node.direction = arrival.stride.direction & 7U;
         node.gait = static_cast<std::uint32_t>(arrival.stride.gait) & 3U;

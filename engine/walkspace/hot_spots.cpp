@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t kHotPieces = 300;
 constexpr std::size_t kMostHotSpots = 10;
+constexpr double kApart = 8.0;  // metres
 /// One of so many nodes is looked at.
 constexpr std::size_t kEveryNode = 16;
 
@@ -45,6 +46,18 @@ HotSpot hottest_of(const collision::World& world, const ExploreSettings& setting
     return hottest;
 }
 
+/// Of spots that come the hottest first.
+std::vector<HotSpot> hottest_apart(const std::vector<HotSpot>& spots) {
+    std::vector<HotSpot> hottest;
+    for (const HotSpot& spot : spots) {
+        const auto is_near = [&](const HotSpot& hotter) { return (hotter.foot - spot.foot).norm() < kApart; };
+        if (hottest.size() < kMostHotSpots && std::ranges::none_of(hottest, is_near)) {
+            hottest.push_back(spot);
+        }
+    }
+    return hottest;
+}
+
 }  // namespace
 
 std::vector<HotSpot> find_hot_spots(const WorkerWorlds& worlds, const ExploreSettings& settings,
@@ -55,8 +68,7 @@ std::vector<HotSpot> find_hot_spots(const WorkerWorlds& worlds, const ExploreSet
     });
     std::erase_if(spots, [](const HotSpot& spot) { return spot.pieces == 0; });
     std::ranges::stable_sort(spots, std::greater(), &HotSpot::pieces);
-    spots.resize(std::min(spots.size(), kMostHotSpots));
-    return spots;
+    return hottest_apart(spots);
 }
 
 }  // namespace campuswalk::engine

@@ -17,8 +17,8 @@ struct HotSpot {
     collision::ObjectId object{};  ///< that most of them are of
 };
 
-/// The hottest place of each tile that has more than 300 pieces, of a sample; the hottest tiles first, at
-/// most ten. On most campuses the body has fewer than ten around it.
+/// Places with more than 300 pieces, of a sample, at least 8 m apart; the hottest first, at most ten. On most
+/// campuses the body has fewer than ten around it.
 std::vector<HotSpot> find_hot_spots(const WorkerWorlds& worlds, const ExploreSettings& settings,
                                     const WalkSpace& space);
 

@@ -8,7 +8,8 @@
 
 namespace campuswalk::engine {
 
-WalkTile::WalkTile(const GridCell& lowest, std::uint32_t own_index) : first_cell(lowest) {
+WalkTile::WalkTile(const GridCell& lowest, std::uint32_t own_index)
+    : first_cell(lowest), newest(std::size_t{kCells} * kCells, WalkNode::kNone) {
     neighbours.fill(kNoTile);
     neighbours[4] = own_index;
 }
@@ -37,7 +38,7 @@ std::uint16_t WalkTile::add(WalkNode node) {
     assert(nodes.size() < kMaxNodes);
     const auto index = static_cast<std::uint16_t>(nodes.size());
     node.next = newest[node.cell];
-    newest.set(node.cell, index);
+    newest[node.cell] = index;
     push_tightly(nodes, node);
     return index;
 }

@@ -30,7 +30,7 @@ struct WalkNode {
     float y = 0.0F;                ///< of the foot
     std::uint16_t next = kNone;    ///< another node of the same cell
     std::uint16_t parent = kNone;  ///< in the parent's tile
-    std::uint32_t cell : 10 = 0;   ///< x + kCells * z in the tile
+    std::uint32_t cell : 8 = 0;    ///< x + kCells * z in the tile
     std::uint32_t direction : 3 = 0;
     std::uint32_t gait : 2 = 0;
     std::uint32_t steering : 4 = 0;
@@ -59,38 +59,11 @@ struct WalkNodeId {
     friend auto operator<=>(const WalkNodeId&, const WalkNodeId&) = default;
 };
 
-/// A node for each of 32 x 32 cells, or WalkNode::kNone. Quarters without any take no memory.
-class CellLists {
-public:
-    static constexpr std::uint32_t kCells = 32;
-
-    std::uint16_t operator[](std::uint32_t cell) const {
-        const std::vector<std::uint16_t>& quarter = quarters_[quarter_of(cell)];
-        return quarter.empty() ? WalkNode::kNone : quarter[place_of(cell)];
-    }
-    void set(std::uint32_t cell, std::uint16_t node) {
-        std::vector<std::uint16_t>& quarter = quarters_[quarter_of(cell)];
-        if (quarter.empty()) {
-            quarter.assign(kHalf * kHalf, WalkNode::kNone);
-        }
-        quarter[place_of(cell)] = node;
-    }
-
-    friend bool operator==(const CellLists&, const CellLists&) = default;
-
-private:
-    static constexpr std::uint32_t kHalf = kCells / 2;
-    static std::size_t quarter_of(std::uint32_t cell) {
-        return cell / (kCells * kHalf) * 2 + cell % kCells / kHalf;
-    }
-    static std::size_t place_of(std::uint32_t cell) { return cell / kCells % kHalf * kHalf + cell % kHalf; }
-
-    std::array<std::vector<std::uint16_t>, 4> quarters_;
-};
-
-/// 32 x 32 cells and their nodes.
+/// 16 x 16 cells and their nodes. Threads work on tiles far apart, so that small ones are shared out better,
+/// and a body moves on near where it was, where it knows what is around it; larger ones would take less
+/// memory.
 struct WalkTile {
-    static constexpr int kCells = static_cast<int>(CellLists::kCells);
+    static constexpr int kCells = 16;
     static constexpr std::uint32_t kNoTile = std::numeric_limits<std::uint32_t>::max();
     static constexpr std::size_t kMaxNodes = WalkNode::kNone;
 
@@ -111,8 +84,8 @@ struct WalkTile {
         collision::Vec3 edge = collision::Vec3::Zero();
     };
 
-    GridCell first_cell;  ///< its cell with the lowest x and z
-    CellLists newest;     ///< of each cell, a list by WalkNode::next
+    GridCell first_cell;                ///< its cell with the lowest x and z
+    std::vector<std::uint16_t> newest;  ///< of each cell, a list by WalkNode::next
     std::vector<WalkNode> nodes;
     std::vector<Keyframe> keyframes;  ///< ascending by node
     /// Where a stride didn't get to the cell that it was headed for, in any order: at walls, steps and edges.

@@ -9,7 +9,7 @@ namespace {
 
 WalkNode node_at(std::uint32_t cell, float y) {
     WalkNode node;
-    node.cell = cell & 1023U;
+    node.cell = cell & 255U;
     node.y = y;
     return node;
 }
@@ -45,12 +45,12 @@ TEST(WalkTile, TellsBodiesThatHangOverAnEdgeApart) {
 }
 
 TEST(WalkTile, NumbersItsCells) {
-    const WalkTile tile({-32, 64}, 0);
-    for (const GridCell cell : {GridCell{-32, 64}, GridCell{-1, 64}, GridCell{-32, 95}, GridCell{-1, 95}}) {
+    const WalkTile tile({-16, 32}, 0);
+    for (const GridCell cell : {GridCell{-16, 32}, GridCell{-1, 32}, GridCell{-16, 47}, GridCell{-1, 47}}) {
         EXPECT_EQ(tile.cell_of(node_at(tile.index_of(cell), 0.0F)), cell);
-        EXPECT_LT(tile.index_of(cell), 1024U);
+        EXPECT_LT(tile.index_of(cell), 256U);
     }
-    EXPECT_NE(tile.index_of({-1, 64}), tile.index_of({-32, 65}));
+    EXPECT_NE(tile.index_of({-1, 32}), tile.index_of({-16, 33}));
 }
 
 TEST(WalkTile, KeepsSomeStates) {
@@ -67,12 +67,12 @@ TEST(WalkSpace, FindsTilesOnBothSidesOfTheOrigin) {
     WalkSpace space(WalkGrid{0.25});
     const std::uint32_t east = space.add_tile_at({0, 0});
     const std::uint32_t west = space.add_tile_at({-1, 0});
-    const std::uint32_t far = space.add_tile_at({-33, -70});
-    EXPECT_EQ(space.tiles[west].first_cell, (GridCell{-32, 0}));
-    EXPECT_EQ(space.tiles[far].first_cell, (GridCell{-64, -96}));
-    EXPECT_EQ(space.add_tile_at({31, 31}), east) << "a tile is added once";
-    EXPECT_EQ(space.tile_at({-32, 31}), west);
-    EXPECT_EQ(space.tile_at({32, 0}), std::nullopt);
+    const std::uint32_t far = space.add_tile_at({-17, -38});
+    EXPECT_EQ(space.tiles[west].first_cell, (GridCell{-16, 0}));
+    EXPECT_EQ(space.tiles[far].first_cell, (GridCell{-32, -48}));
+    EXPECT_EQ(space.add_tile_at({15, 15}), east) << "a tile is added once";
+    EXPECT_EQ(space.tile_at({-16, 15}), west);
+    EXPECT_EQ(space.tile_at({16, 0}), std::nullopt);
     EXPECT_EQ(space.tile_at({0, -1}), std::nullopt);
 }
 
@@ -81,7 +81,7 @@ TEST(WalkSpace, KnowsTheTilesAround) {
     const std::uint32_t middle = space.add_tile_at({0, 0});
     EXPECT_EQ(space.tiles[middle].neighbours[4], middle);
     for (int i = 0; i < 9; ++i) {
-        const GridCell beside{32 * (i % 3 - 1), 32 * (i / 3 - 1)};
+        const GridCell beside{16 * (i % 3 - 1), 16 * (i / 3 - 1)};
         const std::uint32_t tile = space.add_tile_at(beside);
         EXPECT_EQ(space.tiles[middle].neighbours[static_cast<std::size_t>(i)], tile);
         EXPECT_EQ(space.tiles[tile].neighbours[static_cast<std::size_t>(8 - i)], middle);
