@@ -4,12 +4,14 @@
 #include <cmath>
 #include <optional>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "engine/walkspace/frontier.h"
 #include "engine/walkspace/known_cells.h"
 #include "engine/walkspace/landing_places.h"
 #include "engine/walkspace/path_order.h"
+#include "engine/walkspace/stride_worker.h"
 #include "engine/walkspace/tight_growth.h"
 #include "engine/walkspace/worker_threads.h"
 
@@ -26,21 +28,13 @@ constexpr std::uint8_t kStridesBetweenKeyframes = 32;
 constexpr std::uint32_t kTicksOfRound = 600;
 /// Likewise on the way to a goal, where what a round explores too much is wasted.
 constexpr std::uint32_t kTicksOfGoalRound = 30;
-/// From this height on a fall is also steered elsewhere, metres.
-constexpr double kSteeredFall = 0.5;
-
-/// From this height on it is also steered later, metres: see steered_strides.
+/// From this height on a fall is also steered later, metres: see steered_strides.
 constexpr double kHighFall = 2.0;
+/// So many falls are steered before what they lead to becomes nodes.
+constexpr std::size_t kFallsAtOnce = 64;
 /// Nodes take their diagonal strides this much later than the others, metres of walking: somewhat more than
 /// the 0.1 m that they are longer, so that nearly all cells are reached by the shorter strides.
 constexpr double kDiagonalsLater = 0.19;
-
-/// A thread's body and what it found.
-struct Worker {
-    Strider strider;
-    std::set<Bound> bounds = {};
-    std::uint64_t strides = 0;
-};
 
 class Exploration {
 public:
@@ -50,10 +44,7 @@ public:
             diagonals_later_ = order_.ticks_in(kDiagonalsLater / settings_.strides.walk_speed);
         }
         for (std::size_t i = 0; i < worlds.size(); ++i) {
-            workers_.push_back({Strider(worlds[i], settings.strides, settings.solids)});
-            if (!settings.within.empty()) {
-                workers_.back().strider.limit_falls(settings.within);
-            }
+            workers_.emplace_back(worlds[i], settings, space_, known_);
         }
     }
 
@@ -68,6 +59,11 @@ public:
     }
 
 private:
+    struct TileFall {
+        std::uint32_t tile = 0;
+        Fall fall;
+    };
+
     /// Two pockets of free space in one cell would be taken for one if a wall fitted between them.
     static double cell_for(const ExploreSettings& settings) {
         if (settings.known != nullptr) {
@@ -82,7 +78,7 @@ private:
 
     void add_starts() {
         for (std::size_t i = 0; i < settings_.starts.size(); ++i) {
-            const StrideEnd end = workers_.front().strider.put_down(settings_.starts[i]);
+            const StrideEnd end = workers_.front().strider().put_down(settings_.starts[i]);
             if (end.kind == StrideEnd::Kind::grounded) {
                 space_.starts.push_back(add_start(end.at));
                 space_.start_of.push_back(i);
@@ -104,7 +100,7 @@ private:
         node.cell = space_.tiles[tile].index_of(cell) & 255U;
         node.parent_tile = WalkNode::kStart;
         node.returns = 1;
-        node.low = workers_.front().strider.has_headroom(at) ? 0 : 1;
+        node.low = workers_.front().strider().has_headroom(at) ? 0 : 1;
         return {tile, *add_node(tile, node, at, 0, kStridesBetweenKeyframes)};
     }
 
@@ -117,8 +113,9 @@ private:
                 break;
             }
             limit = std::min(std::max(limit, *earliest) + round, settings_.max_ticks);
-            for_each_tile([&](const Frontier& f) { return !f.is_empty() && f.next_order() < limit; },
-                          [&](std::uint32_t tile, Worker& worker) { explore_tile(tile, limit, worker); });
+            for_each_tile(
+                [&](const Frontier& f) { return !f.is_empty() && f.next_order() < limit; },
+                [&](std::uint32_t tile, StrideWorker& worker) { explore_tile(tile, limit, worker); });
             note_goal();
             const std::size_t nodes = space_.node_count();
             if (nodes > settings_.max_nodes) {
@@ -134,28 +131,47 @@ private:
 
     /// Only where there is ground to be reached by that. False if there was no fall left.
     bool steer_falls() {
+        std::vector<TileFall> falls;
         std::vector<FallEdge> edges;
-        for (const Frontier& frontier : frontiers_) {
-            for (const Fall& fall : frontier.falls) {
+        for (std::uint32_t tile = 0; tile < frontiers_.size(); ++tile) {
+            for (const Fall& fall : std::exchange(frontiers_[tile].falls, {})) {
+                falls.push_back({tile, fall});
                 edges.push_back(edge_of(fall));
             }
         }
-        if (edges.empty()) {
+        if (falls.empty()) {
             return false;
         }
         workers_.front().bounds.insert(Bound::steering);  // not all ways to steer are tried
         if (!settings_.steer_falls) {
             return false;
         }
-        const LandingPlaces places(workers_.front().strider.world(), settings_, space_, edges);
-        for_each_tile([](const Frontier& f) { return !f.falls.empty(); },
-                      [&](std::uint32_t tile, Worker& worker) {
-                          for (const Fall& fall : std::exchange(frontiers_[tile].falls, {})) {
-                              steer(tile, fall, places, worker);
-                          }
-                      });
-        note_goal();
+        const LandingPlaces places(workers_.front().strider().world(), settings_, space_, edges);
+        for (std::size_t first = 0; first < falls.size() && !space_.goal; first += kFallsAtOnce) {
+            const std::size_t count = std::min(kFallsAtOnce, falls.size() - first);
+            steer(std::span(falls).subspan(first, count), places);
+        }
         return true;
+    }
+
+    /// By all threads: no node is added meanwhile.
+    void steer(const std::span<const TileFall> falls, const LandingPlaces& places) {
+        std::vector<std::vector<SteeredEnd>> ends(falls.size());
+        for_each_item(falls.size(), workers_.size(), [&](std::size_t worker, std::size_t i) {
+            if (places.has_any_below(edge_of(falls[i].fall))) {
+                ends[i] = workers_[worker].steer(falls[i].tile, falls[i].fall);
+            }
+        });
+        std::vector<std::uint32_t> tiles;
+        for (std::size_t i = 0; i < falls.size(); ++i) {
+            const auto& [tile, fall] = falls[i];
+            for (const SteeredEnd& each : ends[i]) {
+                note(tile, fall.from(), each.stride, each.end, workers_.front());
+            }
+            tiles.push_back(tile);
+        }
+        receive_from(tiles);
+        note_goal();
     }
 
     std::uint32_t tile_for(const GridCell& cell) {
@@ -218,7 +234,7 @@ private:
     }
 
     /// By one worker; others work on tiles farther away.
-    void explore_tile(std::uint32_t tile, std::uint32_t limit, Worker& worker) {
+    void explore_tile(std::uint32_t tile, std::uint32_t limit, StrideWorker& worker) {
         // Its strides may add tiles only once they are received, so that the frontier stays where it is.
         Frontier& frontier = frontiers_[tile];
         while (!frontier.is_empty() && frontier.next_order() < limit && !frontier.goal) {
@@ -229,16 +245,16 @@ private:
                 stride_from(tile, next, worker);
             }
         }
-        worker.strider.forget_dense_surroundings();
+        worker.strider().forget_dense_surroundings();
     }
 
-    void stride_from(std::uint32_t tile, Pending from, Worker& worker) {
+    void stride_from(std::uint32_t tile, Pending from, StrideWorker& worker) {
         const GridCell cell = space_.grid.cell_at(from.at.foot);
         const std::uint8_t first = from.diagonals_left ? 4 : 0;
         for (std::uint8_t i = first; i < first + 4; ++i) {
             const GridDirection& direction = grid_directions()[i];
             const GridCell goal{cell.x + direction.x, cell.z + direction.z};
-            if (is_known(cell, direction, from.at, tile, worker)) {
+            if (worker.is_known(tile, from.at, i)) {
                 continue;
             }
             const StrideEnd end = try_stride(tile, from, {.direction = i}, worker);
@@ -261,24 +277,10 @@ private:
         }
     }
 
-    /// Whether a stride to the cell ahead would find nothing new.
-    bool is_known(const GridCell& cell, const GridDirection& direction, const GroundState& from,
-                  std::uint32_t tile, const Worker& worker) const {
-        const GridCell ahead{cell.x + direction.x, cell.z + direction.z};
-        const GridCell behind{cell.x - direction.x, cell.z - direction.z};
-        const double y = from.foot.y();
-        const bool hangs = worker.strider.hangs(from);
-        return known_.has(ahead, y, hangs, tile) || (!hangs && known_.has_ahead(ahead, behind, y, tile));
-    }
-
-    /// Whether a body that slides along what is in its way may get to a new cell in so many metres.
-    bool is_worth_it(const GroundState& at, double metres, std::uint32_t tile, const Worker& worker) const {
-        return settings_.jump ||  // off what it stands against
-               !known_.has_all_near(at.foot, metres, worker.strider.hangs(at), tile);
-    }
-
-    StrideEnd try_stride(std::uint32_t tile, const Pending& from, const Stride& stride, Worker& worker) {
-        const StrideEnd end = take(tile, from, stride, worker);
+    StrideEnd try_stride(std::uint32_t tile, const Pending& from, const Stride& stride,
+                         StrideWorker& worker) {
+        const StrideEnd end = worker.take(tile, from.at, stride);
+        note(tile, from, stride, end, worker);
         const bool gone = end.kind == StrideEnd::Kind::gone;
         const double height = end.edge.y() - end.at.foot.y();
         if (end.left_ground && (gone || height >= kSteeredFall)) {
@@ -296,13 +298,10 @@ private:
         return end;
     }
 
-    StrideEnd take(std::uint32_t tile, const Pending& from, const Stride& stride, Worker& worker) {
-        const StrideEnd end = worker.strider.take(
-            from.at, stride, space_.grid,
-            [&](const GroundState& at, double metres) { return is_worth_it(at, metres, tile, worker); });
-        ++worker.strides;
+    void note(std::uint32_t tile, const Pending& from, const Stride& stride, const StrideEnd& end,
+              StrideWorker& worker) {
         if (end.given_up) {
-            return end;
+            return;
         }
         if (end.kind == StrideEnd::Kind::grounded) {
             arrive(tile, from, stride, end, worker);
@@ -311,7 +310,6 @@ private:
         } else {
             worker.bounds.insert(Bound::falls);
         }
-        return end;
     }
 
     static FallEdge edge_of(const Fall& fall) { return {fall.edge.cast<double>(), fall.gait}; }
@@ -321,20 +319,6 @@ private:
         const bool steered = drop.stride.steering != Stride::kStraightOn;  // it leaves the same edge
         if (!steered && !own.has_drop_from(drop.edge, space_.grid)) {
             push_tightly(own.drops, drop);
-        }
-    }
-
-    /// The same fall, steered elsewhere.
-    void steer(std::uint32_t tile, const Fall& fall, const LandingPlaces& places, Worker& worker) {
-        if (!places.has_any_below(edge_of(fall))) {
-            return;
-        }
-        const Pending from = fall.from();
-        Stride straight_down = fall.stride();
-        straight_down.steering = Stride::kLetGo;
-        const StrideEnd down = take(tile, from, straight_down, worker);
-        for (const Stride& stride : steered_strides(fall, fall.gone && down.kind == StrideEnd::Kind::gone)) {
-            take(tile, from, stride, worker);
         }
     }
 
@@ -349,13 +333,13 @@ private:
     }
 
     void arrive(std::uint32_t tile, const Pending& from, const Stride& stride, const StrideEnd& end,
-                Worker& worker) {
+                StrideWorker& worker) {
         const GridCell cell = space_.grid.cell_at(end.at.foot);
         if (is_out(end.at.foot) ||
             (settings_.known != nullptr && settings_.known->find(cell, end.at.foot.y()))) {
             return;
         }
-        const bool hangs = worker.strider.hangs(end.at);
+        const bool hangs = worker.strider().hangs(end.at);
         const WalkTile& own = space_.tiles[tile];
         if (own.contains(cell)
                 ? own.has(own.index_of(cell), end.at.foot.y(), hangs)
@@ -366,7 +350,7 @@ private:
         const Arrival arrival{from.ticks + static_cast<std::uint32_t>(end.ticks) + detour,
                               {tile, from.node},
                               stride,
-                              end.clean || (!settings_.towards && returns(end, from, worker)),
+                              end.clean || (!settings_.towards && worker.returns(end, from.at)),
                               hangs,
                               static_cast<std::uint8_t>(from.since_keyframe + 1),
                               cell,
@@ -377,27 +361,13 @@ private:
         }
     }
 
-    void add_or_send(std::uint32_t tile, const Arrival& arrival, Worker& worker) {
+    void add_or_send(std::uint32_t tile, const Arrival& arrival, StrideWorker& worker) {
         if (!space_.tiles[tile].contains(arrival.cell)) {
             frontiers_[tile].outbox.push_back(arrival);
         } else if (const WalkTile& own = space_.tiles[tile];
                    !own.has(own.index_of(arrival.cell), arrival.at.foot.y(), arrival.hangs)) {
             add_arrival(tile, WalkNode{}, arrival, worker);
         }
-    }
-
-    /// Whether one can walk back from there. Nobody walks straight back up what he fell down.
-    bool returns(const StrideEnd& end, const Pending& to, Worker& worker) {
-        const GroundState& at = end.at;
-        if (end.left_ground && end.edge.y() - at.foot.y() >= kSteeredFall) {
-            return false;
-        }
-        const Vec3 path = to.at.foot - at.foot;
-        const double seconds = 2.0 * collision::horizontal_norm(path) / settings_.strides.walk_speed + 0.2;
-        const StrideEnd back = worker.strider.walk_to(at, to.at.foot, 0.02, seconds);
-        return back.kind == StrideEnd::Kind::grounded &&
-               space_.grid.cell_at(back.at.foot) == space_.grid.cell_at(to.at.foot) &&
-               std::abs(back.at.foot.y() - to.at.foot.y()) <= WalkNode::kLevel;
     }
 
     /// Of a stride out of its tile; one at a time.
@@ -418,7 +388,7 @@ private:
         add_arrival(tile, node, arrival, workers_.front());
     }
 
-    void add_arrival(std::uint32_t tile, WalkNode node, const Arrival& arrival, Worker& worker) {
+    void add_arrival(std::uint32_t tile, WalkNode node, const Arrival& arrival, StrideWorker& worker) {
         if (arrival.parent.tile == tile) {
             node.parent_tile = 4;
         }
@@ -431,7 +401,7 @@ private:
         node.steers_after = arrival.stride.steers_after & 7U;
         node.returns = arrival.returns ? 1 : 0;
         node.hangs = arrival.hangs ? 1 : 0;
-        node.low = worker.strider.has_headroom(arrival.at) ? 0 : 1;
+        node.low = worker.strider().has_headroom(arrival.at) ? 0 : 1;
         if (!add_node(tile, node, arrival.at, arrival.ticks, arrival.since_keyframe)) {
             worker.bounds.insert(Bound::levels);
         }
@@ -462,13 +432,13 @@ private:
 
     WalkSpace finished() {
         std::set<Bound> bounds;
-        space_.touched.assign(workers_.front().strider.touched().size(), false);
-        for (const Worker& worker : workers_) {
+        space_.touched.assign(workers_.front().strider().touched().size(), false);
+        for (const StrideWorker& worker : workers_) {
             bounds.insert(worker.bounds.begin(), worker.bounds.end());
-            space_.ticks += worker.strider.ticks();
-            space_.strides += worker.strides;
+            space_.ticks += worker.strider().ticks();
+            space_.strides += worker.strides();
             for (std::size_t i = 0; i < space_.touched.size(); ++i) {
-                space_.touched[i] = space_.touched[i] || worker.strider.touched()[i];
+                space_.touched[i] = space_.touched[i] || worker.strider().touched()[i];
             }
         }
         space_.bounds.assign(bounds.begin(), bounds.end());
@@ -479,9 +449,9 @@ private:
     const PathOrder order_;
     std::uint32_t diagonals_later_ = 0;  ///< ticks
     WalkSpace space_;
-    std::vector<Worker> workers_;
     std::vector<Frontier> frontiers_;  ///< by tile
     const KnownCells known_{settings_, space_, frontiers_};
+    std::vector<StrideWorker> workers_;
     bool is_cut_ = false;  ///< by the most nodes
 };
 
