@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <variant>
 
@@ -15,6 +16,7 @@ using collision::Vec3;
 namespace {
 
 constexpr WalkGrid kBlocks{2.0};
+constexpr double kSquare = 16.0;  // metres
 /// A body that touches slopes on its way gets farther than one that falls freely.
 constexpr double kSlides = 1.5;
 /// It may land this much farther from where it is expected, metres.
@@ -42,15 +44,37 @@ LandingPlaces::LandingPlaces(const collision::World& world, const ExploreSetting
     }
 }
 
+/// Square by square, so that few are kept at a time.
 void LandingPlaces::add_surfaces(const collision::World& world, const WalkSpace& reached,
                                  const collision::Aabb& region) {
-    for (const Surface& surface : unreached_surfaces(world, settings_, reached, region)) {
-        Vec3 at = reached.grid.center(surface.cell);
-        at.y() = surface.y;
-        if (!is_explored_elsewhere(at)) {
+    for (double x = region.min.x(); x < region.max.x(); x += kSquare) {
+        for (double z = region.min.z(); z < region.max.z(); z += kSquare) {
+            add_surfaces_of(world, reached,
+                            {{x, region.min.y(), z},
+                             {std::min(x + kSquare, region.max.x()), region.max.y() + least_room(),
+                              std::min(z + kSquare, region.max.z())}});
+        }
+    }
+}
+
+void LandingPlaces::add_surfaces_of(const collision::World& world, const WalkSpace& reached,
+                                    const collision::Aabb& square) {
+    const std::vector<Surface> surfaces = walkable_surfaces(world, settings_, reached.grid, square);
+    for (auto surface = surfaces.begin(); surface != surfaces.end(); ++surface) {
+        const auto above = std::next(surface);
+        const bool is_covered =
+            above != surfaces.end() && above->cell == surface->cell && above->y - surface->y < least_room();
+        Vec3 at = reached.grid.center(surface->cell);
+        at.y() = surface->y;
+        if (!is_covered && !reached.find(surface->cell, at.y(), kSameLevel) && !is_explored_elsewhere(at)) {
             add(at);
         }
     }
+}
+
+/// What a body that touches a surface takes up above that, however far it hangs over its edge.
+double LandingPlaces::least_room() const {
+    return settings_.strides.body.height - 2.0 * settings_.strides.body.radius;
 }
 
 /// Their tops are no surfaces.
@@ -75,7 +99,7 @@ bool LandingPlaces::is_explored_elsewhere(const Vec3& at) const {
             settings_.known->find(settings_.known->grid.cell_at(at), at.y(), kSameLevel));
 }
 
-/// Even if the body has no room there: on a narrow ledge it may hang over the edge.
+/// Even if the body has no room to stand there: on a narrow ledge it may hang over the edge.
 bool LandingPlaces::has_any_below(const FallEdge& edge) const {
     const collision::Aabb region = region_below(edge);
     if (std::ranges::any_of(round_solids_, [&](const collision::Aabb& b) { return b.overlaps(region); })) {

@@ -105,6 +105,20 @@ TEST(Explore, LandsOnWhatIsSetBackBelowAnEdge) {
     EXPECT_THAT(space.bounds, Contains(Bound::steering)) << "not every way to steer was tried";
 }
 
+TEST(Explore, SteersNoFallTowardsGroundWithoutRoomAboveIt) {
+    // What faces up, or down, below the platform's rim is its own underside.
+    TriangleMesh mesh;
+    support::add_box(mesh, {-4, -0.5, -4}, {4, 0, 4});
+    const scene::Campus platform = campus_of(std::move(mesh));
+    ExploreSettings settings = explore_from({0, 0, 0});
+    const WalkSpace steered = explored(platform.world, settings);
+    settings.steer_falls = false;
+    const WalkSpace straight = explored(platform.world, settings);
+    EXPECT_FALSE(straight.tiles.empty());
+    EXPECT_EQ(steered.strides, straight.strides);
+    EXPECT_EQ(steered.ticks, straight.ticks);
+}
+
 TEST(Explore, KnowsThatLevelGroundIsWalkedBackToo) {
     const WalkSpace space = explored(level_campus(3.0), {0, 0, 0});
     for (const WalkNodeId& node : nodes_of(space)) {
