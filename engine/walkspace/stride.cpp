@@ -15,6 +15,8 @@ namespace {
 
 /// A body that moves less in a tick than this stands still, metres.
 constexpr double kStill = 1e-9;
+/// A body in the air that moves less in a second hangs somewhere, metres.
+constexpr double kCaught = 0.005;
 /// Seconds; see Stride::steers_after.
 constexpr double kFifth = 0.2;
 /// In a fall, after so many ticks, half as many more and so on, it is asked whether it goes on for ever.
@@ -257,7 +259,7 @@ void Strider::fall_ahead(const Vec3& ahead, std::size_t fifths) {
 void Strider::fall(const Vec3& desired, std::size_t ticks) {
     const auto most = static_cast<std::size_t>(kMaxFall / settings_.seconds);
     std::size_t next_look = ticks + kFirstLook;
-    for (std::size_t i = ticks; i < most && is_falling(); ++i) {
+    for (std::size_t i = ticks; i < most && is_falling() && !is_caught(i); ++i) {
         if (i == next_look) {
             next_look += next_look / 2;
             if (falls_out_of_the_world(desired)) {
@@ -267,6 +269,19 @@ void Strider::fall(const Vec3& desired, std::size_t ticks) {
         }
         fall_for_a_tick(desired);
     }
+}
+
+/// Whether it hangs in a wedge of faces too steep to stand on, after so many ticks in the air: it has moved
+/// next to nothing for a second.
+bool Strider::is_caught(std::size_t ticks) const {
+    const std::size_t second = ticks_in(5);
+    if (ticks < second || path_.size() < second) {
+        return false;
+    }
+    const auto is_here = [&](std::size_t ticks_ago) {
+        return (path_[path_.size() - ticks_ago] - state_.foot).cwiseAbs().maxCoeff() <= kCaught;
+    };
+    return is_here(second) && is_here(second / 2);
 }
 
 void Strider::fall_for_a_tick(const Vec3& desired) {

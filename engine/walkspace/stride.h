@@ -40,7 +40,7 @@ struct StrideEnd {
     enum class Kind : std::uint8_t {
         grounded,  ///< on the ground
         gone,      ///< it fell out of the world, or nothing is left that it could land on
-        falling,   ///< still in the air after kMaxFall seconds
+        falling,   ///< still in the air after kMaxFall seconds, or caught there
     };
     Kind kind = Kind::grounded;
     GroundState at;        ///< if it stands
@@ -145,6 +145,7 @@ private:
     void fall_ahead(const collision::Vec3& ahead, std::size_t fifths);
     void fall(const collision::Vec3& desired, std::size_t ticks);
     void fall_for_a_tick(const collision::Vec3& desired);
+    bool is_caught(std::size_t ticks) const;
     bool is_falling() const { return !state_.grounded && state_.foot.y() >= bottom_; }
     std::size_t ticks_in(std::size_t fifths) const;
     bool falls_out_of_the_world(const collision::Vec3& desired);

@@ -17,7 +17,7 @@ namespace campuswalk::engine {
 enum class Bound : std::uint8_t {
     nodes,     ///< the most nodes that are kept
     levels,    ///< more levels above one another than a tile holds
-    falls,     ///< a fall that took longer than half a minute
+    falls,     ///< a fall that didn't end: see StrideEnd::Kind::falling
     steering,  ///< in falls, only some of the ways to steer were tried
 };
 
