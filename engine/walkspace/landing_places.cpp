@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <memory>
 #include <variant>
 
@@ -16,7 +15,6 @@ using collision::Vec3;
 namespace {
 
 constexpr WalkGrid kBlocks{2.0};
-constexpr double kSquare = 16.0;  // metres
 /// A body that touches slopes on its way gets farther than one that falls freely.
 constexpr double kSlides = 1.5;
 /// It may land this much farther from where it is expected, metres.
@@ -44,37 +42,15 @@ LandingPlaces::LandingPlaces(const collision::World& world, const ExploreSetting
     }
 }
 
-/// Square by square, so that few are kept at a time.
 void LandingPlaces::add_surfaces(const collision::World& world, const WalkSpace& reached,
                                  const collision::Aabb& region) {
-    for (double x = region.min.x(); x < region.max.x(); x += kSquare) {
-        for (double z = region.min.z(); z < region.max.z(); z += kSquare) {
-            add_surfaces_of(world, reached,
-                            {{x, region.min.y(), z},
-                             {std::min(x + kSquare, region.max.x()), region.max.y() + least_room(),
-                              std::min(z + kSquare, region.max.z())}});
-        }
-    }
-}
-
-void LandingPlaces::add_surfaces_of(const collision::World& world, const WalkSpace& reached,
-                                    const collision::Aabb& square) {
-    const std::vector<Surface> surfaces = walkable_surfaces(world, settings_, reached.grid, square);
-    for (auto surface = surfaces.begin(); surface != surfaces.end(); ++surface) {
-        const auto above = std::next(surface);
-        const bool is_covered =
-            above != surfaces.end() && above->cell == surface->cell && above->y - surface->y < least_room();
-        Vec3 at = reached.grid.center(surface->cell);
-        at.y() = surface->y;
-        if (!is_covered && !reached.find(surface->cell, at.y(), kSameLevel) && !is_explored_elsewhere(at)) {
+    for (const Surface& surface : unreached_surfaces(world, settings_, reached, region)) {
+        Vec3 at = reached.grid.center(surface.cell);
+        at.y() = surface.y;
+        if (!is_explored_elsewhere(at)) {
             add(at);
         }
     }
-}
-
-/// What a body that touches a surface takes up above that, however far it hangs over its edge.
-double LandingPlaces::least_room() const {
-    return settings_.strides.body.height - 2.0 * settings_.strides.body.radius;
 }
 
 /// Their tops are no surfaces.

@@ -28,9 +28,6 @@ public:
 
 private:
     void add_surfaces(const collision::World& world, const WalkSpace& reached, const collision::Aabb& region);
-    void add_surfaces_of(const collision::World& world, const WalkSpace& reached,
-                         const collision::Aabb& square);
-    double least_room() const;
     void add_round_solids(const collision::World& world, const collision::Aabb& region);
     void add(const collision::Vec3& at);
     bool is_explored_elsewhere(const collision::Vec3& at) const;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <span>
 #include <tuple>
 #include <variant>
 
@@ -20,13 +21,20 @@ namespace {
 constexpr double kSameGround = 0.3;
 /// Surfaces this near each other in one cell are one: a carpet on a floor.
 constexpr double kOneSurface = 0.02;
+/// They are collected in squares of so many cells: on the way, most are reached ones.
+constexpr int kSquare = 64;
+
+/// By cell from low to high.
+bool in_order(const Surface& a, const Surface& b) {
+    return std::tie(a.cell, a.y, a.object, a.triangle) < std::tie(b.cell, b.y, b.object, b.triangle);
+}
+
 /// Finds the surfaces of one triangle after another.
 class SurfaceCollector {
 public:
-    /// `reached`: whose ground is left out; may be null.
-    SurfaceCollector(const ExploreSettings& settings, const WalkGrid& grid, const WalkSpace* reached,
-                     const collision::Aabb& region, std::vector<Surface>& out)
-        : settings_(settings), grid_(grid), reached_(reached), region_(region), out_(out) {}
+    SurfaceCollector(const ExploreSettings& settings, const WalkGrid& grid, const collision::Aabb& region,
+                     std::vector<Surface>& out)
+        : settings_(settings), grid_(grid), region_(region), out_(out) {}
 
     void add(ObjectId object, std::uint32_t index, const std::array<Vec3, 3>& t) {
         const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
@@ -65,15 +73,13 @@ private:
     }
 
     void offer(const Surface& surface) {
-        if (surface.y >= region_.min.y() && surface.y <= region_.max.y() &&
-            (reached_ == nullptr || !reached_->find(surface.cell, surface.y, kSameGround))) {
+        if (surface.y >= region_.min.y() && surface.y <= region_.max.y()) {
             out_.push_back(surface);
         }
     }
 
     const ExploreSettings& settings_;
     const WalkGrid& grid_;
-    const WalkSpace* reached_;
     const collision::Aabb& region_;
     std::vector<Surface>& out_;
 };
@@ -104,18 +110,29 @@ void collect(SurfaceCollector& collector, const collision::World& world, ObjectI
     }
 }
 
-std::vector<Surface> surfaces_in(const collision::World& world, const ExploreSettings& settings,
-                                 const WalkGrid& grid, const WalkSpace* reached,
-                                 const collision::Aabb& region) {
+/// What a body that touches a surface takes up above that, however far it hangs over its edge, metres.
+double least_room(const ExploreSettings& settings) {
+    return settings.strides.body.height - 2.0 * settings.strides.body.radius;
+}
+
+/// Whether no body has room between the surface and the next one above it.
+bool is_covered(std::span<const Surface> surfaces, std::size_t i, double room) {
+    return i + 1 < surfaces.size() && surfaces[i + 1].cell == surfaces[i].cell &&
+           surfaces[i + 1].y - surfaces[i].y < room;
+}
+
+}  // namespace
+
+std::vector<Surface> walkable_surfaces(const collision::World& world, const ExploreSettings& settings,
+                                       const WalkGrid& grid, const collision::Aabb& region) {
     std::vector<Surface> surfaces;
-    SurfaceCollector collector(settings, grid, reached, region, surfaces);
+    SurfaceCollector collector(settings, grid, region, surfaces);
     std::vector<ObjectId> solids;
     world.candidates(region, settings.solids, solids);
     for (const ObjectId id : solids) {
         collect(collector, world, id, region);
     }
-    std::ranges::sort(surfaces, {},
-                      [](const Surface& s) { return std::tuple(s.cell, s.y, s.object, s.triangle); });
+    std::ranges::sort(surfaces, in_order);
     const auto same = [](const Surface& a, const Surface& b) {
         return a.cell == b.cell && std::abs(a.y - b.y) <= kOneSurface;
     };
@@ -123,16 +140,31 @@ std::vector<Surface> surfaces_in(const collision::World& world, const ExploreSet
     return surfaces;
 }
 
-}  // namespace
-
-std::vector<Surface> walkable_surfaces(const collision::World& world, const ExploreSettings& settings,
-                                       const WalkGrid& grid, const collision::Aabb& region) {
-    return surfaces_in(world, settings, grid, nullptr, region);
-}
-
 std::vector<Surface> unreached_surfaces(const collision::World& world, const ExploreSettings& settings,
                                         const WalkSpace& reached, const collision::Aabb& region) {
-    return surfaces_in(world, settings, reached.grid, &reached, region);
+    std::vector<Surface> unreached;
+    const double room = least_room(settings);
+    const double side = kSquare * reached.grid.cell;
+    const GridCell first = first_of_square(reached.grid.cell_at(region.min), kSquare);
+    const GridCell last = reached.grid.cell_at(region.max);
+    GridCell square = first;
+    for (square.x = first.x; square.x <= last.x; square.x += kSquare) {
+        for (square.z = first.z; square.z <= last.z; square.z += kSquare) {
+            const Vec3 low(square.x * reached.grid.cell, region.min.y(), square.z * reached.grid.cell);
+            const Vec3 high(low.x() + side, region.max.y() + room, low.z() + side);
+            const std::vector<Surface> all =
+                walkable_surfaces(world, settings, reached.grid,
+                                  {low.cwiseMax(region.min), high.cwiseMin(region.max + Vec3(0, room, 0))});
+            for (std::size_t i = 0; i < all.size(); ++i) {
+                if (first_of_square(all[i].cell, kSquare) == square && all[i].y <= region.max.y() &&
+                    !is_covered(all, i, room) && !reached.find(all[i].cell, all[i].y, kSameGround)) {
+                    unreached.push_back(all[i]);
+                }
+            }
+        }
+    }
+    std::ranges::sort(unreached, in_order);
+    return unreached;
 }
 
 }  // namespace campuswalk::engine

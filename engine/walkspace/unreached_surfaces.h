@@ -21,7 +21,8 @@ struct Surface {
 std::vector<Surface> walkable_surfaces(const collision::World& world, const ExploreSettings& settings,
                                        const WalkGrid& grid, const collision::Aabb& region);
 
-/// Likewise, those that have no reached node.
+/// Likewise, those that have no reached node, without those so close below another one that no body touches
+/// them.
 std::vector<Surface> unreached_surfaces(const collision::World& world, const ExploreSettings& settings,
                                         const WalkSpace& reached, const collision::Aabb& region);
 
