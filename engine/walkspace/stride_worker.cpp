@@ -8,10 +8,7 @@ using collision::Vec3;
 
 StrideWorker::StrideWorker(const collision::World& world, const ExploreSettings& settings,
                            const WalkSpace& space, const KnownCells& known)
-    : settings_(settings),
-      space_(space),
-      known_(known),
-      strider_(world, settings.strides, settings.solids) {
+    : settings_(settings), space_(space), known_(known), strider_(world, settings.strides, settings.solids) {
     if (!settings.within.empty()) {
         strider_.limit_falls(settings.within);
     }
@@ -73,8 +70,8 @@ bool StrideWorker::is_at_node(const StrideEnd& end) const {
     }
     const GridCell cell = space_.grid.cell_at(end.at.foot);
     const auto tile = space_.tile_at(cell);
-    return tile &&
-           space_.tiles[*tile].has(space_.tiles[*tile].index_of(cell), end.at.foot.y(), strider_.hangs(end.at));
+    return tile && space_.tiles[*tile].has(space_.tiles[*tile].index_of(cell), end.at.foot.y(),
+                                           strider_.hangs(end.at));
 }
 
 }  // namespace campuswalk::engine

@@ -43,6 +43,10 @@ bool is_about_height(const Barrier& barrier) {
            barrier.kind == BarrierKind::slope;
 }
 
+bool is_about_size(const Ability& ability) {
+    return ability.kind == BarrierKind::opening || ability.kind == BarrierKind::headroom;
+}
+
 /// How much the body would have to change: of heights, in metres; else the share of what it has.
 double change_of(const Barrier& barrier) {
     const bool climb = barrier.kind == BarrierKind::riser || barrier.kind == BarrierKind::ledge;
@@ -110,7 +114,11 @@ public:
         const std::vector<ObjectId> touched = touched_;
         const std::vector<Ability> abilities = abilities_of(body);
         std::vector<Change> found;
+        const bool fits_nowhere = !is_exhausted() && !find_path(smallest_of(abilities), query_.from);
         for (const Ability& ability : abilities) {
+            if (is_about_size(ability) && fits_nowhere) {
+                continue;
+            }
             if (auto barrier = try_ability(ability, body)) {
                 const double amount = change_of(*barrier);
                 found.push_back({std::move(*barrier), amount});
@@ -181,13 +189,24 @@ private:
             ability.apply(value, changed);
             return changed;
         };
-        std::optional<FoundPath> path =
-            is_exhausted() ? std::nullopt : find_path(with(ability.easier.back()), query_.from);
+        if (is_exhausted()) {
+            return std::nullopt;
+        }
+        const bool is_guessed = ability.kind == BarrierKind::riser && query_.likely_riser;
+        const double likely = query_.likely_riser.value_or(0.0) - collision::kHeightSlack;
+        double fails = ability.have;
+        double passes = ability.easier.back();
+        std::optional<FoundPath> path;
+        if (is_guessed && likely + ability.precision > fails && likely + ability.precision < passes) {
+            path = find_path(with(likely + ability.precision), query_.from);
+            (path ? passes : fails) = likely + ability.precision;
+        }
+        if (!path) {
+            path = find_path(with(ability.easier.back()), query_.from);
+        }
         if (!path) {
             return std::nullopt;
         }
-        double fails = ability.have;
-        double passes = ability.easier.back();
         const auto probe = [&](double value, std::span<const GroundState> from) {
             if (value <= std::min(fails, passes) || value >= std::max(fails, passes)) {
                 return;
@@ -199,9 +218,7 @@ private:
                 fails = value;
             }
         };
-        if (ability.kind == BarrierKind::riser && query_.likely_riser) {
-            const double likely = *query_.likely_riser - collision::kHeightSlack;
-            probe(likely + ability.precision, query_.from);
+        if (is_guessed) {
             probe(likely - ability.precision, query_.from);
         }
         for (std::span<const double> steps = ability.easier; !steps.empty();) {
@@ -376,6 +393,12 @@ private:
             ability.apply(ability.easier.back(), easiest);
         }
         return easiest;
+    }
+
+    /// As slim and as low as can be: where that doesn't get, neither is enough.
+    collision::MoverSettings smallest_of(std::vector<Ability> abilities) const {
+        std::erase_if(abilities, [](const Ability& ability) { return !is_about_size(ability); });
+        return easiest_of(abilities);
     }
 
     Barrier closed_off() const {
