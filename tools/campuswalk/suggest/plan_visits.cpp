@@ -40,35 +40,35 @@ bool holds(const scene::UprightBox& box, const Vector3d& foot) {
     return box.depth_of(foot + kWaist * Vector3d::UnitY()) >= 0.0;
 }
 
-/// By tile and node: the way by which it was reached from a start, metres. 0 for starts, and for places that
-/// one only gets to by a drop.
-std::vector<std::vector<double>> ways_to_nodes(const WalkSpace& reached) {
+/// By tile and node: how long the path is by which it was reached from a start, metres. 0 for starts, and for
+/// places that one only gets to by a drop.
+std::vector<std::vector<double>> path_lengths(const WalkSpace& reached) {
     constexpr double kUnknown = -1.0;
     constexpr double kDrop = 0.5;  // metres
-    std::vector<std::vector<double>> ways;
+    std::vector<std::vector<double>> lengths;
     for (const engine::WalkTile& tile : reached.tiles) {
-        ways.emplace_back(tile.nodes.size(), kUnknown);
+        lengths.emplace_back(tile.nodes.size(), kUnknown);
     }
-    const auto way_to = [&](const WalkNodeId& node) -> double& { return ways[node.tile][node.node]; };
+    const auto length_to = [&](const WalkNodeId& node) -> double& { return lengths[node.tile][node.node]; };
     const auto follow = [&](const WalkNodeId& from, const WalkNodeId& to) {
         const Vector3d stride = reached.position(to) - reached.position(from);
-        const bool is_cut_off = way_to(from) == 0.0 && reached.parent(from);
-        return stride.y() < -kDrop || is_cut_off ? 0.0 : way_to(from) + stride.norm();
+        const bool is_cut_off = length_to(from) == 0.0 && reached.parent(from);
+        return stride.y() < -kDrop || is_cut_off ? 0.0 : length_to(from) + stride.norm();
     };
     std::vector<WalkNodeId> chain;
     for (std::uint32_t t = 0; t < reached.tiles.size(); ++t) {
-        for (std::uint32_t n = 0; n < ways[t].size(); ++n) {
+        for (std::uint32_t n = 0; n < lengths[t].size(); ++n) {
             std::optional<WalkNodeId> at = WalkNodeId{t, static_cast<std::uint16_t>(n)};
-            for (; at && way_to(*at) == kUnknown; at = reached.parent(*at)) {
+            for (; at && length_to(*at) == kUnknown; at = reached.parent(*at)) {
                 chain.push_back(*at);
             }
             for (; !chain.empty(); chain.pop_back()) {
                 const std::optional<WalkNodeId> parent = reached.parent(chain.back());
-                way_to(chain.back()) = parent ? follow(*parent, chain.back()) : 0.0;
+                length_to(chain.back()) = parent ? follow(*parent, chain.back()) : 0.0;
             }
         }
     }
-    return ways;
+    return lengths;
 }
 
 /// Plans visits of buildings one by one, each from where the one before ended.
@@ -111,13 +111,13 @@ public:
     /// shut on the way, the walk fails.
     void go_far() {
         const std::vector<WalkNodeId> open = open_places();
-        const auto ways = ways_to_nodes(reached_);
-        const auto way_to = [&](const WalkNodeId& node) { return ways[node.tile][node.node]; };
-        go_to_best_of(open, way_to);
+        const auto lengths = path_lengths(reached_);
+        const auto length_to = [&](const WalkNodeId& node) { return lengths[node.tile][node.node]; };
+        go_to_best_of(open, length_to);
         const Vector3d first = here_;
         go_to_best_of(open, [&](const WalkNodeId& node) {
             const Vector3d foot = reached_.position(node);
-            return way_to(node) == 0.0 ? 0.0 : std::min((foot - spawn_).norm(), (foot - first).norm());
+            return length_to(node) == 0.0 ? 0.0 : std::min((foot - spawn_).norm(), (foot - first).norm());
         });
     }
 
