@@ -21,8 +21,10 @@ namespace {
 constexpr double kSameGround = 0.3;
 /// Surfaces this near each other in one cell are one: a carpet on a floor.
 constexpr double kOneSurface = 0.02;
-/// They are collected in squares of so many cells: on the way, most are reached ones.
+/// They are collected in squares of so many cells, as most of them are reached ones; larger squares where
+/// there would be more than so many of them side by side.
 constexpr int kSquare = 64;
+constexpr int kMostSquares = 256;
 
 /// By cell from low to high.
 bool in_order(const Surface& a, const Surface& b) {
@@ -143,20 +145,26 @@ std::vector<Surface> walkable_surfaces(const collision::World& world, const Expl
 std::vector<Surface> unreached_surfaces(const collision::World& world, const ExploreSettings& settings,
                                         const WalkSpace& reached, const collision::Aabb& region) {
     std::vector<Surface> unreached;
+    if (region.empty()) {
+        return unreached;
+    }
     const double room = least_room(settings);
-    const double side = kSquare * reached.grid.cell;
-    const GridCell first = first_of_square(reached.grid.cell_at(region.min), kSquare);
+    const double cell = reached.grid.cell;
+    const GridCell lowest = reached.grid.cell_at(region.min);
     const GridCell last = reached.grid.cell_at(region.max);
+    const int longest = std::max(last.x - lowest.x, last.z - lowest.z);
+    const int side = std::max(kSquare, longest / kMostSquares + 1);
+    const GridCell first = first_of_square(lowest, side);
     GridCell square = first;
-    for (square.x = first.x; square.x <= last.x; square.x += kSquare) {
-        for (square.z = first.z; square.z <= last.z; square.z += kSquare) {
-            const Vec3 low(square.x * reached.grid.cell, region.min.y(), square.z * reached.grid.cell);
-            const Vec3 high(low.x() + side, region.max.y() + room, low.z() + side);
+    for (square.x = first.x; square.x <= last.x; square.x += side) {
+        for (square.z = first.z; square.z <= last.z; square.z += side) {
+            const Vec3 low(square.x * cell, region.min.y(), square.z * cell);
+            const Vec3 high(low.x() + side * cell, region.max.y() + room, low.z() + side * cell);
             const std::vector<Surface> all =
                 walkable_surfaces(world, settings, reached.grid,
                                   {low.cwiseMax(region.min), high.cwiseMin(region.max + Vec3(0, room, 0))});
             for (std::size_t i = 0; i < all.size(); ++i) {
-                if (first_of_square(all[i].cell, kSquare) == square && all[i].y <= region.max.y() &&
+                if (first_of_square(all[i].cell, side) == square && all[i].y <= region.max.y() &&
                     !is_covered(all, i, room) && !reached.find(all[i].cell, all[i].y, kSameGround)) {
                     unreached.push_back(all[i]);
                 }

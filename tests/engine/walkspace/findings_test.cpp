@@ -296,6 +296,17 @@ std::shared_ptr<const collision::MeshCollider> carpet() {
     return std::make_shared<const collision::MeshCollider>(std::move(mesh));
 }
 
+TEST_F(Findings, AnIslandMayLieAThousandKilometresAway) {
+    scene::Campus campus = walled_yard();
+    add_box(campus, "far", {1e6, -0.5, -1e6}, {1e6 + 4.0, 0, -1e6 + 4.0});
+    explored(campus);
+    const std::vector<Island> found = islands();
+    const auto is_far = [](const Island& island) { return island.bounds.min.x() > 9e5; };
+    ASSERT_EQ(std::ranges::count_if(found, is_far), 1) << "its top, not its underside as well";
+    const Island& far = *std::ranges::find_if(found, is_far);
+    EXPECT_NEAR(far.area(space_->grid), 16.0, 1.0);
+}
+
 TEST_F(Findings, ManyTrianglesAroundTheBodyAreAHotSpot) {
     scene::Campus campus = walled_yard();
     EXPECT_TRUE(find_hot_spots(WorkerWorlds(campus.world, 1, {}), settings_, explored(campus)).empty());
