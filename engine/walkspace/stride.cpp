@@ -274,12 +274,12 @@ void Strider::fall(const Vec3& desired, std::size_t ticks) {
 /// Whether it hangs in a wedge of faces too steep to stand on, after so many ticks in the air: it has moved
 /// next to nothing for a second.
 bool Strider::is_caught(std::size_t ticks) const {
-    const std::size_t second = ticks_in(5);
-    if (ticks < second || path_.size() < second) {
+    const std::size_t second = std::max<std::size_t>(2, ticks_in(5));
+    if (ticks < second || path_.size() <= second) {
         return false;
     }
     const auto is_here = [&](std::size_t ticks_ago) {
-        return (path_[path_.size() - ticks_ago] - state_.foot).cwiseAbs().maxCoeff() <= kCaught;
+        return (path_[path_.size() - 1 - ticks_ago] - state_.foot).cwiseAbs().maxCoeff() <= kCaught;
     };
     return is_here(second) && is_here(second / 2);
 }

@@ -255,5 +255,19 @@ TEST(Strider, SoonGivesUpABodyThatIsCaughtInTheAir) {
     EXPECT_LT(end.ticks, 120) << "rather than 1,800, which is half a minute";
 }
 
+TEST(Strider, FallsByLongTicks) {
+    const scene::Campus campus = varied_ground();
+    for (const double seconds : {0.5, 1.0}) {  // a fall over its rim
+        StrideSettings settings = strides_of();
+        settings.seconds = seconds;
+        Strider strider(campus.world, settings, {});
+        StrideEnd end = strider.put_down({9.0, 0, 9.0});
+        for (int i = 0; i < 20 && end.kind == StrideEnd::Kind::grounded; ++i) {
+            end = strider.take(end.at, {.direction = 0}, WalkGrid{});
+        }
+        EXPECT_EQ(end.kind, StrideEnd::Kind::gone);
+    }
+}
+
 }  // namespace
 }  // namespace campuswalk::engine

@@ -24,7 +24,7 @@ const char* text_of(engine::Bound bound) {
         case engine::Bound::levels:
             return "there were more levels above one another than are kept";
         case engine::Bound::falls:
-            return "a fall took longer than half a minute";
+            return "a fall didn't end: a body hung somewhere, or fell for half a minute";
         case engine::Bound::steering:
             return "in falls of over half a metre, some ways to steer were tried, not all";
     }
