@@ -114,10 +114,15 @@ public:
         const std::vector<ObjectId> touched = touched_;
         const std::vector<Ability> abilities = abilities_of(body);
         std::vector<Change> found;
-        const bool fits_nowhere = !is_exhausted() && !find_path(smallest_of(abilities), query_.from);
+        std::optional<bool> fits_nowhere;
         for (const Ability& ability : abilities) {
-            if (is_about_size(ability) && fits_nowhere) {
-                continue;
+            if (is_about_size(ability) && !found.empty()) {
+                if (!fits_nowhere) {
+                    fits_nowhere = !is_exhausted() && !find_path(smallest_of(abilities), query_.from);
+                }
+                if (*fits_nowhere) {
+                    continue;
+                }
             }
             if (auto barrier = try_ability(ability, body)) {
                 const double amount = change_of(*barrier);
@@ -395,7 +400,8 @@ private:
         return easiest;
     }
 
-    /// As slim and as low as can be: where that doesn't get, neither is enough.
+    /// As slim and as low as can be: where there is another way and that doesn't get there, neither is tried
+    /// by itself. It might be enough, as a slim body falls into gaps that others walk over.
     collision::MoverSettings smallest_of(std::vector<Ability> abilities) const {
         std::erase_if(abilities, [](const Ability& ability) { return !is_about_size(ability); });
         return easiest_of(abilities);
