@@ -26,6 +26,11 @@ constexpr double kOneSurface = 0.02;
 constexpr int kSquare = 64;
 constexpr int kMostSquares = 256;
 
+/// Cells are numbered so far from the origin, metres; nobody walks there.
+constexpr double kFarthest = 1e8;
+/// Of a cell's edge: points at which surfaces that stick out from under others are looked for.
+constexpr double kCloser = 3.0;
+
 /// By cell from low to high.
 bool in_order(const Surface& a, const Surface& b) {
     return std::tie(a.cell, a.y, a.object, a.triangle) < std::tie(b.cell, b.y, b.object, b.triangle);
@@ -112,16 +117,70 @@ void collect(SurfaceCollector& collector, const collision::World& world, ObjectI
     }
 }
 
-/// What a body that touches a surface takes up above that, however far it hangs over its edge, metres.
-double least_room(const ExploreSettings& settings) {
-    return settings.strides.body.height - 2.0 * settings.strides.body.radius;
-}
-
-/// Whether no body has room between the surface and the next one above it.
+/// Whether another surface lies so close above that no body has room between them: it takes up its height
+/// less its radius twice above what it touches, however far it hangs over an edge. `surfaces`: in order.
 bool is_covered(std::span<const Surface> surfaces, std::size_t i, double room) {
     return i + 1 < surfaces.size() && surfaces[i + 1].cell == surfaces[i].cell &&
            surfaces[i + 1].y - surfaces[i].y < room;
 }
+
+/// Tells which surfaces of a square no body touches.
+class Covers {
+public:
+    Covers(const collision::World& world, const ExploreSettings& settings, const WalkGrid& grid)
+        : world_(world),
+          settings_(settings),
+          grid_(grid),
+          room_(settings.strides.body.height - 2.0 * settings.strides.body.radius) {}
+
+    double room() const { return room_; }
+
+    /// Whether the surface is covered, and doesn't stick out from under what covers it beside its cell's
+    /// middle.
+    bool is_untouchable(std::span<const Surface> surfaces, std::size_t i) const {
+        if (!is_covered(surfaces, i, room_)) {
+            return false;
+        }
+        const Surface& surface = surfaces[i];
+        const auto has_cover = [&](const GridDirection& side) {
+            const GridCell beside{surface.cell.x + side.x, surface.cell.z + side.z};
+            const auto there = std::ranges::equal_range(surfaces, beside, {}, &Surface::cell);
+            return std::ranges::any_of(there, [&](const Surface& above) {
+                return above.y > surface.y + kOneSurface && above.y < surface.y + room_;
+            });
+        };
+        return std::all_of(grid_directions().begin(), grid_directions().end(), has_cover) ||
+               !sticks_out(surface);
+    }
+
+private:
+    /// At closer points of its cell and those around.
+    bool sticks_out(const Surface& surface) const {
+        const WalkGrid finer{grid_.cell / kCloser};
+        const Vec3 reach(1.49 * grid_.cell, 0.0, 1.49 * grid_.cell);
+        Vec3 low = grid_.center(surface.cell) - reach;
+        Vec3 high = grid_.center(surface.cell) + reach;
+        low.y() = surface.y - kSameGround;
+        high.y() = surface.y + kSameGround + room_;
+        const std::vector<Surface> near = walkable_surfaces(world_, settings_, finer, {low, high});
+        const auto apart = [&](const Surface& there) { return std::abs(there.y - surface.y); };
+        for (std::size_t i = 0, end = 0; i < near.size(); i = end) {
+            std::size_t nearest = i;
+            for (end = i + 1; end < near.size() && near[end].cell == near[i].cell; ++end) {
+                nearest = apart(near[end]) < apart(near[nearest]) ? end : nearest;
+            }
+            if (apart(near[nearest]) <= kSameGround && !is_covered(near, nearest, room_)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    const collision::World& world_;
+    const ExploreSettings& settings_;
+    const WalkGrid& grid_;
+    double room_;
+};
 
 }  // namespace
 
@@ -148,10 +207,11 @@ std::vector<Surface> unreached_surfaces(const collision::World& world, const Exp
     if (region.empty()) {
         return unreached;
     }
-    const double room = least_room(settings);
+    const Covers covers(world, settings, reached.grid);
+    const double room = covers.room();
     const double cell = reached.grid.cell;
-    const GridCell lowest = reached.grid.cell_at(region.min);
-    const GridCell last = reached.grid.cell_at(region.max);
+    const GridCell lowest = reached.grid.cell_at(region.min.cwiseMax(-kFarthest));
+    const GridCell last = reached.grid.cell_at(region.max.cwiseMin(kFarthest));
     const int longest = std::max(last.x - lowest.x, last.z - lowest.z);
     const int side = std::max(kSquare, longest / kMostSquares + 1);
     const GridCell first = first_of_square(lowest, side);
@@ -165,7 +225,7 @@ std::vector<Surface> unreached_surfaces(const collision::World& world, const Exp
                                   {low.cwiseMax(region.min), high.cwiseMin(region.max + Vec3(0, room, 0))});
             for (std::size_t i = 0; i < all.size(); ++i) {
                 if (first_of_square(all[i].cell, side) == square && all[i].y <= region.max.y() &&
-                    !is_covered(all, i, room) && !reached.find(all[i].cell, all[i].y, kSameGround)) {
+                    !reached.find(all[i].cell, all[i].y, kSameGround) && !covers.is_untouchable(all, i)) {
                     unreached.push_back(all[i]);
                 }
             }

@@ -21,8 +21,8 @@ struct Surface {
 std::vector<Surface> walkable_surfaces(const collision::World& world, const ExploreSettings& settings,
                                        const WalkGrid& grid, const collision::Aabb& region);
 
-/// Likewise, those that have no reached node, without those so close below another one that no body touches
-/// them.
+/// Likewise, those that have no reached node, without those so close below others that no body touches them.
+/// What sticks out less than a third of a cell from under another counts as below it.
 std::vector<Surface> unreached_surfaces(const collision::World& world, const ExploreSettings& settings,
                                         const WalkSpace& reached, const collision::Aabb& region);
 
