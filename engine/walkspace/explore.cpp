@@ -1,7 +1,6 @@
 #include "engine/walkspace/explore.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <set>
 #include <span>
@@ -28,7 +27,7 @@ constexpr std::uint8_t kStridesBetweenKeyframes = 32;
 constexpr std::uint32_t kTicksOfRound = 600;
 /// Likewise on the way to a goal, where what a round explores too much is wasted.
 constexpr std::uint32_t kTicksOfGoalRound = 30;
-/// From this height on a fall is also steered later, metres: see steered_strides.
+/// From this height on a fall is steered up to three fifths of a second later, metres: see steered_strides.
 constexpr double kHighFall = 2.0;
 /// So many falls are steered before what they lead to becomes nodes.
 constexpr std::size_t kFallsAtOnce = 64;
@@ -113,9 +112,7 @@ private:
                 break;
             }
             limit = std::min(std::max(limit, *earliest) + round, settings_.max_ticks);
-            for_each_tile(
-                [&](const Frontier& f) { return !f.is_empty() && f.next_order() < limit; },
-                [&](std::uint32_t tile, StrideWorker& worker) { explore_tile(tile, limit, worker); });
+            explore_tiles(limit);
             note_goal();
             const std::size_t nodes = space_.node_count();
             if (nodes > settings_.max_nodes) {
@@ -207,19 +204,19 @@ private:
         return parity(tile.first_cell.x) + 2 * parity(tile.first_cell.z);
     }
 
-    /// Calls `work(tile, worker)` for those tiles in which there is something to do. Tiles side by side are
-    /// never worked on at once: each looks at its neighbours' nodes.
-    template <typename IsActive, typename Work>
-    void for_each_tile(const IsActive& is_active, const Work& work) {
+    /// Those in which there is something to do. Tiles side by side are never worked on at once: each looks at
+    /// its neighbours' nodes.
+    void explore_tiles(std::uint32_t limit) {
         for (std::size_t color = 0; color < 4; ++color) {
             std::vector<std::uint32_t> active;
             for (std::uint32_t i = 0; i < frontiers_.size(); ++i) {
-                if (is_active(frontiers_[i]) && color_of(space_.tiles[i]) == color) {
+                if (!frontiers_[i].is_empty() && frontiers_[i].next_order() < limit &&
+                    color_of(space_.tiles[i]) == color) {
                     active.push_back(i);
                 }
             }
             for_each_item(active.size(), workers_.size(), [&](std::size_t worker, std::size_t item) {
-                work(active[item], workers_[worker]);
+                explore_tile(active[item], limit, workers_[worker]);
             });
             receive_from(active);
         }

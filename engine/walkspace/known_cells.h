@@ -10,7 +10,8 @@
 
 namespace campuswalk::engine {
 
-/// What an exploration needn't stride to again. Threads may ask about tiles that don't lie side by side.
+/// What an exploration needn't stride to again. Threads may ask about tiles
+/// while no other changes them or those around them.
 class KnownCells {
 public:
     /// `frontiers`: by tile. All of them must outlive it, where they are.

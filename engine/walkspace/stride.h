@@ -106,6 +106,8 @@ public:
     /// Whether a body that has crouched has room to stand up; true for others.
     bool has_headroom(const GroundState& at);
 
+    /// The next stride shares nothing with the last one.
+    void forget_last_stride() { shared_.forks.clear(); }
     /// Gives memory back that was only needed in dense surroundings. Nothing is found otherwise for it.
     void forget_dense_surroundings();
 

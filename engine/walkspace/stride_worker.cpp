@@ -34,6 +34,7 @@ StrideEnd StrideWorker::take(std::uint32_t tile, const GroundState& from, const 
 }
 
 std::vector<SteeredEnd> StrideWorker::steer(std::uint32_t tile, const Fall& fall) {
+    strider_.forget_last_stride();  // which of the threads took it must make no difference
     std::vector<SteeredEnd> ends;
     const auto try_stride = [&](const Stride& stride) {
         const StrideEnd end = take(tile, fall.at, stride);
