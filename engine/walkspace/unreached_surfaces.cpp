@@ -144,10 +144,11 @@ public:
         const Surface& surface = surfaces[i];
         const auto has_cover = [&](const GridDirection& side) {
             const GridCell beside{surface.cell.x + side.x, surface.cell.z + side.z};
-            const auto there = std::ranges::equal_range(surfaces, beside, {}, &Surface::cell);
-            return std::ranges::any_of(there, [&](const Surface& above) {
-                return above.y > surface.y + kOneSurface && above.y < surface.y + room_;
-            });
+            auto above = std::ranges::lower_bound(surfaces, beside, {}, &Surface::cell);
+            while (above != surfaces.end() && above->cell == beside && above->y <= surface.y + kOneSurface) {
+                ++above;
+            }
+            return above != surfaces.end() && above->cell == beside && above->y < surface.y + room_;
         };
         return std::all_of(grid_directions().begin(), grid_directions().end(), has_cover) ||
                !sticks_out(surface);
