@@ -38,7 +38,7 @@ constexpr double kDiagonalsLater = 0.19;
 class Exploration {
 public:
     Exploration(const WorkerWorlds& worlds, const ExploreSettings& settings)
-        : settings_(settings), order_(settings), space_(WalkGrid{cell_for(settings)}) {
+        : worlds_(worlds), settings_(settings), order_(settings), space_(WalkGrid{cell_for(settings)}) {
         if (!has_goal()) {  // on a path to a goal they are as good
             diagonals_later_ = order_.ticks_in(kDiagonalsLater / settings_.strides.walk_speed);
         }
@@ -143,7 +143,7 @@ private:
         if (!settings_.steer_falls) {
             return false;
         }
-        const LandingPlaces places(workers_.front().strider().world(), settings_, space_, edges);
+        const LandingPlaces places(worlds_, settings_, space_, edges);
         for (std::size_t first = 0; first < falls.size() && !space_.goal; first += kFallsAtOnce) {
             const std::size_t count = std::min(kFallsAtOnce, falls.size() - first);
             steer(std::span(falls).subspan(first, count), places);
@@ -442,6 +442,7 @@ private:
         return std::move(space_);
     }
 
+    const WorkerWorlds& worlds_;
     const ExploreSettings& settings_;
     const PathOrder order_;
     std::uint32_t diagonals_later_ = 0;  ///< ticks

@@ -29,22 +29,22 @@ bool is_round(const collision::Shape& shape) {
 
 }  // namespace
 
-LandingPlaces::LandingPlaces(const collision::World& world, const ExploreSettings& settings,
+LandingPlaces::LandingPlaces(const WorkerWorlds& worlds, const ExploreSettings& settings,
                              const WalkSpace& reached, const std::vector<FallEdge>& edges)
-    : settings_(settings), bottom_(world.bounds().min.y()) {
+    : settings_(settings), bottom_(worlds[0].bounds().min.y()) {
     collision::Aabb region;
     for (const FallEdge& edge : edges) {
         region.extend(region_below(edge));
     }
     if (!region.empty()) {
-        add_surfaces(world, reached, region);
-        add_round_solids(world, region);
+        add_surfaces(worlds, reached, region);
+        add_round_solids(worlds[0], region);
     }
 }
 
-void LandingPlaces::add_surfaces(const collision::World& world, const WalkSpace& reached,
+void LandingPlaces::add_surfaces(const WorkerWorlds& worlds, const WalkSpace& reached,
                                  const collision::Aabb& region) {
-    for (const Surface& surface : unreached_surfaces(world, settings_, reached, region)) {
+    for (const Surface& surface : unreached_surfaces(worlds, settings_, reached, region)) {
         Vec3 at = reached.grid.center(surface.cell);
         at.y() = surface.y;
         if (!is_explored_elsewhere(at)) {

@@ -20,14 +20,14 @@ struct FallEdge {
 class LandingPlaces {
 public:
     /// Finds those below the edges.
-    LandingPlaces(const collision::World& world, const ExploreSettings& settings, const WalkSpace& reached,
+    LandingPlaces(const WorkerWorlds& worlds, const ExploreSettings& settings, const WalkSpace& reached,
                   const std::vector<FallEdge>& edges);
 
     /// Whether a body that leaves the ground there may land on one, steered as it likes.
     bool has_any_below(const FallEdge& edge) const;
 
 private:
-    void add_surfaces(const collision::World& world, const WalkSpace& reached, const collision::Aabb& region);
+    void add_surfaces(const WorkerWorlds& worlds, const WalkSpace& reached, const collision::Aabb& region);
     void add_round_solids(const collision::World& world, const collision::Aabb& region);
     void add(const collision::Vec3& at);
     bool is_explored_elsewhere(const collision::Vec3& at) const;

@@ -155,7 +155,7 @@ Vec3 Island::nearest_to(const Vec3& point) const {
 std::vector<Island> find_unreached_ground(const WorkerWorlds& worlds, const ExploreSettings& settings,
                                           const WalkSpace& reached, double least_area) {
     const collision::Aabb& region = settings.within.empty() ? worlds[0].bounds() : settings.within;
-    const std::vector<Surface> surfaces = unreached_surfaces(worlds[0], settings, reached, region);
+    const std::vector<Surface> surfaces = unreached_surfaces(worlds, settings, reached, region);
     const std::vector<UnreachedSpot> spots = spots_with_room(worlds, settings, reached, surfaces);
     SpotJoiner joiner(worlds, settings, reached.grid, spots);
     return islands_of(spots, joiner.sets(), reached.grid, least_area);

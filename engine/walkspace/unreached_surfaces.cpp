@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "collision/mesh/mesh_query.h"
+#include "engine/walkspace/worker_threads.h"
 
 namespace campuswalk::engine {
 
@@ -155,10 +156,10 @@ public:
     }
 
 private:
-    /// At closer points of its cell and those around.
+    /// At closer points in and around its cell.
     bool sticks_out(const Surface& surface) const {
         const WalkGrid finer{grid_.cell / kCloser};
-        const Vec3 reach(1.49 * grid_.cell, 0.0, 1.49 * grid_.cell);
+        const Vec3 reach(grid_.cell, 0.0, grid_.cell);  // farther off, a cell's middle would be on it
         Vec3 low = grid_.center(surface.cell) - reach;
         Vec3 high = grid_.center(surface.cell) + reach;
         low.y() = surface.y - kSameGround;
@@ -183,6 +184,27 @@ private:
     double room_;
 };
 
+/// Of the square of `side` x `side` cells with this one first, as far as it lies in the region.
+std::vector<Surface> unreached_in_square(const collision::World& world, const ExploreSettings& settings,
+                                         const WalkSpace& reached, const collision::Aabb& region,
+                                         const GridCell& square, int side) {
+    const Covers covers(world, settings, reached.grid);
+    const double cell = reached.grid.cell;
+    const Vec3 low(square.x * cell, region.min.y(), square.z * cell);
+    const Vec3 high = low + side * cell * Vec3::Ones();
+    collision::Aabb part{low.cwiseMax(region.min), high.cwiseMin(region.max)};
+    part.max.y() = region.max.y() + covers.room();
+    const std::vector<Surface> all = walkable_surfaces(world, settings, reached.grid, part);
+    std::vector<Surface> unreached;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (first_of_square(all[i].cell, side) == square && all[i].y <= region.max.y() &&
+            !reached.find(all[i].cell, all[i].y, kSameGround) && !covers.is_untouchable(all, i)) {
+            unreached.push_back(all[i]);
+        }
+    }
+    return unreached;
+}
+
 }  // namespace
 
 std::vector<Surface> walkable_surfaces(const collision::World& world, const ExploreSettings& settings,
@@ -202,35 +224,29 @@ std::vector<Surface> walkable_surfaces(const collision::World& world, const Expl
     return surfaces;
 }
 
-std::vector<Surface> unreached_surfaces(const collision::World& world, const ExploreSettings& settings,
+std::vector<Surface> unreached_surfaces(const WorkerWorlds& worlds, const ExploreSettings& settings,
                                         const WalkSpace& reached, const collision::Aabb& region) {
-    std::vector<Surface> unreached;
     if (region.empty()) {
-        return unreached;
+        return {};
     }
-    const Covers covers(world, settings, reached.grid);
-    const double room = covers.room();
-    const double cell = reached.grid.cell;
     const GridCell lowest = reached.grid.cell_at(region.min.cwiseMax(-kFarthest));
     const GridCell last = reached.grid.cell_at(region.max.cwiseMin(kFarthest));
     const int longest = std::max(last.x - lowest.x, last.z - lowest.z);
     const int side = std::max(kSquare, longest / kMostSquares + 1);
     const GridCell first = first_of_square(lowest, side);
-    GridCell square = first;
-    for (square.x = first.x; square.x <= last.x; square.x += side) {
-        for (square.z = first.z; square.z <= last.z; square.z += side) {
-            const Vec3 low(square.x * cell, region.min.y(), square.z * cell);
-            const Vec3 high(low.x() + side * cell, region.max.y() + room, low.z() + side * cell);
-            const std::vector<Surface> all =
-                walkable_surfaces(world, settings, reached.grid,
-                                  {low.cwiseMax(region.min), high.cwiseMin(region.max + Vec3(0, room, 0))});
-            for (std::size_t i = 0; i < all.size(); ++i) {
-                if (first_of_square(all[i].cell, side) == square && all[i].y <= region.max.y() &&
-                    !reached.find(all[i].cell, all[i].y, kSameGround) && !covers.is_untouchable(all, i)) {
-                    unreached.push_back(all[i]);
-                }
-            }
+    std::vector<GridCell> squares;
+    for (int x = first.x; x <= last.x; x += side) {
+        for (int z = first.z; z <= last.z; z += side) {
+            squares.push_back({x, z});
         }
+    }
+    std::vector<std::vector<Surface>> found(squares.size());
+    for_each_item(squares.size(), worlds.size(), [&](std::size_t worker, std::size_t i) {
+        found[i] = unreached_in_square(worlds[worker], settings, reached, region, squares[i], side);
+    });
+    std::vector<Surface> unreached;
+    for (const std::vector<Surface>& surfaces : found) {
+        unreached.insert(unreached.end(), surfaces.begin(), surfaces.end());
     }
     std::ranges::sort(unreached, in_order);
     return unreached;

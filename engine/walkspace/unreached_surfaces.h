@@ -23,7 +23,7 @@ std::vector<Surface> walkable_surfaces(const collision::World& world, const Expl
 
 /// Likewise, those that have no reached node, without those so close below others that no body touches them.
 /// What sticks out less than a third of a cell from under another counts as below it.
-std::vector<Surface> unreached_surfaces(const collision::World& world, const ExploreSettings& settings,
+std::vector<Surface> unreached_surfaces(const WorkerWorlds& worlds, const ExploreSettings& settings,
                                         const WalkSpace& reached, const collision::Aabb& region);
 
 }  // namespace campuswalk::engine
