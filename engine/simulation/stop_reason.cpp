@@ -7,6 +7,7 @@
 #include "engine/events/decimals.h"
 #include "engine/walkspace/barrier_text.h"
 #include "engine/walkspace/explore.h"
+#include "engine/walkspace/opposing_contact.h"
 #include "engine/walkspace/why_not.h"
 
 namespace campuswalk::engine {

@@ -64,19 +64,6 @@ struct PassageQuery {
 std::optional<Barrier> why_not(const WorkerWorlds& worlds, const ExploreSettings& settings,
                                const PassageQuery& query);
 
-/// What stops a body, and where it touches it.
-struct OpposingContact {
-    collision::ObjectId object{};
-    std::uint32_t triangle = 0;
-    collision::Vec3 at = collision::Vec3::Zero();  ///< on the object
-};
-
-/// Of what a body at `foot` touches or nearly touches, what opposes a move `ahead` (horizontal) most.
-std::optional<OpposingContact> opposing_contact(const collision::World& world,
-                                                const collision::QueryFilter& solids,
-                                                const collision::MoverSettings& body,
-                                                const collision::Vec3& foot, const collision::Vec3& ahead);
-
 /// A ledge higher than this is climbed by no one, metres.
 inline constexpr double kHighestLedge = 3.0;
 /// What is called a riser and not a ledge, metres.
