@@ -12,6 +12,7 @@
 #include "engine/walkspace/path_order.h"
 #include "engine/walkspace/stride_worker.h"
 #include "engine/walkspace/tight_growth.h"
+#include "engine/walkspace/tile_order.h"
 #include "engine/walkspace/worker_threads.h"
 
 namespace campuswalk::engine {
@@ -197,35 +198,39 @@ private:
         return earliest;
     }
 
-    static std::size_t color_of(const WalkTile& tile) {
-        const auto parity = [](int first_cell) {
-            return static_cast<std::size_t>((first_cell / WalkTile::kCells) & 1);
-        };
-        return parity(tile.first_cell.x) + 2 * parity(tile.first_cell.z);
+    /// Those in which there is something to do before `limit`, or that one gets to from there.
+    void explore_tiles(std::uint32_t limit) {
+        std::vector<std::uint32_t> active;
+        for (std::uint32_t i = 0; i < frontiers_.size(); ++i) {
+            if (!frontiers_[i].is_empty() && frontiers_[i].next_order() < limit) {
+                active.push_back(i);
+            }
+        }
+        const TileOrder order = order_around(active, space_);
+        for_each_item_in_order(order.after, workers_.size(), [&](std::size_t worker, std::size_t item) {
+            const std::uint32_t tile = order.tiles[item];
+            for (const std::size_t earlier : order.after[item]) {
+                take_from(frontiers_[order.tiles[earlier]].outbox, tile, workers_[worker]);
+            }
+            explore_tile(tile, limit, workers_[worker]);
+        });
+        receive_from(order.tiles);
     }
 
-    /// Those in which there is something to do. Tiles side by side are never worked on at once: each looks at
-    /// its neighbours' nodes.
-    void explore_tiles(std::uint32_t limit) {
-        for (std::size_t color = 0; color < 4; ++color) {
-            std::vector<std::uint32_t> active;
-            for (std::uint32_t i = 0; i < frontiers_.size(); ++i) {
-                if (!frontiers_[i].is_empty() && frontiers_[i].next_order() < limit &&
-                    color_of(space_.tiles[i]) == color) {
-                    active.push_back(i);
-                }
+    /// What came from beside the tile; others may look at the same.
+    void take_from(const std::vector<Arrival>& outbox, std::uint32_t tile, StrideWorker& worker) {
+        for (const Arrival& arrival : outbox) {
+            if (space_.tiles[tile].contains(arrival.cell)) {
+                receive(tile, arrival, worker);
             }
-            for_each_item(active.size(), workers_.size(), [&](std::size_t worker, std::size_t item) {
-                explore_tile(active[item], limit, workers_[worker]);
-            });
-            receive_from(active);
         }
     }
 
+    /// What is already received makes no difference.
     void receive_from(const std::vector<std::uint32_t>& tiles) {
         for (const std::uint32_t tile : tiles) {
             for (const Arrival& arrival : std::exchange(frontiers_[tile].outbox, {})) {
-                receive(arrival);
+                receive(tile_for(arrival.cell), arrival, workers_.front());
             }
         }
     }
@@ -367,9 +372,8 @@ private:
         }
     }
 
-    /// Of a stride out of its tile; one at a time.
-    void receive(const Arrival& arrival) {
-        const std::uint32_t tile = tile_for(arrival.cell);
+    /// Of a stride out of its tile.
+    void receive(std::uint32_t tile, const Arrival& arrival, StrideWorker& worker) {
         WalkTile& own = space_.tiles[tile];
         if (own.has(own.index_of(arrival.cell), arrival.at.foot.y(), arrival.hangs)) {
             return;
@@ -382,7 +386,7 @@ private:
         if (node.parent_tile == WalkNode::kFarParent) {
             own.far_parents.push_back({static_cast<std::uint16_t>(own.nodes.size()), arrival.parent.tile});
         }
-        add_arrival(tile, node, arrival, workers_.front());
+        add_arrival(tile, node, arrival, worker);
     }
 
     void add_arrival(std::uint32_t tile, WalkNode node, const Arrival& arrival, StrideWorker& worker) {

@@ -57,6 +57,18 @@ bool Frontier::has_sent(const GridCell& cell, double y, bool hangs) const {
     });
 }
 
+std::optional<double> Frontier::level_sent(const GridCell& cell, double y, double tolerance) const {
+    std::optional<double> nearest;
+    for (const Arrival& arrival : outbox) {
+        const double apart = std::abs(arrival.at.foot.y() - y);
+        if (arrival.cell == cell && apart <= tolerance) {
+            tolerance = apart;
+            nearest = arrival.at.foot.y();
+        }
+    }
+    return nearest;
+}
+
 void Frontier::keep(const Fall& fall, const GridCell& edge) {
     const float height = fall.edge.y();
     const bool is_known = std::ranges::any_of(edges_, [&](const auto& known) {

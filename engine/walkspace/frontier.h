@@ -73,6 +73,8 @@ public:
 
     /// Whether the outbox has an arrival in this cell and at this height.
     bool has_sent(const GridCell& cell, double y, bool hangs) const;
+    /// The height of the one in this cell that is nearest to `y`, within `tolerance`.
+    std::optional<double> level_sent(const GridCell& cell, double y, double tolerance) const;
     /// Keeps the fall unless there is one from this cell and height of an edge already.
     void keep(const Fall& fall, const GridCell& edge);
 

@@ -1,5 +1,7 @@
 #include "engine/walkspace/known_cells.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "engine/script/travel.h"
@@ -19,15 +21,25 @@ bool KnownCells::has(const GridCell& cell, double y, bool hangs, std::uint32_t t
     if (settings_.known != nullptr && settings_.known->find(cell, y)) {
         return true;
     }
-    const std::size_t side = space_.tiles[tile].side_of(cell);
-    const std::uint32_t number = space_.tiles[tile].neighbours[side];
+    const WalkTile& own = space_.tiles[tile];
+    const std::size_t side = own.side_of(cell);
+    const std::uint32_t number = own.neighbours[side];
     if (number != WalkTile::kNoTile) {
         const WalkTile& other = space_.tiles[number];
         if (other.has(other.index_of(cell), y, hangs)) {
             return true;
         }
     }
-    return side != 4 && !settings_.towards && frontiers_[tile].has_sent(cell, y, hangs);
+    if (settings_.towards || side == 4) {
+        return false;
+    }
+    if (number != WalkTile::kNoTile) {
+        return frontiers_[tile].has_sent(cell, y, hangs);
+    }
+    // Where there is no tile yet, what those around have sent is still with them.
+    return std::ranges::any_of(own.neighbours, [&](std::uint32_t around) {
+        return around != WalkTile::kNoTile && frontiers_[around].has_sent(cell, y, hangs);
+    });
 }
 
 bool KnownCells::has_ahead(const GridCell& ahead, const GridCell& behind, double y,
@@ -54,13 +66,23 @@ bool KnownCells::has_all_near(const Vec3& foot, double metres, bool hangs, std::
 /// The height of the cell's node nearest to a height; the cell is in the tile or beside it.
 std::optional<double> KnownCells::level_in(const GridCell& cell, double y, double tolerance,
                                            std::uint32_t tile) const {
-    const std::uint32_t number = space_.tiles[tile].neighbours[space_.tiles[tile].side_of(cell)];
-    if (number == WalkTile::kNoTile) {
-        return std::nullopt;
+    const WalkTile& own = space_.tiles[tile];
+    const std::uint32_t number = own.neighbours[own.side_of(cell)];
+    if (number != WalkTile::kNoTile) {
+        const WalkTile& other = space_.tiles[number];
+        const auto node = other.find(other.index_of(cell), y, tolerance);
+        return node ? std::optional<double>(other.nodes[*node].y) : std::nullopt;
     }
-    const WalkTile& other = space_.tiles[number];
-    const auto node = other.find(other.index_of(cell), y, tolerance);
-    return node ? std::optional<double>(other.nodes[*node].y) : std::nullopt;
+    std::optional<double> level;
+    for (const std::uint32_t around : own.neighbours) {
+        if (around != WalkTile::kNoTile && !settings_.towards) {
+            if (const auto sent = frontiers_[around].level_sent(cell, y, tolerance)) {
+                level = sent;
+                tolerance = std::abs(*sent - y);
+            }
+        }
+    }
+    return level;
 }
 
 }  // namespace campuswalk::engine

@@ -1,25 +1,93 @@
 #include "engine/walkspace/worker_threads.h"
 
 #include <algorithm>
-#include <atomic>
+#include <condition_variable>
 #include <exception>
+#include <mutex>
+#include <optional>
+#include <queue>
 #include <thread>
-#include <vector>
 
 namespace campuswalk::engine {
 
-void for_each_item(std::size_t items, std::size_t workers,
-                   const std::function<void(std::size_t worker, std::size_t item)>& work) {
-    const std::size_t threads = std::min(items, workers);
-    std::atomic<std::size_t> next = 0;
-    std::vector<std::exception_ptr> failures(std::max<std::size_t>(threads, 1));
+namespace {
+
+/// Tells threads what to work on next.
+class Schedule {
+public:
+    explicit Schedule(const std::vector<std::vector<std::size_t>>& after)
+        : awaited_(after.size()), followers_(after.size()), left_(after.size()) {
+        for (std::size_t item = 0; item < after.size(); ++item) {
+            awaited_[item] = after[item].size();
+            for (const std::size_t earlier : after[item]) {
+                followers_[earlier].push_back(item);
+            }
+            if (after[item].empty()) {
+                ready_.push(item);
+            }
+        }
+    }
+
+    /// The lowest item that comes after nothing that isn't done, once there is one; none if all are taken.
+    std::optional<std::size_t> take() {
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, [&] { return left_ == 0 || !ready_.empty(); });
+        if (left_ == 0) {
+            return std::nullopt;
+        }
+        const std::size_t item = ready_.top();
+        ready_.pop();
+        if (--left_ == 0) {
+            changed_.notify_all();
+        }
+        return item;
+    }
+
+    void note_done(std::size_t item) {
+        const std::scoped_lock lock(mutex_);
+        for (const std::size_t follower : followers_[item]) {
+            if (--awaited_[follower] == 0) {
+                ready_.push(follower);
+                changed_.notify_one();
+            }
+        }
+    }
+
+    void stop() {
+        const std::scoped_lock lock(mutex_);
+        left_ = 0;
+        changed_.notify_all();
+    }
+
+private:
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::vector<std::size_t> awaited_;  ///< by item: of those that it comes after, how many aren't done
+    std::vector<std::vector<std::size_t>> followers_;  ///< by item
+    std::priority_queue<std::size_t, std::vector<std::size_t>, std::greater<>> ready_;
+    std::size_t left_;  ///< not taken yet
+};
+
+}  // namespace
+
+void for_each_item(std::size_t items, std::size_t workers, const ItemWork& work) {
+    for_each_item_in_order(std::vector<std::vector<std::size_t>>(items), workers, work);
+}
+
+void for_each_item_in_order(const std::vector<std::vector<std::size_t>>& after, std::size_t workers,
+                            const ItemWork& work) {
+    Schedule schedule(after);
+    const std::size_t threads = std::max<std::size_t>(1, std::min(after.size(), workers));
+    std::vector<std::exception_ptr> failures(threads);
     const auto run = [&](std::size_t worker) {
         try {
-            for (std::size_t i = next++; i < items; i = next++) {
-                work(worker, i);
+            while (const auto item = schedule.take()) {
+                work(worker, *item);
+                schedule.note_done(*item);
             }
         } catch (...) {
             failures[worker] = std::current_exception();
+            schedule.stop();
         }
     };
     {

@@ -51,5 +51,69 @@ TEST(ForEachItem, ThrowsWhatTheWorkThrows) {
     }
 }
 
+/// Each item comes after the two before it in its row, and the one above it.
+std::vector<std::vector<std::size_t>> items_of_rows(std::size_t rows, std::size_t columns) {
+    std::vector<std::vector<std::size_t>> after(rows * columns);
+    for (std::size_t item = 0; item < after.size(); ++item) {
+        for (const std::size_t back : {std::size_t{1}, std::size_t{2}}) {
+            if (item % columns >= back) {
+                after[item].push_back(item - back);
+            }
+        }
+        if (item >= columns) {
+            after[item].push_back(item - columns);
+        }
+    }
+    return after;
+}
+
+TEST(ForEachItemInOrder, WorksOnEachItemOnceAfterThoseBeforeIt) {
+    const auto after = items_of_rows(20, 30);
+    for (const std::size_t workers : {1U, 2U, 5U}) {
+        std::vector<int> times(after.size(), 0);  // not atomic: what an item reads is done
+        std::atomic<int> too_early = 0;
+        for_each_item_in_order(after, workers, [&](std::size_t, std::size_t item) {
+            for (const std::size_t earlier : after[item]) {
+                too_early += times[earlier] == 1 ? 0 : 1;
+            }
+            ++times[item];
+        });
+        EXPECT_EQ(too_early, 0);
+        EXPECT_EQ(times, std::vector<int>(after.size(), 1));
+    }
+}
+
+TEST(ForEachItemInOrder, WaitsForOneItemAloneWhereOthersMayGoOn) {
+    // 1 and 3 come after 0, which isn't done until 2 is.
+    const std::vector<std::vector<std::size_t>> after{{}, {0}, {}, {0}};
+    std::atomic<bool> two_is_done = false;
+    std::atomic<int> done = 0;
+    for_each_item_in_order(after, 2, [&](std::size_t, std::size_t item) {
+        if (item == 0) {
+            two_is_done.wait(false);
+        } else if (item == 2) {
+            two_is_done = true;
+            two_is_done.notify_all();
+        }
+        ++done;
+    });
+    EXPECT_EQ(done, 4);
+}
+
+TEST(ForEachItemInOrder, ThrowsThoughOthersWait) {
+    for (const std::size_t workers : {1U, 3U}) {
+        std::atomic<int> later = 0;
+        EXPECT_THROW(for_each_item_in_order({{}, {0}, {0}, {1, 2}}, workers,
+                                            [&](std::size_t, std::size_t item) {
+                                                if (item == 0) {
+                                                    throw std::runtime_error("broken");
+                                                }
+                                                ++later;
+                                            }),
+                     std::runtime_error);
+        EXPECT_EQ(later, 0);
+    }
+}
+
 }  // namespace
 }  // namespace campuswalk::engine
