@@ -5,6 +5,7 @@
 
 #include "engine/events/decimals.h"
 #include "engine/script/travel.h"
+#include "engine/simulation/cached_route.h"
 #include "engine/walkspace/keep_out.h"
 #include "engine/walkspace/route.h"
 #include "engine/walkspace/tight_places.h"
@@ -54,9 +55,7 @@ RouteSettings BodyRoutes::settings(double speed) const {
 PlannedRoute BodyRoutes::plan(const GoToStep& step, double speed) {
     const RouteSettings settings = this->settings(speed);
     const auto plan = [&] { return plan_anew(step, settings); };
-    return memory_ != nullptr && memory_->cache
-               ? cached_route({step, body_.mover_state(), settings}, *memory_->cache, plan)
-               : plan();
+    return memory_ != nullptr ? cached_route({step, body_.mover_state(), settings}, *memory_, plan) : plan();
 }
 
 PlannedRoute BodyRoutes::plan_anew(const GoToStep& step, RouteSettings settings) const {

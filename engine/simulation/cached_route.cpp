@@ -1,5 +1,6 @@
 #include "engine/simulation/cached_route.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -21,15 +22,13 @@ const scene::CacheFolder::Kind kRouteKind = "route";
 /// Increment the version whenever the layout changes, or how routes are planned and walked.
 constexpr scene::FileKind kRouteFile = {{'c', 'w', ' ', 'r', 'o', 'u', 't', 'e'}, 6};
 
+/// A process keeps at most so many, of about a kilobyte each.
+constexpr std::size_t kMostRoutes = 10'000;
+
 // ---- what it depends on -------------------------------------------------------------------------------
 
 class RouteHasher {
 public:
-    explicit RouteHasher(const ContentHash& campus) {
-        hasher_.add_text(kRouteKind);
-        hasher_.add_hash(campus);
-    }
-
     void add(double number) { hasher_.add_number(number); }
     void add(std::uint64_t number) { hasher_.add_number(number); }
     void add(const Vector3d& p) {
@@ -93,12 +92,21 @@ private:
     ContentHasher hasher_;
 };
 
-ContentHash key_of_route(const RouteInputs& inputs, const RouteCache& cache) {
-    RouteHasher hasher(cache.campus);
+/// In one campus.
+ContentHash key_of_route(const RouteInputs& inputs) {
+    RouteHasher hasher;
     hasher.add(inputs.step);
     hasher.add(inputs.from);
     hasher.add(inputs.settings.strides);
     hasher.add(inputs.settings.solids);
+    return hasher.result();
+}
+
+ContentHash key_of_file(const ContentHash& route, const ContentHash& campus) {
+    ContentHasher hasher;
+    hasher.add_text(kRouteKind);
+    hasher.add_hash(campus);
+    hasher.add_hash(route);
     return hasher.result();
 }
 
@@ -169,7 +177,7 @@ PlannedRoute read_route_file(std::span<const std::byte> bytes) {
     return planned;
 }
 
-std::optional<PlannedRoute> known_route(const ContentHash& key, const scene::CacheFolder& folder) {
+std::optional<PlannedRoute> stored_route(const ContentHash& key, const scene::CacheFolder& folder) {
     try {
         const auto file = folder.find(key, kRouteKind);
         return file ? std::optional(read_route_file(file->bytes())) : std::nullopt;
@@ -178,13 +186,11 @@ std::optional<PlannedRoute> known_route(const ContentHash& key, const scene::Cac
     }
 }
 
-}  // namespace
-
-PlannedRoute cached_route(const RouteInputs& inputs, const RouteCache& cache,
-                          const std::function<PlannedRoute()>& plan) {
-    const ContentHash key = key_of_route(inputs, cache);
-    if (std::optional<PlannedRoute> known = known_route(key, *cache.folder)) {
-        return std::move(*known);
+PlannedRoute stored_or_planned(const ContentHash& route, const RouteCache& cache,
+                               const std::function<PlannedRoute()>& plan) {
+    const ContentHash key = key_of_file(route, cache.campus);
+    if (std::optional<PlannedRoute> stored = stored_route(key, *cache.folder)) {
+        return std::move(*stored);
     }
     PlannedRoute planned = plan();
     if (planned.route.searched || !planned.why_not.empty()) {
@@ -192,6 +198,23 @@ PlannedRoute cached_route(const RouteInputs& inputs, const RouteCache& cache,
         const std::span<const std::byte> buffer(bytes);
         cache.folder->store(key, kRouteKind, std::span(&buffer, 1));
     }
+    return planned;
+}
+
+}  // namespace
+
+PlannedRoute cached_route(const RouteInputs& inputs, RouteMemory& memory,
+                          const std::function<PlannedRoute()>& plan) {
+    const ContentHash key = key_of_route(inputs);
+    if (const auto known = memory.planned.find(key.bytes); known != memory.planned.end()) {
+        return known->second;
+    }
+    PlannedRoute planned = memory.cache ? stored_or_planned(key, *memory.cache, plan) : plan();
+    planned.route.path = {};  // far larger than the rest
+    if (memory.planned.size() >= kMostRoutes) {
+        memory.planned.clear();
+    }
+    memory.planned.emplace(key.bytes, planned);
     return planned;
 }
 

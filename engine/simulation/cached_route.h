@@ -3,19 +3,11 @@
 #include <functional>
 
 #include "collision/mover/mover.h"
-#include "engine/script/route_planner.h"
 #include "engine/script/step.h"
+#include "engine/simulation/route_memory.h"
 #include "engine/walkspace/route.h"
-#include "scene/cache/cache_folder.h"
-#include "scene/cache/content_hash.h"
 
 namespace campuswalk::engine {
-
-/// What other processes, such as a run's other workers, found of a campus' routes.
-struct RouteCache {
-    const scene::CacheFolder* folder = nullptr;  ///< must outlive it
-    scene::ContentHash campus;                   ///< of all that the campus was read from, and of the program
-};
 
 /// What a planned route depends on, besides the campus.
 struct RouteInputs {
@@ -24,9 +16,10 @@ struct RouteInputs {
     const RouteSettings& settings;
 };
 
-/// The route that `plan` returned to another process for the same; else what it returns. Only routes that
-/// took walking everywhere are cached, and reasons why there is none; they lack `Route::path`.
-PlannedRoute cached_route(const RouteInputs& inputs, const RouteCache& cache,
+/// The route that `plan` returned before for the same, to this process or another; else what it returns.
+/// Between processes, only routes are shared that took walking everywhere, and reasons why there is none.
+/// Leaves out `Route::path`.
+PlannedRoute cached_route(const RouteInputs& inputs, RouteMemory& memory,
                           const std::function<PlannedRoute()>& plan);
 
 }  // namespace campuswalk::engine

@@ -197,7 +197,7 @@ class Bench(ProgramCase):
             self.assertEqual(row["routes"], "20")
             self.assertLessEqual(float(row["us_route_median"]), float(row["us_route_p99"]))
         verdicts = outcome.out[outcome.out.index("Compared with the targets"):].splitlines()[1:]
-        self.assertEqual(len(verdicts), 11)
+        self.assertEqual(len(verdicts), 13)
 
     def test_models_that_are_missing_are_named(self):
         out = self.passes_bench("explore", "--campus", "dungeon", "--campus", "nav_test", "--data", self.path("")).out

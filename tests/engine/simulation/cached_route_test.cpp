@@ -25,9 +25,14 @@ protected:
         settings_.strides.walk_speed = 1.4;
     }
 
-    /// What would have to be planned.
+    /// Of a process that remembers nothing yet. `planned` is what would have to be planned.
     PlannedRoute answer(const PlannedRoute& planned) {
-        return cached_route({step_, state_, settings_}, cache_, [&] {
+        RouteMemory memory;
+        memory.cache = cache_;
+        return answer(planned, memory);
+    }
+    PlannedRoute answer(const PlannedRoute& planned, RouteMemory& memory) {
+        return cached_route({step_, state_, settings_}, memory, [&] {
             ++plans_;
             return planned;
         });
@@ -50,26 +55,52 @@ PlannedRoute searched() {
     return planned;
 }
 
+void expect_same(const PlannedRoute& a, const PlannedRoute& b) {
+    EXPECT_EQ(a.why_not, b.why_not);
+    ASSERT_EQ(a.route.pieces.size(), b.route.pieces.size());
+    for (std::size_t i = 0; i < a.route.pieces.size(); ++i) {
+        const RoutePiece& piece = a.route.pieces[i];
+        const RoutePiece& other = b.route.pieces[i];
+        EXPECT_EQ(piece.target.label, other.target.label);
+        EXPECT_EQ(piece.target.point, other.target.point);
+        EXPECT_EQ(piece.target.has_height, other.target.has_height);
+        EXPECT_EQ(piece.within, other.within);
+        EXPECT_EQ(piece.stride, other.stride);
+        EXPECT_EQ(piece.ticks, other.ticks);
+    }
+}
+
 PlannedRoute no_route() {
     return {{}, "riser of 0.45 m at stair, 3.20, 0.45, -1.00; the avatar steps 0.30 m"};
 }
 
 TEST_F(CachedRoute, IsTheSameAgain) {
     answer(searched());
-    const PlannedRoute again = answer(no_route());
+    expect_same(answer(no_route()), searched());
     EXPECT_EQ(plans_, 1);
-    EXPECT_EQ(again.why_not, "");
-    ASSERT_EQ(again.route.pieces.size(), 2U);
-    EXPECT_EQ(again.route.ticks(), 617);
-    const PlannedRoute planned = searched();
-    for (std::size_t i = 0; i < 2; ++i) {
-        const RoutePiece& piece = again.route.pieces[i];
-        EXPECT_EQ(piece.target.label, planned.route.pieces[i].target.label);
-        EXPECT_EQ(piece.target.point, planned.route.pieces[i].target.point);
-        EXPECT_EQ(piece.target.has_height, planned.route.pieces[i].target.has_height);
-        EXPECT_EQ(piece.within, planned.route.pieces[i].within);
-        EXPECT_EQ(piece.stride, planned.route.pieces[i].stride);
+}
+
+TEST_F(CachedRoute, IsRememberedEvenIfItWasGuessed) {
+    PlannedRoute guessed = searched();
+    guessed.route.searched = false;
+    RouteMemory memory;  // without a folder
+    expect_same(answer(guessed, memory), guessed);
+    expect_same(answer(no_route(), memory), guessed);
+    EXPECT_EQ(plans_, 1);
+    step_.within = 0.1;
+    EXPECT_EQ(answer(no_route(), memory).why_not, no_route().why_not);
+    EXPECT_EQ(plans_, 2);
+}
+
+TEST_F(CachedRoute, IsAnswerableWithoutItsFileOnceItIsKnown) {
+    RouteMemory memory;
+    memory.cache = cache_;
+    answer(searched(), memory);
+    for (const auto& entry : std::filesystem::directory_iterator(home_.path())) {
+        std::filesystem::remove(entry.path());
     }
+    expect_same(answer(no_route(), memory), searched());
+    EXPECT_EQ(plans_, 1);
 }
 
 TEST_F(CachedRoute, TellsWhyThereIsNone) {

@@ -6,6 +6,7 @@
 
 #include "collision/mover/mover.h"
 #include "engine/script/travel.h"
+#include "engine/simulation/cached_route.h"
 #include "engine/walkspace/route.h"
 #include "tools/campuswalk_bench/measure/measurement.h"
 #include "tools/campuswalk_bench/measure/shuffled_runs.h"
@@ -140,6 +141,7 @@ public:
 
     RouteScore finished() {
         score_.ours = times_of(std::move(our_times_));
+        score_.again = times_of(std::move(times_again_));
         score_.walked = times_of(std::move(walk_times_));
         if (peer_ != nullptr) {
             score_.peer = times_of(std::move(peer_times_));
@@ -158,6 +160,7 @@ private:
         our_times_.push_back(  // on ground that is known from the first time
             microseconds_of([&] { found = plan_route(campus_.world(), settings_, request); }));
         const Route* route = std::get_if<Route>(&found);
+        ask_again(request, route);
         score_.joined += pair.is_joined ? 1U : 0U;
         score_.found += pair.is_joined && route != nullptr ? 1U : 0U;
         score_.found_else += !pair.is_joined && route != nullptr ? 1U : 0U;
@@ -175,6 +178,21 @@ private:
             show("not walked as planned", pair);
         }
         return length_from_above(route->path);
+    }
+
+    /// As the step go_to does.
+    void ask_again(const engine::RouteRequest& request, const Route* route) {
+        engine::GoToStep step;
+        step.target = request.to.back();
+        step.within = request.within;
+        const engine::PlannedRoute planned =
+            route != nullptr ? engine::PlannedRoute{*route, ""} : engine::PlannedRoute{{}, "unreachable"};
+        const auto ask = [&] {
+            return cached_route({step, request.from, settings_}, memory_, [&] { return planned; });
+        };
+        ask();
+        engine::PlannedRoute again;
+        times_again_.push_back(microseconds_of([&] { again = ask(); }));
     }
 
     std::optional<double> peers_from(const Pair& pair) {
@@ -199,9 +217,11 @@ private:
     const ExploredCampus& campus_;
     NavMeshEngine* peer_;
     engine::GroundMaps ground_;
+    engine::RouteMemory memory_;
     engine::RouteSettings settings_;
     RouteScore score_;
     std::vector<double> our_times_;
+    std::vector<double> times_again_;
     std::vector<double> walk_times_;
     std::vector<double> peer_times_;
     std::vector<double> ratios_;
@@ -215,11 +235,13 @@ void print_score(const RouteScore& score) {
         score.pairs, score.joined, score.found, score.found_else, score.blocked);
     std::printf("    ours: %.0f us (median), %.0f us (p99); to walk them once: %.0f us, %.0f us\n",
                 score.ours.median, score.ours.p99, score.walked.median, score.walked.p99);
+    std::printf("    again: %.1f us (median), %.1f us (p99)\n", score.again.median, score.again.p99);
     if (score.peer) {
         std::printf("  detour: %.1f us (median), %.1f us (p99); arrives in %zu\n", score.peer->median,
                     score.peer->p99, score.by_peer);
-        std::printf("    ratio: %.1fx (median), %.1fx (p99)\n", score.ours.median / score.peer->median,
-                    score.ours.p99 / score.peer->p99);
+        std::printf("    ratio: %.1fx (median), %.1fx (p99); again: %.1fx, %.1fx\n",
+                    score.ours.median / score.peer->median, score.ours.p99 / score.peer->p99,
+                    score.again.median / score.peer->median, score.again.p99 / score.peer->p99);
     }
     if (score.length_ratio) {
         std::printf("    length: %.4f of detour's in %zu pairs\n", *score.length_ratio, score.both);

@@ -26,7 +26,9 @@ struct RouteScore {
     std::size_t both = 0;        ///< pairs that both arrive in
     /// Geometric mean of ours over the peer's, of pairs that both arrive in; seen from above.
     std::optional<double> length_ratio;
-    QueryTimes ours;
+    QueryTimes ours;  ///< on ground that is known, but routes that aren't
+    QueryTimes
+        again;  ///< the same routes again, as walks ask for them that have a start and a goal in common
     QueryTimes walked;  ///< that a body takes to follow our routes: the mover's share of planning one
     std::optional<QueryTimes> peer;
 };

@@ -15,7 +15,7 @@ ExploreScore score_of(double ours, double peer, double bytes) {
 
 TEST(ExploreVerdicts, CompareScoresWithTargets) {
     const std::vector<Verdict> verdicts = explore_verdicts({score_of(8, 1, 100), score_of(1, 2, 390)});
-    ASSERT_EQ(verdicts.size(), 11U);
+    ASSERT_EQ(verdicts.size(), 13U);
     EXPECT_DOUBLE_EQ(verdicts[0].value.value(), 2.0) << "the geometric mean of 8 and 0.5";
     EXPECT_TRUE(verdicts[0].holds);
     EXPECT_FALSE(verdicts[1].value) << "two threads weren't measured";
@@ -50,6 +50,7 @@ TEST(ExploreVerdicts, CompareRoutesWithThePeers) {
     routes.pairs = routes.joined = routes.found = 100;
     routes.length_ratio = 0.9;
     routes.ours = {80.0, 600.0};
+    routes.again = {5.0, 40.0};
     routes.peer = QueryTimes{10.0, 20.0};
     ExploreScore other = one;
     other.routes->ours.median = 20.0;
@@ -60,6 +61,8 @@ TEST(ExploreVerdicts, CompareRoutesWithThePeers) {
     EXPECT_NEAR(verdicts[8].value.value(), 0.9, 1e-12);
     EXPECT_NEAR(verdicts[9].value.value(), 4.0, 1e-12) << "the geometric mean of 8 and 2";
     EXPECT_NEAR(verdicts[10].value.value(), 30.0, 1e-12);
+    EXPECT_NEAR(verdicts[11].value.value(), 0.5, 1e-12);
+    EXPECT_NEAR(verdicts[12].value.value(), 2.0, 1e-12);
 
     other.routes->found = 99;
     EXPECT_FALSE(is_correct(other));
