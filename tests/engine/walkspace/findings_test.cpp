@@ -321,6 +321,20 @@ TEST_F(Findings, ManyTrianglesAroundTheBodyAreAHotSpot) {
     EXPECT_LT((spots[0].foot - Vec3(3, 0, 3)).norm(), 1.2);
 }
 
+TEST_F(Findings, HotSpotsNearAHotterOneDontCount) {
+    scene::Campus campus = level_campus(16.0);
+    add_object(campus, "first", carpet(), {-6, 0, 0});
+    add_object(campus, "beside", carpet(), {-1, 0, 0});
+    add_object(campus, "over", carpet(), {-6, 0.001, 0});
+    const collision::ObjectId far = add_object(campus, "far", carpet(), {8, 0, 0});
+    const WalkSpace& space = explored(campus);
+    const std::vector<HotSpot> spots = find_hot_spots(*worlds_, settings_, space);
+    ASSERT_EQ(spots.size(), 2U);
+    EXPECT_LT((spots[0].foot - Vec3(-6, 0, 0)).norm(), 1.2) << "two carpets on one another";
+    EXPECT_GT(spots[0].pieces, spots[1].pieces);
+    EXPECT_EQ(spots[1].object, far);
+}
+
 TEST_F(Findings, AGapInTheWallIsAHole) {
     scene::Campus campus = level_campus(6.0);
     add_box(campus, "north", {-6, 0, -6}, {6, 4, -5.8});
