@@ -285,7 +285,7 @@ private:
         note(tile, from, stride, end, worker);
         const bool gone = end.kind == StrideEnd::Kind::gone;
         const double height = end.edge.y() - end.at.foot.y();
-        if (worker.is_fall(end)) {
+        if (end.left_ground && (gone || height >= kSteeredFall)) {
             frontiers_[tile].keep({.at = from.at,
                                    .ticks = from.ticks,
                                    .edge = end.edge.cast<float>(),

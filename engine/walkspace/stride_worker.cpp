@@ -33,11 +33,6 @@ StrideEnd StrideWorker::take(std::uint32_t tile, const GroundState& from, const 
     return strider_.take(from, stride, space_.grid, is_worth_it);
 }
 
-bool StrideWorker::is_fall(const StrideEnd& end) const {
-    return end.left_ground && (end.kind == StrideEnd::Kind::gone ||
-                               end.edge.y() - end.at.foot.y() > settings_.strides.body.step_height);
-}
-
 std::vector<SteeredEnd> StrideWorker::steer(std::uint32_t tile, const Fall& fall) {
     strider_.forget_last_stride();  // which of the threads took it must make no difference
     std::vector<SteeredEnd> ends;
@@ -58,10 +53,10 @@ std::vector<SteeredEnd> StrideWorker::steer(std::uint32_t tile, const Fall& fall
 }
 
 bool StrideWorker::returns(const StrideEnd& end, const GroundState& start) {
-    if (is_fall(end)) {
+    const GroundState& at = end.at;
+    if (end.left_ground && end.edge.y() - at.foot.y() >= kSteeredFall) {
         return false;
     }
-    const GroundState& at = end.at;
     const Vec3 path = start.foot - at.foot;
     const double seconds = 2.0 * collision::horizontal_norm(path) / settings_.strides.walk_speed + 0.2;
     const StrideEnd back = strider_.walk_to(at, start.foot, 0.02, seconds);

@@ -10,6 +10,9 @@
 
 namespace campuswalk::engine {
 
+/// From this height on a fall is also steered elsewhere, and nobody walks back up, metres.
+inline constexpr double kSteeredFall = 0.5;
+
 /// A stride that a fall was steered by, and where it ended.
 struct SteeredEnd {
     Stride stride;
@@ -30,9 +33,6 @@ public:
     bool is_known(std::uint32_t tile, const GroundState& from, std::uint8_t direction) const;
     /// A body that something is in the way of gives up once it can't get to a new cell any more.
     StrideEnd take(std::uint32_t tile, const GroundState& from, const Stride& stride);
-    /// Whether the body fell farther than a step's height: that may be steered elsewhere, and nobody walks
-    /// back up.
-    bool is_fall(const StrideEnd& end) const;
     /// The fall steered elsewhere, with all ends but those at nodes. No thread may change anything meanwhile.
     std::vector<SteeredEnd> steer(std::uint32_t tile, const Fall& fall);
     /// Whether one can walk back from a stride's end to where it started.

@@ -121,16 +121,14 @@ TEST(Explore, SteersNoFallTowardsGroundWithoutRoomAboveIt) {
 
 TEST(Explore, LandsOnALedgeThatSticksOutFromUnderAnEdge) {
     // A podium on a slab that is 0.18 m wider to the east, over nothing: no cell has its middle on the ledge.
-    for (const double height : {1.0, 0.42, 0.32}) {  // all more than a step
-        TriangleMesh mesh;
-        support::add_box(mesh, {-4, 0, -4}, {-0.1, height, 4});
-        support::add_box(mesh, {-4, -0.2, -4}, {0.08, 0, 4});
-        const WalkSpace space = explored(campus_of(std::move(mesh)), {-2, height, 0});
-        const auto nodes = nodes_of(space);
-        EXPECT_TRUE(std::ranges::any_of(nodes, [&](const WalkNodeId& node) {
-            return space.position(node).y() < 0.1 && space.position(node).x() > -0.2;
-        })) << height;
-    }
+    TriangleMesh mesh;
+    support::add_box(mesh, {-4, 0, -4}, {-0.1, 1, 4});
+    support::add_box(mesh, {-4, -0.2, -4}, {0.08, 0, 4});
+    const WalkSpace space = explored(campus_of(std::move(mesh)), {-2, 1, 0});
+    const auto nodes = nodes_of(space);
+    EXPECT_TRUE(std::ranges::any_of(nodes, [&](const WalkNodeId& node) {
+        return space.position(node).y() < 0.1 && space.position(node).x() > -0.2;
+    }));
 }
 
 TEST(Explore, KnowsThatLevelGroundIsWalkedBackToo) {

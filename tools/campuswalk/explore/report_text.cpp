@@ -26,7 +26,7 @@ const char* text_of(engine::Bound bound) {
         case engine::Bound::falls:
             return "a fall didn't end: a body hung somewhere, or fell for half a minute";
         case engine::Bound::steering:
-            return "in falls, some ways to steer were tried, not all";
+            return "in falls of over half a metre, some ways to steer were tried, not all";
     }
     return "";
 }
