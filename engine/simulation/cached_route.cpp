@@ -22,8 +22,9 @@ const scene::CacheFolder::Kind kRouteKind = "route";
 /// Increment the version whenever the layout changes, or how routes are planned and walked.
 constexpr scene::FileKind kRouteFile = {{'c', 'w', ' ', 'r', 'o', 'u', 't', 'e'}, 6};
 
-/// A process keeps at most so many, of about a kilobyte each.
-constexpr std::size_t kMostRoutes = 10'000;
+/// So many are remembered of a campus at most, without those of more pieces, about 10 kB: some 20 MB in all.
+constexpr std::size_t kMostRoutes = 2'000;
+constexpr std::size_t kMostPieces = 100;
 
 // ---- what it depends on -------------------------------------------------------------------------------
 
@@ -69,15 +70,20 @@ public:
         add(state.fall_from);
         add(state.support_y);
     }
-    void add(const StrideSettings& strides) {
+    /// The step says what `keep_out` and `is_tight` are; `ground` makes no difference.
+    void add(const RouteSettings& settings) {
+        const StrideSettings& strides = settings.strides;
         const collision::MoverSettings& body = strides.body;
-        for (const double number :
-             {body.height, body.radius, body.step_height, body.min_up, body.skin, body.gravity,
-              strides.seconds, strides.walk_speed, strides.run_speed, strides.jump_speed}) {
+        for (const double number : {body.height, body.radius, body.step_height, body.min_up, body.skin,
+                                    body.gravity, strides.full_height.value_or(0.0), strides.seconds,
+                                    strides.walk_speed, strides.run_speed, strides.jump_speed}) {
             add(number);
         }
+        add(std::uint64_t{settings.max_nodes});
+        add(settings.solids);
     }
     void add(const collision::QueryFilter& solids) {
+        add(static_cast<std::uint64_t>(solids.detection));
         add(std::uint64_t{solids.ignored_layers});
         for (std::size_t i = 0; solids.disabled != nullptr && i < solids.disabled->size(); ++i) {
             if ((*solids.disabled)[i]) {
@@ -97,8 +103,7 @@ ContentHash key_of_route(const RouteInputs& inputs) {
     RouteHasher hasher;
     hasher.add(inputs.step);
     hasher.add(inputs.from);
-    hasher.add(inputs.settings.strides);
-    hasher.add(inputs.settings.solids);
+    hasher.add(inputs.settings);
     return hasher.result();
 }
 
@@ -211,10 +216,12 @@ PlannedRoute cached_route(const RouteInputs& inputs, RouteMemory& memory,
     }
     PlannedRoute planned = memory.cache ? stored_or_planned(key, *memory.cache, plan) : plan();
     planned.route.path = {};  // far larger than the rest
-    if (memory.planned.size() >= kMostRoutes) {
-        memory.planned.clear();
+    if (planned.route.pieces.size() <= kMostPieces) {
+        if (memory.planned.size() >= kMostRoutes) {
+            memory.planned.clear();
+        }
+        memory.planned.emplace(key.bytes, planned);
     }
-    memory.planned.emplace(key.bytes, planned);
     return planned;
 }
 

@@ -217,7 +217,7 @@ private:
         receive_from(order.tiles);
     }
 
-    /// What came from beside the tile; others may look at the same.
+    /// What came from beside the tile. Other threads may read the same outbox.
     void take_from(const std::vector<Arrival>& outbox, std::uint32_t tile, StrideWorker& worker) {
         for (const Arrival& arrival : outbox) {
             if (space_.tiles[tile].contains(arrival.cell)) {

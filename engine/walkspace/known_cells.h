@@ -10,8 +10,8 @@
 
 namespace campuswalk::engine {
 
-/// What an exploration needn't stride to again. Threads may ask about tiles
-/// while no other changes them or those around them.
+/// What an exploration needn't stride to again. Threads may ask about tiles while no other changes them or
+/// those around them, or what these have sent.
 class KnownCells {
 public:
     /// `frontiers`: by tile. All of them must outlive it, where they are.

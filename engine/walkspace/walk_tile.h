@@ -59,9 +59,9 @@ struct WalkNodeId {
     friend auto operator<=>(const WalkNodeId&, const WalkNodeId&) = default;
 };
 
-/// 16 x 16 cells and their nodes. Threads work on tiles far apart, so that small ones are shared out better,
-/// and a body moves on near where it was, where it knows what is around it; larger ones would take less
-/// memory.
+/// 16 x 16 cells and their nodes. Threads work on tiles that aren't side by side, so that small ones are
+/// shared out better, and a body moves on near where it was, where it knows what is around it; larger ones
+/// would take less memory.
 struct WalkTile {
     static constexpr int kCells = 16;
     static constexpr std::uint32_t kNoTile = std::numeric_limits<std::uint32_t>::max();

@@ -76,8 +76,14 @@ void for_each_item(std::size_t items, std::size_t workers, const ItemWork& work)
 
 void for_each_item_in_order(const std::vector<std::vector<std::size_t>>& after, std::size_t workers,
                             const ItemWork& work) {
+    const std::size_t threads = std::min(after.size(), workers);
+    if (threads <= 1) {
+        for (std::size_t item = 0; item < after.size(); ++item) {
+            work(0, item);
+        }
+        return;
+    }
     Schedule schedule(after);
-    const std::size_t threads = std::max<std::size_t>(1, std::min(after.size(), workers));
     std::vector<std::exception_ptr> failures(threads);
     const auto run = [&](std::size_t worker) {
         try {

@@ -1,4 +1,4 @@
-// Routes and reasons that other processes found: the same again, and never another's.
+// Routes and reasons that were found before, by this process or another: the same again, and never another's.
 
 #include "engine/simulation/cached_route.h"
 
@@ -92,6 +92,27 @@ TEST_F(CachedRoute, IsRememberedEvenIfItWasGuessed) {
     EXPECT_EQ(plans_, 2);
 }
 
+TEST_F(CachedRoute, IsNotRememberedIfItHasManyPieces) {
+    PlannedRoute winding = searched();
+    winding.route.searched = false;
+    winding.route.pieces.resize(200);
+    RouteMemory memory;
+    EXPECT_EQ(answer(winding, memory).route.pieces.size(), 200U);
+    EXPECT_EQ(answer(winding, memory).route.pieces.size(), 200U);
+    EXPECT_EQ(plans_, 2);
+}
+
+TEST_F(CachedRoute, RemembersOnlySoMany) {
+    RouteMemory memory;
+    for (int i = 0; i < 5000; ++i) {
+        step_.target.point.x() = i;
+        answer(no_route(), memory);
+    }
+    EXPECT_LE(memory.planned.size(), 2000U);
+    answer(no_route(), memory);
+    EXPECT_EQ(plans_, 5000) << "the last is remembered";
+}
+
 TEST_F(CachedRoute, IsAnswerableWithoutItsFileOnceItIsKnown) {
     RouteMemory memory;
     memory.cache = cache_;
@@ -152,7 +173,10 @@ TEST_F(CachedRoute, IsOnlyForTheVerySame) {
         [&] { settings_.strides.body.step_height = 0.4; },
         [&] { settings_.strides.body.min_up = 0.5; },
         [&] { settings_.strides.body.skin = 0.01; },
+        [&] { settings_.strides.full_height = 1.8; },
+        [&] { settings_.max_nodes = 1; },
         [&] { settings_.solids.ignored_layers = 2; },
+        [&] { settings_.solids.detection = collision::Detection::trigger; },
         [&] { settings_.solids.disabled = &disabled; },
         [&] {
             disabled = {true, false};

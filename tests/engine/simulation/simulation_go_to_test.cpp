@@ -48,6 +48,30 @@ TEST(GoTo, HeedsWhatIsEnabledThen) {
                 testing::HasSubstr("go_to goal can't be reached: gate stands in the way"));
 }
 
+TEST(GoTo, IsTheSameWithWhatEarlierWalksRemember) {
+    const scene::Campus campus = yard();
+    const std::vector<Walk> walks = {
+        walk_of({spawn_at({0, 0, 8}), disable("gate"), go_to(0, 0)}),
+        walk_of({spawn_at({0, 0, 8}), go_to(0, 0)}),
+        walk_of({spawn_at({0, 0, 8}), disable("gate"), set_height(1.1), go_to(0, 0)}),
+        walk_of({spawn_at({0, 0, 8}), disable("gate"), set_speed(0.7), go_to(0, 0)}),
+    };
+    RouteMemory memory;
+    for (int round = 0; round < 2; ++round) {
+        for (const Walk& walk : walks) {
+            const WalkSummary alone = run_walk(campus, walk, {});
+            const WalkSummary after_others = run_walk(campus, walk, {}, &memory);
+            EXPECT_EQ(after_others.hash, alone.hash);
+            EXPECT_EQ(after_others.passed, alone.passed);
+            ASSERT_EQ(after_others.failures.size(), alone.failures.size());
+            for (std::size_t i = 0; i < alone.failures.size(); ++i) {
+                EXPECT_EQ(after_others.failures[i].message, alone.failures[i].message);
+            }
+        }
+        EXPECT_EQ(memory.planned.size(), walks.size()) << "each for itself";
+    }
+}
+
 TEST(GoTo, SaysThatItIsThePlaceToGoThroughThatCantBeReached) {
     const scene::Campus campus = yard();
     GoToStep step = go_to(8, 8);

@@ -116,7 +116,8 @@ std::vector<Verdict> explore_verdicts(const std::vector<ExploreScore>& scores) {
 
 bool is_correct(const ExploreScore& score) {
     const bool routes_lead_there =
-        !score.routes || (score.routes->found == score.routes->joined && score.routes->blocked == 0);
+        !score.routes || (score.routes->found == score.routes->joined && score.routes->blocked == 0 &&
+                          score.routes->changed == 0);
     return score.is_same_by_threads && score.adversary.escapes.empty() && routes_lead_there;
 }
 

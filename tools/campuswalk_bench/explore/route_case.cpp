@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <variant>
 
 #include "collision/mover/mover.h"
@@ -93,6 +94,11 @@ bool is_walked_as_planned(const Route& route, const GroundState& from, const Exp
     return tick + 1 == route.path.size();
 }
 
+bool is_same_piece(const engine::RoutePiece& a, const engine::RoutePiece& b) {
+    return a.target.point == b.target.point && a.within == b.within && a.stride == b.stride &&
+           a.ticks == b.ticks;
+}
+
 double length_from_above(const std::vector<Vec3>& path) {
     double length = 0.0;
     for (std::size_t i = 1; i < path.size(); ++i) {
@@ -140,6 +146,7 @@ public:
     }
 
     RouteScore finished() {
+        ask_again();
         score_.ours = times_of(std::move(our_times_));
         score_.again = times_of(std::move(times_again_));
         score_.walked = times_of(std::move(walk_times_));
@@ -153,6 +160,11 @@ public:
     }
 
 private:
+    struct Planned {
+        engine::RouteRequest request;
+        std::vector<engine::RoutePiece> pieces;
+    };
+
     /// Its length, if there is one.
     std::optional<double> ours_from(const Pair& pair) {
         const engine::RouteRequest request{engine::state_of(pair.from), {{"goal", pair.to.foot, true}}};
@@ -160,7 +172,6 @@ private:
         our_times_.push_back(  // on ground that is known from the first time
             microseconds_of([&] { found = plan_route(campus_.world(), settings_, request); }));
         const Route* route = std::get_if<Route>(&found);
-        ask_again(request, route);
         score_.joined += pair.is_joined ? 1U : 0U;
         score_.found += pair.is_joined && route != nullptr ? 1U : 0U;
         score_.found_else += !pair.is_joined && route != nullptr ? 1U : 0U;
@@ -177,22 +188,34 @@ private:
             ++score_.blocked;
             show("not walked as planned", pair);
         }
+        remember(request, *route);
         return length_from_above(route->path);
     }
 
     /// As the step go_to does.
-    void ask_again(const engine::RouteRequest& request, const Route* route) {
+    engine::PlannedRoute ask(const engine::RouteRequest& request,
+                             const std::function<engine::PlannedRoute()>& plan) {
         engine::GoToStep step;
         step.target = request.to.back();
         step.within = request.within;
-        const engine::PlannedRoute planned =
-            route != nullptr ? engine::PlannedRoute{*route, ""} : engine::PlannedRoute{{}, "unreachable"};
-        const auto ask = [&] {
-            return cached_route({step, request.from, settings_}, memory_, [&] { return planned; });
-        };
-        ask();
-        engine::PlannedRoute again;
-        times_again_.push_back(microseconds_of([&] { again = ask(); }));
+        return cached_route({step, request.from, settings_}, memory_, plan);
+    }
+
+    void remember(const engine::RouteRequest& request, const Route& route) {
+        ask(request, [&] { return engine::PlannedRoute{route, ""}; });
+        planned_.push_back({request, route.pieces});
+    }
+
+    void ask_again() {
+        for (const Planned& planned : planned_) {
+            const auto plan = [&] {
+                const auto found = plan_route(campus_.world(), settings_, planned.request);
+                return engine::PlannedRoute{std::get<Route>(found), ""};
+            };
+            engine::PlannedRoute again;
+            times_again_.push_back(microseconds_of([&] { again = ask(planned.request, plan); }));
+            score_.changed += std::ranges::equal(again.route.pieces, planned.pieces, is_same_piece) ? 0U : 1U;
+        }
     }
 
     std::optional<double> peers_from(const Pair& pair) {
@@ -221,6 +244,7 @@ private:
     engine::RouteSettings settings_;
     RouteScore score_;
     std::vector<double> our_times_;
+    std::vector<Planned> planned_;
     std::vector<double> times_again_;
     std::vector<double> walk_times_;
     std::vector<double> peer_times_;
@@ -235,7 +259,8 @@ void print_score(const RouteScore& score) {
         score.pairs, score.joined, score.found, score.found_else, score.blocked);
     std::printf("    ours: %.0f us (median), %.0f us (p99); to walk them once: %.0f us, %.0f us\n",
                 score.ours.median, score.ours.p99, score.walked.median, score.walked.p99);
-    std::printf("    again: %.1f us (median), %.1f us (p99)\n", score.again.median, score.again.p99);
+    std::printf("    again: %.1f us (median), %.1f us (p99); %zu changed\n", score.again.median,
+                score.again.p99, score.changed);
     if (score.peer) {
         std::printf("  detour: %.1f us (median), %.1f us (p99); arrives in %zu\n", score.peer->median,
                     score.peer->p99, score.by_peer);

@@ -27,9 +27,10 @@ struct RouteScore {
     /// Geometric mean of ours over the peer's, of pairs that both arrive in; seen from above.
     std::optional<double> length_ratio;
     QueryTimes ours;  ///< on ground that is known, but routes that aren't
-    QueryTimes
-        again;  ///< the same routes again, as walks ask for them that have a start and a goal in common
-    QueryTimes walked;  ///< that a body takes to follow our routes: the mover's share of planning one
+    /// Of the same routes again once all are planned: walks often start and go where earlier ones did.
+    QueryTimes again;
+    std::size_t changed = 0;  ///< of these routes, how many weren't what was planned
+    QueryTimes walked;        ///< that a body takes to follow our routes: the mover's share of planning one
     std::optional<QueryTimes> peer;
 };
 

@@ -69,6 +69,10 @@ TEST(ExploreVerdicts, CompareRoutesWithThePeers) {
     EXPECT_FALSE(explore_verdicts({other})[7].holds);
     one.routes->blocked = 1;
     EXPECT_FALSE(is_correct(one));
+    one.routes->blocked = 0;
+    EXPECT_TRUE(is_correct(one));
+    one.routes->changed = 1;
+    EXPECT_FALSE(is_correct(one));
 }
 
 TEST(ExploreVerdicts, WantTheSameForAnyNumberOfThreads) {
