@@ -1,48 +1,53 @@
 #include "engine/walkspace/tile_order.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace campuswalk::engine {
 
 namespace {
 
-/// Tiles side by side never have the same.
-std::size_t color_of(const WalkTile& tile) {
-    const auto parity = [](int first_cell) {
-        return static_cast<std::size_t>((first_cell / WalkTile::kCells) & 1);
-    };
-    return parity(tile.first_cell.x) + 2 * parity(tile.first_cell.z);
+/// Ascending.
+std::vector<std::uint32_t> with_those_beside(const std::vector<std::uint32_t>& tiles,
+                                             const WalkSpace& space) {
+    std::vector<std::uint32_t> all;
+    for (const std::uint32_t tile : tiles) {
+        for (const std::uint32_t beside : space.tiles[tile].neighbours) {  // itself, too
+            if (beside != WalkTile::kNoTile) {
+                all.push_back(beside);
+            }
+        }
+    }
+    std::ranges::sort(all);
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
 }
 
 }  // namespace
 
-TileOrder order_around(const std::vector<std::uint32_t>& tiles, const WalkSpace& space) {
-    std::vector<bool> chosen(space.tiles.size(), false);
-    for (const std::uint32_t tile : tiles) {
-        for (const std::uint32_t beside : space.tiles[tile].neighbours) {  // itself, too
-            if (beside != WalkTile::kNoTile) {
-                chosen[beside] = true;
-            }
-        }
-    }
+TileOrder order_around(const std::vector<std::uint32_t>& active, const WalkSpace& space,
+                       const std::function<std::uint32_t(std::uint32_t tile)>& rank_of) {
     TileOrder order;
+    order.tiles = with_those_beside(active, space);
+    std::ranges::stable_sort(order.tiles, {}, rank_of);
+    order.after.resize(order.tiles.size());
     std::vector<std::optional<std::size_t>> index_of(space.tiles.size());
-    for (std::size_t color = 0; color < 4; ++color) {
-        for (std::uint32_t tile = 0; tile < space.tiles.size(); ++tile) {
-            if (!chosen[tile] || color_of(space.tiles[tile]) != color) {
-                continue;
+    for (std::size_t i = 0; i < order.tiles.size(); ++i) {
+        for (const std::uint32_t beside : space.tiles[order.tiles[i]].neighbours) {
+            if (beside != WalkTile::kNoTile && index_of[beside]) {
+                order.after[i].push_back(*index_of[beside]);
             }
-            order.after.emplace_back();
-            for (const std::uint32_t beside : space.tiles[tile].neighbours) {
-                if (beside != WalkTile::kNoTile && index_of[beside]) {
-                    order.after.back().push_back(*index_of[beside]);
-                }
-            }
-            index_of[tile] = order.tiles.size();
-            order.tiles.push_back(tile);
         }
+        index_of[order.tiles[i]] = i;
     }
     return order;
+}
+
+std::uint32_t color_of(const WalkTile& tile) {
+    const auto parity = [](int first_cell) {
+        return static_cast<std::uint32_t>((first_cell / WalkTile::kCells) & 1);
+    };
+    return parity(tile.first_cell.x) + 2 * parity(tile.first_cell.z);
 }
 
 }  // namespace campuswalk::engine

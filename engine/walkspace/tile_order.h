@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "engine/walkspace/walk_space.h"
@@ -17,7 +18,11 @@ struct TileOrder {
     std::vector<std::vector<std::size_t>> after;
 };
 
-/// `tiles` and all those beside them, as one may get there.
-TileOrder order_around(const std::vector<std::uint32_t>& tiles, const WalkSpace& space);
+/// `active` and all those beside them, as one may get there; the lowest ranks first.
+TileOrder order_around(const std::vector<std::uint32_t>& active, const WalkSpace& space,
+                       const std::function<std::uint32_t(std::uint32_t tile)>& rank_of);
+
+/// 0 to 3. Tiles side by side never have the same.
+std::uint32_t color_of(const WalkTile& tile);
 
 }  // namespace campuswalk::engine

@@ -147,7 +147,7 @@ TEST_F(DrawnFailures, TakeRoutesFromTheMemoryOfThePlayedWalk) {
     // Whoever plans it anew stores it anew.
     fs::remove_all(folder_.path() / "routes");
     draw_failures(campus_, walk_, failures_, folder_.path() / "out", "stroll", *renderers_, &memory);
-    EXPECT_EQ(stored(), 1) << "it was looked for there";
+    EXPECT_FALSE(fs::exists(folder_.path() / "routes"));
 }
 
 TEST_F(DrawnFailures, DoNotDependOnFailuresOfOtherWalks) {

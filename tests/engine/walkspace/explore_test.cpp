@@ -60,6 +60,23 @@ TEST(Explore, ReachesAnEmptyFloorUpToItsRim) {
     EXPECT_LE(space.area(), 0.0625 * static_cast<double>(space.node_count()));  // some hang over the rim
 }
 
+TEST(Explore, ReachesPlacesByShortChains) {
+    const scene::Campus campus = level_campus(18.0);
+    const WalkSpace space = explored(campus, {0, 0, 0});
+    Strider strider(campus.world, strides_of(), {});
+    std::size_t far = 0;
+    for (const WalkNodeId& node : some_nodes(space, 500)) {
+        const Vec3 at = space.position(node).cwiseAbs();
+        const double straight = std::abs(at.x() - at.z());  // the rest is diagonal
+        const double shortest = straight + std::sqrt(2.0) * std::min(at.x(), at.z());
+        if (shortest > 3.0) {
+            ++far;
+            EXPECT_LE(length_of(space.chain(node, strider)), 1.03 * shortest) << at.transpose();
+        }
+    }
+    EXPECT_GT(far, 400U);
+}
+
 TEST(Explore, ReachesNothingBehindAWall) {
     const scene::Campus campus = floor_with(5.0, [](TriangleMesh& mesh) {
         support::add_box(mesh, {1, 0, -6}, {1.2, 3, 6});

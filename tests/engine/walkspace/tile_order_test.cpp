@@ -32,7 +32,8 @@ bool are_side_by_side(const WalkTile& a, const WalkTile& b) {
 
 TEST(TileOrder, PutsOneOfTwoSideBySideAfterTheOther) {
     const WalkSpace space = scattered_tiles(22);
-    const TileOrder order = order_around({3, 9, 40, 41, 60}, space);
+    const TileOrder order =
+        order_around({3, 9, 40, 41, 60}, space, [](std::uint32_t tile) { return tile * 37 % 11; });
     ASSERT_EQ(order.after.size(), order.tiles.size());
     for (std::size_t i = 0; i < order.tiles.size(); ++i) {
         const std::set<std::size_t> after(order.after[i].begin(), order.after[i].end());
@@ -56,15 +57,20 @@ TEST(TileOrder, HasTheTilesAndThoseBesideThemOnce) {
             }
         }
     }
-    const TileOrder order = order_around(active, space);
+    const auto rank_of = [](std::uint32_t tile) {
+        return tile == 17 ? 0U : tile == 5 || tile == 90 ? 20U : tile == 0 ? 30U : 1000U;
+    };
+    const TileOrder order = order_around(active, space, rank_of);
     EXPECT_EQ(std::set<std::uint32_t>(order.tiles.begin(), order.tiles.end()), expected);
     EXPECT_EQ(order.tiles.size(), expected.size());
     EXPECT_GT(expected.size(), active.size());
+    const std::vector<std::uint32_t> first(order.tiles.begin(), order.tiles.begin() + 4);
+    EXPECT_EQ(first, (std::vector<std::uint32_t>{17, 5, 90, 0})) << "the lowest ranks first";
 }
 
 TEST(TileOrder, IsEmptyWithoutTiles) {
     const WalkSpace space(WalkGrid{0.25});
-    EXPECT_TRUE(order_around({}, space).tiles.empty());
+    EXPECT_TRUE(order_around({}, space, [](std::uint32_t) { return 0U; }).tiles.empty());
 }
 
 }  // namespace
