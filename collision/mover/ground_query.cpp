@@ -14,9 +14,6 @@ namespace {
 constexpr double kSurfaceTolerance = 0.01;
 /// How far onto a piece the body has to walk to be carried by it, metres.
 constexpr double kStepOntoDistance = 0.01;
-/// A contact this low beside the sphere's centre, as a share of its radius, doesn't support it: with a radius
-/// 15 µm smaller, there would be none.
-constexpr double kMinSupportDrop = 0.01;
 
 /// From so many pieces on, those that may carry the body are picked once and not for each piece anew.
 constexpr std::size_t kManyNear = 32;
@@ -120,13 +117,15 @@ bool carries(MoveContext& context, const Rest& rest, double highest) {
 /// Finds the highest of the pieces that a sphere comes to rest on which moves straight down at (x, z).
 class GroundSearch {
 public:
-    GroundSearch(MoveContext& context, double x, double z, const Support& stand, double up, double down)
+    GroundSearch(MoveContext& context, double x, double z, const Support& stand, double up, double down,
+                 double min_drop)
         : context_(context),
           stand_(stand),
           x_(x),
           z_(z),
           highest_(stand.foot.y() + context.body.radius + up),
           lowest_(stand.foot.y() + context.body.radius - down),
+          min_drop_(min_drop * context.body.radius),
           best_(lowest_) {
         context.buffers.rests.clear();
     }
@@ -140,7 +139,7 @@ public:
         const auto sphere = rest_on(context_.contacts.piece(i), x_, z_, context_.body.radius + kRestGap,
                                     highest_, lowest_ - 2.0 * kRestGap, useful());
         if (sphere && sphere->height <= highest_ && sphere->height >= useful() &&
-            sphere->height - sphere->on.y() > kMinSupportDrop * context_.body.radius) {
+            sphere->height - sphere->on.y() > min_drop_) {
             context_.buffers.rests.push_back({i, *sphere});
             if (sphere->height >= best_) {
                 best_ = sphere->height;
@@ -176,6 +175,7 @@ private:
     double z_;
     double highest_;  ///< that its centre may be
     double lowest_;
+    double min_drop_;
     double best_;
     std::optional<ContactCache::Index> highest_piece_;
 };
@@ -220,8 +220,9 @@ PieceKind kind_of(MoveContext& context, const Piece& piece, const Separation& s,
 
 }  // namespace
 
-Ground find_ground(MoveContext& context, double x, double z, const Support& stand, double up, double down) {
-    GroundSearch search(context, x, z, stand, up, down);
+Ground find_ground(MoveContext& context, double x, double z, const Support& stand, double up, double down,
+                   double min_drop) {
+    GroundSearch search(context, x, z, stand, up, down, min_drop);
     std::optional<ContactCache::Index>& highest = context.buffers.ground.highest;
     if (highest) {
         search.offer(*highest);  // then most of the others need no second look
@@ -245,7 +246,7 @@ Ground find_ground_beside(MoveContext& context, double x, double z, const Suppor
     if (ground.foot != stand.foot || ground.base != stand.base) {
         list_candidates(context, stand, up, down);
     }
-    GroundSearch search(context, x, z, stand, up, down);
+    GroundSearch search(context, x, z, stand, up, down, kMinSupportDrop);
     if (ground.highest) {
         search.offer(*ground.highest);
     }

@@ -22,9 +22,17 @@ struct Ground {
 /// How far beside the body `classify` looks, metres: the survey must include that.
 inline constexpr double kProbeDistance = 0.06;
 
+/// A contact this low beside the sphere's centre, as a share of its radius, doesn't support it: with a radius
+/// 15 µm smaller, there would be none.
+inline constexpr double kMinSupportDrop = 0.01;
+/// Nor does it catch a body that falls: an edge that overlaps it by 0.4 mm is a wall that isn't quite flush.
+/// One that walks needs less, as it may go along a step and onto it by as little in a tick.
+inline constexpr double kMinLandingDrop = 0.05;
+
 /// The highest ground at (x, z), among the surveyed pieces, up to `up` above and `down` below where the body
-/// stands now.
-Ground find_ground(MoveContext& context, double x, double z, const Support& stand, double up, double down);
+/// stands now. `min_drop` is one of the two above.
+Ground find_ground(MoveContext& context, double x, double z, const Support& stand, double up, double down,
+                   double min_drop = kMinSupportDrop);
 
 /// The same up to a step above `stand` and hardly below, for several (x, z) in turn, each no farther from
 /// `stand` than kProbeDistance: faster where many pieces are near.

@@ -58,8 +58,9 @@ void survey(MoveContext& context, const Vec3& foot, double sideways, double up, 
     context.buffers.floor_end.reset();
 }
 
-Ground underfoot(MoveContext& context, const Vec3& foot) {
-    return find_ground(context, foot.x(), foot.z(), {foot, foot.y()}, 4.0 * kRestGap, 4.0 * kRestGap);
+Ground underfoot(MoveContext& context, const Vec3& foot, double min_drop) {
+    return find_ground(context, foot.x(), foot.z(), {foot, foot.y()}, 4.0 * kRestGap, 4.0 * kRestGap,
+                       min_drop);
 }
 
 /// For a body with something in the way, or nothing ahead to stand on.
@@ -183,7 +184,7 @@ void fall(MoveContext& context, MoverState& state, const Vec3& desired, double s
     if (rest > 0.0) {
         state.vertical_speed = 0.0;
     } else if (rest < 0.0) {
-        if (const Ground ground = underfoot(context, foot); ground.carries) {
+        if (const Ground ground = underfoot(context, foot, kMinLandingDrop); ground.carries) {
             land(state, foot, ground, trace);
             return;
         }
@@ -192,7 +193,7 @@ void fall(MoveContext& context, MoverState& state, const Vec3& desired, double s
         foot = fall_along(context, foot, n, rest);
         turn_along(context.body, state, n, (foot - start).norm(), seconds);
         const bool wedged = (foot - before).norm() < kStill && std::abs(vertical.y()) < kStill;
-        if (const Ground ground = underfoot(context, foot); wedged || ground.carries) {
+        if (const Ground ground = underfoot(context, foot, kMinLandingDrop); wedged || ground.carries) {
             land(state, foot, ground, trace);
             return;
         }
@@ -370,7 +371,7 @@ void CapsuleMover::place(MoverState& state, const Vec3& foot, double search, Mov
     MoveContext context = context_with(cache);
     survey(context, foot, 0.0, kHeightSlack, search + kHeightSlack, statistics);
     const Vec3 down = free_part(context, foot, Vec3(0, -search, 0), settings_.radius + kRestGap);
-    const Ground ground = underfoot(context, foot + down);
+    const Ground ground = underfoot(context, foot + down, kMinSupportDrop);
     state = MoverState{};
     state.grounded = down.y() > -search && ground.carries;
     state.foot = state.grounded ? Vec3(foot + down) : foot;

@@ -206,6 +206,24 @@ TEST_F(MoverAndGround, AFastFallStopsAtAThinFloor) {
     EXPECT_TRUE(body.state().grounded);
 }
 
+/// The body falls past the edge of a shelf that it pushes at; the wall below stands out from that a little.
+TEST_F(MoverAndGround, AFallIsCaughtByALedgeButNotByAWallThatIsNotQuiteFlush) {
+    for (const double out : {-1e-4, 0.0, 1e-4, 2e-4, 0.001, 0.005, 0.05}) {
+        SCOPED_TRACE(out);
+        World world(std::make_unique<LinearBroadPhase>());
+        add_object(world, support::floor_with([&](TriangleMesh& mesh) {
+                       add_quad(mesh, {1, 2, 3}, {2, 2, 3}, {2, 2, -3}, {1, 2, -3});
+                       add_box(mesh, {1 - out, -1, -3}, {2, 1.65, 3});
+                   }));
+        AuditedBody body(world);
+        body.stand({0.5, 1.68, 0}, 0.1);
+        while (!body.state().grounded) {
+            body.tick(kEast);
+        }
+        EXPECT_NEAR(body.state().support_y, out < 0.001 ? 0.0 : 1.65, 1e-3);
+    }
+}
+
 TEST_F(MoverAndGround, SlidesDownASlopeTooSteepToStandOn) {
     build([](TriangleMesh& mesh) { add_quad(mesh, {0, 0, 2}, {3, 6, 2}, {3, 6, -2}, {0, 0, -2}); });
     AuditedBody body(world_);
