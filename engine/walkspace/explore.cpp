@@ -220,12 +220,8 @@ private:
     }
 
     /// As they were reached, so that what goes on from one to the next finds places by the shorter paths
-    /// first. Searches for a goal come by color: which of several ways in is found first, and with that what
-    /// a why-not names, depends on the order.
+    /// first.
     std::uint32_t rank_of(std::uint32_t tile) const {
-        if (has_goal()) {
-            return color_of(space_.tiles[tile]);
-        }
         const Frontier& frontier = frontiers_[tile];
         return frontier.is_empty() ? std::numeric_limits<std::uint32_t>::max() : frontier.next_order();
     }

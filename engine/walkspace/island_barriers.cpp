@@ -198,6 +198,7 @@ std::optional<Barrier> barrier_before(const WorkerWorlds& worlds, const ExploreS
     }
     query.within = query.within.grown(kAround);
     query.is_beyond = on_island(island, reached.grid, query.within);
+    query.middle = island.bounds.center();
     query.known = &reached;
     query.nodes = nodes;
     query.likely_riser = ledge.measured;

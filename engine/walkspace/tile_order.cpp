@@ -43,11 +43,4 @@ TileOrder order_around(const std::vector<std::uint32_t>& active, const WalkSpace
     return order;
 }
 
-std::uint32_t color_of(const WalkTile& tile) {
-    const auto parity = [](int first_cell) {
-        return static_cast<std::uint32_t>((first_cell / WalkTile::kCells) & 1);
-    };
-    return parity(tile.first_cell.x) + 2 * parity(tile.first_cell.z);
-}
-
 }  // namespace campuswalk::engine

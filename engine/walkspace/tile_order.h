@@ -22,7 +22,4 @@ struct TileOrder {
 TileOrder order_around(const std::vector<std::uint32_t>& active, const WalkSpace& space,
                        const std::function<std::uint32_t(std::uint32_t tile)>& rank_of);
 
-/// 0 to 3. Tiles side by side never have the same.
-std::uint32_t color_of(const WalkTile& tile);
-
 }  // namespace campuswalk::engine

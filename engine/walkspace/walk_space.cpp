@@ -139,6 +139,16 @@ std::optional<WalkNodeId> WalkSpace::parent(const WalkNodeId& ref) const {
     return WalkNodeId{tile.neighbours[n.parent_tile], n.parent};
 }
 
+double WalkSpace::length_to(const WalkNodeId& ref) const {
+    double length = 0.0;
+    WalkNodeId at = ref;
+    for (auto before = parent(at); before; before = parent(at)) {
+        length += (position(at) - position(*before)).norm();
+        at = *before;
+    }
+    return length;
+}
+
 std::vector<ChainLink> WalkSpace::chain(const WalkNodeId& ref, Strider& strider) const {
     std::vector<ChainLink> links;
     std::optional<WalkNodeId> at = ref;

@@ -72,6 +72,8 @@ public:
 
     /// None for a start.
     std::optional<WalkNodeId> parent(const WalkNodeId& ref) const;
+    /// From the start, from the middle of each cell to the next, metres.
+    double length_to(const WalkNodeId& ref) const;
     /// From the start to the node. Takes as many ticks as the walk itself.
     std::vector<ChainLink> chain(const WalkNodeId& ref, Strider& strider) const;
     /// Where exactly the body stands at the node; takes the strides since the last node with a known state.

@@ -57,9 +57,9 @@ double change_of(const Barrier& barrier) {
 /// A change that would do.
 struct Change {
     Barrier barrier;
-    double amount = 0.0;      ///< see change_of
-    double size = 0.0;        ///< of the object to take away, the diagonal of its bounds, metres; else 0
-    std::size_t strides = 0;  ///< of the whole way without the object; else 0
+    double amount = 0.0;  ///< see change_of
+    double size = 0.0;    ///< of the object to take away, the diagonal of its bounds, metres; else 0
+    double length = 0.0;  ///< of the whole way without the object, see whole_length; else 0
 };
 
 /// The smallest first, and of objects the smallest: rather a door than the wall beside it.
@@ -70,9 +70,8 @@ void order(std::vector<Change>& changes) {
     const auto end = std::ranges::find_if(changes, [&](const Change& change) {
         return change.amount != smallest.amount || change.size > kAboutOneSize * smallest.size;
     });
-    const auto shortest = std::min_element(
-        changes.begin(), end, [](const Change& a, const Change& b) { return a.strides < b.strides; });
-    if (static_cast<double>(shortest->strides) < kMuchShorter * static_cast<double>(smallest.strides)) {
+    const auto shortest = std::ranges::min_element(changes.begin(), end, {}, &Change::length);
+    if (shortest->length < kMuchShorter * smallest.length) {
         std::rotate(changes.begin(), shortest, shortest + 1);
     }
 }
@@ -81,6 +80,7 @@ void order(std::vector<Change>& changes) {
 struct FoundPath {
     GroundState start;       ///< where it left what the body reaches
     std::vector<Vec3> feet;  ///< from there on
+    double length = 0.0;     ///< of that, metres
 };
 
 class Search {
@@ -169,7 +169,7 @@ private:
         }
         Strider strider(worlds[0], settings.strides, settings.solids);
         const std::vector<ChainLink> chain = space.chain(*space.goal, strider);
-        FoundPath path{chain.front().at, {}};
+        FoundPath path{chain.front().at, {}, length_of(chain)};
         for (const ChainLink& link : chain) {
             path.feet.push_back(link.at.foot);
         }
@@ -316,7 +316,7 @@ private:
                 barrier.kind = BarrierKind::object;
                 locate(*path, body, barrier);
                 barrier.object = id;
-                found.push_back({barrier, kChangeOfObject, size_of(id), strides_of(*path)});
+                found.push_back({barrier, kChangeOfObject, size_of(id), whole_length(*path)});
             }
         }
     }
@@ -348,23 +348,25 @@ private:
                 std::erase_if(found, [&](const Change& change) {
                     return change.barrier.kind == BarrierKind::object && change.barrier.object == node.object;
                 });
-                found.push_back({barrier, kChangeOfNode, size_of(node.object), strides_of(*path)});
+                found.push_back({barrier, kChangeOfNode, size_of(node.object), whole_length(*path)});
                 return;
             }
         }
     }
 
-    /// From where the body was put down.
-    std::size_t strides_of(const FoundPath& path) const {
-        std::size_t strides = path.feet.size();
+    /// From where the body was put down into the middle of what is beyond, metres: without a part of a wall
+    /// near the door, the way as far as the wall may be shorter, but hardly the one into the room.
+    double whole_length(const FoundPath& path) const {
+        double length = path.length;
+        if (query_.middle) {
+            length += collision::horizontal_norm(*query_.middle - path.feet.back());
+        }
         if (query_.known != nullptr) {
             const Vec3& foot = path.start.foot;
-            auto node = query_.known->find(query_.known->grid.cell_at(foot), foot.y());
-            for (; node; node = query_.known->parent(*node)) {
-                ++strides;
-            }
+            const auto node = query_.known->find(query_.known->grid.cell_at(foot), foot.y());
+            length += node ? query_.known->length_to(*node) : 0.0;
         }
-        return strides;
+        return length;
     }
 
     double size_of(ObjectId id) const {

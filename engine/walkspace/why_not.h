@@ -45,6 +45,7 @@ struct PassageQuery {
     std::vector<GroundState> from;
     /// Whether a node in this cell, at this height, is beyond the barrier.
     std::function<bool(const GridCell&, double y)> is_beyond;
+    std::optional<collision::Vec3> middle = {};   ///< of what is beyond: of like objects, the one on the way
     collision::Aabb within;                       ///< where to look for ways, horizontally and vertically
     const WalkSpace* known = nullptr;             ///< where the body got to; may be null
     const scene::NodeTriangles* nodes = nullptr;  ///< what meshes consist of; may be null

@@ -105,10 +105,10 @@ std::shared_ptr<const collision::MeshCollider> shell(double window) {
 }
 
 /// What is inside of the shell, by a report on a yard with it in the middle.
-IslandReport inside_shell(scene::Campus& campus) {
+IslandReport inside_shell(scene::Campus& campus, const Vec3& start = {4.5, 0, 4.5}) {
     const WorkerWorlds worlds(campus.world, 1, {});
     ExploreSettings settings = explore_settings(campus, AvatarProfile(), 60);
-    settings.starts = {{4.5, 0, 4.5}};
+    settings.starts = {start};
     for (IslandReport& entry : report_walks(campus, AvatarProfile(), worlds, settings).islands) {
         if (entry.island.bounds.max.cwiseAbs().maxCoeff() < 2.0) {
             return std::move(entry);
@@ -180,10 +180,12 @@ TEST_F(Findings, ARoomBehindAClosedDoorIsNoHollow) {
     add_box(campus, "south/right", {0.5, 0, 2}, {2, 3, 2.2});
     add_box(campus, "roof", {-2.2, 2.9, -2.2}, {2.2, 3.1, 2.2});
     const collision::ObjectId door = add_box(campus, "door", {-0.5, 0, 2}, {0.5, 3, 2.2});
-    const IslandReport room = inside_shell(campus);
-    EXPECT_FALSE(room.hollow);
-    ASSERT_TRUE(room.barrier);
-    EXPECT_EQ(room.barrier->object, door);
+    for (const Vec3& start : {Vec3(4.5, 0, 4.5), Vec3(-4.5, 0, 4.5), Vec3(4.5, 0, -4.5), Vec3(0, 0, -4.5)}) {
+        const IslandReport room = inside_shell(campus, start);
+        EXPECT_FALSE(room.hollow);
+        ASSERT_TRUE(room.barrier);
+        EXPECT_EQ(room.barrier->object, door) << "and no wall, from " << start.transpose();
+    }
 }
 
 TEST_F(Findings, ARoomWithClosedShuttersIsNoHollow) {
