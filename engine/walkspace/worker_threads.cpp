@@ -16,26 +16,28 @@ namespace {
 class Schedule {
 public:
     explicit Schedule(const std::vector<std::vector<std::size_t>>& after)
-        : awaited_(after.size()), followers_(after.size()), left_(after.size()) {
-        for (std::size_t item = 0; item < after.size(); ++item) {
+        : awaited_(after.size()), followers_(after.size()), queued_(after.size()), left_(after.size()) {
+        for (std::size_t item = after.size(); item-- > 0;) {
             awaited_[item] = after[item].size();
             for (const std::size_t earlier : after[item]) {
                 followers_[earlier].push_back(item);
+                queued_[earlier] = std::max(queued_[earlier], queued_[item] + 1);
             }
             if (after[item].empty()) {
-                ready_.push(item);
+                add_ready(item);
             }
         }
     }
 
-    /// The lowest item that comes after nothing that isn't done, once there is one; none if all are taken.
+    /// Of the items that come after nothing that isn't done, once there is one, that which the longest row of
+    /// others waits for, then the lowest; none if all are taken.
     std::optional<std::size_t> take() {
         std::unique_lock lock(mutex_);
         changed_.wait(lock, [&] { return left_ == 0 || !ready_.empty(); });
         if (left_ == 0) {
             return std::nullopt;
         }
-        const std::size_t item = ready_.top();
+        const std::size_t item = ready_.top().item;
         ready_.pop();
         if (--left_ == 0) {
             changed_.notify_all();
@@ -47,7 +49,7 @@ public:
         const std::scoped_lock lock(mutex_);
         for (const std::size_t follower : followers_[item]) {
             if (--awaited_[follower] == 0) {
-                ready_.push(follower);
+                add_ready(follower);
                 changed_.notify_one();
             }
         }
@@ -60,11 +62,23 @@ public:
     }
 
 private:
+    struct Ready {
+        std::size_t queued = 0;
+        std::size_t item = 0;
+
+        bool operator<(const Ready& other) const {
+            return queued != other.queued ? queued < other.queued : item > other.item;
+        }
+    };
+
+    void add_ready(std::size_t item) { ready_.push({queued_[item], item}); }
+
     std::mutex mutex_;
     std::condition_variable changed_;
     std::vector<std::size_t> awaited_;  ///< by item: of those that it comes after, how many aren't done
     std::vector<std::vector<std::size_t>> followers_;  ///< by item
-    std::priority_queue<std::size_t, std::vector<std::size_t>, std::greater<>> ready_;
+    std::vector<std::size_t> queued_;  ///< by item: the length of the longest row of items that wait for it
+    std::priority_queue<Ready> ready_;
     std::size_t left_;  ///< not taken yet
 };
 
