@@ -23,6 +23,11 @@ constexpr double kStill = 1e-9;
 /// along a wall would become ever shorter and never end.
 constexpr double kCreep = 1e-5;
 
+/// Of what is in the way of a fall, so much is passed in a tick, one after the other.
+constexpr int kMostContacts = 4;
+/// A body that gets less than this share of its fall down is wedged: it stands.
+constexpr double kWedged = 0.01;
+
 /// Lists the smallest gap of each object.
 void add_touch(const Touch& touch, std::vector<Touch>& touching) {
     const auto at = std::ranges::lower_bound(touching, touch.object, {}, &Touch::object);
@@ -152,6 +157,28 @@ Vec3 resting_normal(MoveContext& context, const Vec3& foot) {
     return steepest;
 }
 
+/// Down along what it rests on; where something else is soon in the way, down along that as well, and so on:
+/// between two edges that hardly overlap it, a body would hang for ever that left only the first of them.
+Vec3 fall_along_contacts(MoveContext& context, MoverState& state, const Vec3& start, Vec3 foot, double rest,
+                         double seconds) {
+    for (int contacts = 0; contacts < kMostContacts; ++contacts) {
+        const Vec3 n = resting_normal(context, foot);
+        if (contacts > 0 && n == Vec3::UnitY()) {
+            break;  // nothing holds it any more
+        }
+        const double freely = rest * (1.0 - n.y() * n.y());
+        const double before = foot.y();
+        foot = fall_along(context, foot, n, rest);
+        turn_along(context.body, state, n, (foot - start).norm(), seconds);
+        rest -= foot.y() - before;
+        const bool is_blocked = foot.y() - before > 0.5 * freely;
+        if (!is_blocked || rest > -kStill) {
+            break;
+        }
+    }
+    return foot;
+}
+
 void land(MoverState& state, const Vec3& foot, const Ground& ground, MoveTrace& trace) {
     trace.landed = true;
     trace.fall_height = std::max(trace.fall_height, state.fall_from - foot.y());
@@ -188,12 +215,10 @@ void fall(MoveContext& context, MoverState& state, const Vec3& desired, double s
             land(state, foot, ground, trace);
             return;
         }
-        const Vec3 before = foot;
-        const Vec3 n = resting_normal(context, foot);
-        foot = fall_along(context, foot, n, rest);
-        turn_along(context.body, state, n, (foot - start).norm(), seconds);
-        const bool wedged = (foot - before).norm() < kStill && std::abs(vertical.y()) < kStill;
-        if (const Ground ground = underfoot(context, foot, kMinLandingDrop); wedged || ground.carries) {
+        foot = fall_along_contacts(context, state, start, foot, rest, seconds);
+        const bool wedged = start.y() - foot.y() < -kWedged * rise;
+        const Ground ground = underfoot(context, foot, wedged ? kMinSupportDrop : kMinLandingDrop);
+        if (wedged || ground.carries) {
             land(state, foot, ground, trace);
             return;
         }

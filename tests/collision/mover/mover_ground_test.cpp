@@ -22,6 +22,13 @@ using support::radians;
 constexpr double kGravity = 9.81;
 const Vec3 kEast(1.4, 0, 0);
 
+void push_until_it_lands(AuditedBody& body, const Vec3& velocity) {
+    for (int tick = 0; tick < 600 && !body.state().grounded; ++tick) {
+        body.tick(velocity);
+    }
+    EXPECT_TRUE(body.state().grounded) << "after ten seconds";
+}
+
 class MoverAndGround : public ::testing::Test {
 protected:
     /// A level floor at height 0 with something added to it.
@@ -208,7 +215,7 @@ TEST_F(MoverAndGround, AFastFallStopsAtAThinFloor) {
 
 /// The body falls past the edge of a shelf that it pushes at; the wall below stands out from that a little.
 TEST_F(MoverAndGround, AFallIsCaughtByALedgeButNotByAWallThatIsNotQuiteFlush) {
-    for (const double out : {-1e-4, 0.0, 1e-4, 2e-4, 0.001, 0.005, 0.05}) {
+    for (const double out : {-1e-4, 0.0, 1e-4, 2e-4, 3e-4, 5e-4, 0.001, 0.005, 0.05}) {
         SCOPED_TRACE(out);
         World world(std::make_unique<LinearBroadPhase>());
         add_object(world, support::floor_with([&](TriangleMesh& mesh) {
@@ -217,10 +224,52 @@ TEST_F(MoverAndGround, AFallIsCaughtByALedgeButNotByAWallThatIsNotQuiteFlush) {
                    }));
         AuditedBody body(world);
         body.stand({0.5, 1.68, 0}, 0.1);
-        while (!body.state().grounded) {
-            body.tick(kEast);
+        push_until_it_lands(body, kEast);
+        EXPECT_NEAR(body.state().support_y, out < 4e-4 ? 0.0 : 1.65, 1e-3);
+    }
+}
+
+/// It pushes into a corner whose two walls stand out a little below: neither edge may hold it for ever.
+TEST_F(MoverAndGround, AFallIntoACornerOfWallsThatAreNotQuiteFlushEndsOnTheFloor) {
+    for (const double radius : {0.1, 0.3, 0.5, 1.0}) {
+        for (const double out : {0.0, 0.02, 0.3, 0.6, 0.9}) {
+            for (const double other : {0.1, 0.5, 0.8}) {
+                SCOPED_TRACE(testing::Message() << radius << ' ' << out << ' ' << other);
+                MoverSettings settings;
+                settings.radius = radius;
+                settings.height = 2.2;
+                const double most = 0.00125 * radius;                 // what doesn't catch a fall
+                const double lower = 1.0 - settings.skin + kRestGap;  // where the body passes it
+                World world(std::make_unique<LinearBroadPhase>());
+                add_object(world, support::floor_with([&](TriangleMesh& mesh) {
+                               add_box(mesh, {1, 1, -3}, {2, 6, 3});
+                               add_box(mesh, {-3, 1, 1}, {2, 6, 2});
+                               add_box(mesh, {lower - out * most, -1, -3}, {2, 1, 3});
+                               add_box(mesh, {-3, -1, lower - other * most}, {2, 1, 2});
+                           }));
+                AuditedBody body(world, settings);
+                body.stand({0.75 - radius, 1.9, 0.75 - radius}, 0.01);
+                push_until_it_lands(body, {1.2, 0, 0.9});
+                EXPECT_NEAR(body.foot().y(), 0.0, 1e-3);
+            }
         }
-        EXPECT_NEAR(body.state().support_y, out < 0.001 ? 0.0 : 1.65, 1e-3);
+    }
+}
+
+TEST_F(MoverAndGround, AFallBetweenTwoEdgesThatHardlyOverlapItEndsOnTheFloor) {
+    for (const double left : {1e-5, 1e-4, 2.85e-4}) {
+        for (const double right : {2e-5, 1.1e-4, 3e-4}) {
+            SCOPED_TRACE(testing::Message() << left << ' ' << right);
+            World world(std::make_unique<LinearBroadPhase>());
+            add_object(world, support::floor_with([&](TriangleMesh& mesh) {
+                           add_box(mesh, {-3, -1, -3}, {left - 0.3001, 1, 3});
+                           add_box(mesh, {0.3001 - right, -1, -3}, {3, 1, 3});
+                       }));
+            AuditedBody body(world);
+            body.stand({0, 1.6, 0}, 0.01);
+            push_until_it_lands(body, Vec3::Zero());
+            EXPECT_LT(body.foot().y(), 1.0) << "it stands between the edges, or on the floor";
+        }
     }
 }
 
@@ -231,6 +280,27 @@ TEST_F(MoverAndGround, SlidesDownASlopeTooSteepToStandOn) {
     body.fall_down();
     EXPECT_NEAR(body.foot().y(), 0.0, 1e-3);
     EXPECT_LT(body.foot().x(), 0.0);
+}
+
+/// However shallow: it isn't taken for wedged.
+TEST_F(MoverAndGround, SlidesDownEverySlopeThatItMayNotStandOn) {
+    for (const double degrees : {6.5, 8.0, 15.0, 30.0, 60.0, 80.0}) {
+        SCOPED_TRACE(degrees);
+        World world(std::make_unique<LinearBroadPhase>());
+        add_object(world, support::floor_with([&](TriangleMesh& mesh) {
+                       const double high = 3.0 * std::tan(radians(degrees));
+                       add_quad(mesh, {0, 0, 2}, {3, high, 2}, {3, high, -2}, {0, 0, -2});
+                   }));
+        MoverSettings settings;
+        settings.min_up = std::cos(radians(5.0));
+        settings.step_height = 0.02;
+        AuditedBody body(world, settings);
+        const double clear = settings.radius / std::cos(radians(degrees));
+        body.stand({1.5, 1.5 * std::tan(radians(degrees)) + clear, 0}, 0.01);
+        push_until_it_lands(body, Vec3::Zero());
+        EXPECT_LE(body.state().support_y, settings.step_height) << "the floor, at most a step above it";
+        EXPECT_LT(body.foot().x(), 0.1);
+    }
 }
 
 TEST_F(MoverAndGround, OnlyACeilingLowerThanTheBodyStopsIt) {

@@ -204,6 +204,19 @@ TEST(Strider, FallsWhereItIsSteered) {
     EXPECT_NEAR(south.at.foot.x(), south.edge.x(), 0.15);
 }
 
+/// With next to no gravity, one that lets go stays where it left the ground.
+TEST(Strider, SoonGivesUpABodyThatIsCaughtInTheAir) {
+    StrideOn floor([](TriangleMesh& mesh) { support::add_box(mesh, {-2, 0, -2}, {0, 3, 2}); });
+    const GroundState start = on_the_rim(floor);
+    StrideSettings floating = strides_of();
+    floating.body.gravity = 1e-6;
+    Strider strider(floor.campus.world, floating, {});
+    const StrideEnd end = strider.take(start, {.direction = kEast, .steering = Stride::kLetGo}, kGrid);
+    EXPECT_EQ(end.kind, Kind::falling);
+    EXPECT_TRUE(end.left_ground);
+    EXPECT_LT(end.ticks, 120) << "rather than 1,800, which is half a minute";
+}
+
 TEST(Strider, JumpsAheadAtTheSpeedOfItsRun) {
     StrideOn floor(add_nothing);
     const GroundState start = floor.state_at({0.1, 0.0, 0.1});
