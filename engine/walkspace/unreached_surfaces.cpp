@@ -34,7 +34,10 @@ constexpr double kCloser = 3.0;
 
 /// By cell from low to high.
 bool in_order(const Surface& a, const Surface& b) {
-    return std::tie(a.cell, a.y, a.object, a.triangle) < std::tie(b.cell, b.y, b.object, b.triangle);
+    if (a.cell != b.cell) {
+        return a.cell < b.cell;
+    }
+    return std::tie(a.y, a.object, a.triangle) < std::tie(b.y, b.object, b.triangle);
 }
 
 /// Finds the surfaces of one triangle after another.

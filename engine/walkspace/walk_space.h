@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "collision/geometry/shapes.h"
@@ -80,7 +80,7 @@ public:
     GroundState state_at(const WalkNodeId& ref, Strider& strider) const;
 
 private:
-    std::map<GridCell, std::uint32_t> tile_numbers_;  ///< by the tile's corner
+    std::unordered_map<GridCell, std::uint32_t, GridCellHash> tile_numbers_;  ///< by the tile's corner
 };
 
 }  // namespace campuswalk::engine
