@@ -219,8 +219,8 @@ private:
         receive_from(order.tiles);
     }
 
-    /// As they were reached, so that what goes on from one to the next finds places by the shorter paths
-    /// first.
+    /// As they were reached, or on the way to a point as they promise to lead there, so that what goes on
+    /// from one to the next finds places by the shorter paths first.
     std::uint32_t rank_of(std::uint32_t tile) const {
         const Frontier& frontier = frontiers_[tile];
         return frontier.is_empty() ? std::numeric_limits<std::uint32_t>::max() : frontier.next_order();

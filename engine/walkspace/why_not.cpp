@@ -354,8 +354,9 @@ private:
         }
     }
 
-    /// From where the body was put down into the middle of what is beyond, metres: without a part of a wall
-    /// near the door, the way as far as the wall may be shorter, but hardly the one into the room.
+    /// From where the body was put down to the middle of what is beyond, straight on from where one gets
+    /// there, metres: without a part of a wall near the door, the way as far as the wall may be shorter, but
+    /// hardly the one into the room.
     double whole_length(const FoundPath& path) const {
         double length = path.length;
         if (query_.middle) {

@@ -1,6 +1,8 @@
 #include "engine/walkspace/worker_threads.h"
 
 #include <atomic>
+#include <chrono>
+#include <future>
 #include <stdexcept>
 #include <vector>
 
@@ -113,6 +115,21 @@ TEST(ForEachItemInOrder, ThrowsThoughOthersWait) {
                      std::runtime_error);
         EXPECT_EQ(later, 0);
     }
+}
+
+/// Item 3 comes after item 2: that is taken before the two that nothing waits for, which wait for it here.
+TEST(ForEachItemInOrder, BeginsWithWhatOthersWaitFor) {
+    std::promise<void> has_begun;
+    const std::shared_future<void> begun = has_begun.get_future().share();
+    std::atomic<int> waited_in_vain = 0;
+    for_each_item_in_order({{}, {}, {}, {2}}, 2, [&](std::size_t, std::size_t item) {
+        if (item == 2) {
+            has_begun.set_value();
+        } else if (begun.wait_for(std::chrono::seconds(5)) != std::future_status::ready) {
+            ++waited_in_vain;
+        }
+    });
+    EXPECT_EQ(waited_in_vain, 0);
 }
 
 }  // namespace
