@@ -230,7 +230,7 @@ TEST_F(MoverAndGround, AFallIsCaughtByALedgeButNotByAWallThatIsNotQuiteFlush) {
 }
 
 /// It pushes into a corner whose two walls stand out a little below: neither edge may hold it for ever.
-TEST_F(MoverAndGround, AFallIntoACornerOfWallsThatAreNotQuiteFlushEndsOnTheFloor) {
+TEST_F(MoverAndGround, AFallAgainstTwoWallsThatAreNotQuiteFlushEndsOnTheFloor) {
     for (const double radius : {0.1, 0.3, 0.5, 1.0}) {
         for (const double out : {0.0, 0.02, 0.3, 0.6, 0.9}) {
             for (const double other : {0.1, 0.5, 0.8}) {
