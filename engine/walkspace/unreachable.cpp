@@ -10,6 +10,7 @@
 #include "engine/walkspace/barrier_text.h"
 #include "engine/walkspace/island_barriers.h"
 #include "engine/walkspace/node_numbers.h"
+#include "engine/walkspace/opposing_contact.h"
 #include "engine/walkspace/place_check.h"
 #include "engine/walkspace/worker_worlds.h"
 
@@ -113,22 +114,35 @@ Island part_to_cross_to(const std::vector<UnreachedSpot>& spots, const WalkSpace
     return island;
 }
 
-/// How near one gets.
-UnreachableReason nearest_reason(const WalkSpace& reached, const Target& target) {
-    std::optional<Vec3> nearest;
+/// How near one gets from the nearest node straight on, and what is in the way then.
+UnreachableReason nearest_reason(const scene::Campus& campus, const WalkSpace& reached, const Target& target,
+                                 Strider& strider) {
+    constexpr double kSeconds = 2.0;
+    const auto apart = [&](const Vec3& p) {
+        return (target.has_height ? Vec3(target.point - p) : flat(target.point - p)).norm();
+    };
+    std::optional<WalkNodeId> nearest;
     double least = std::numeric_limits<double>::max();
     NodeNumbers(reached).for_each([&](const WalkNodeId& id) {
-        const Vec3 p = reached.position(id);
-        const double apart = (target.has_height ? Vec3(target.point - p) : flat(target.point - p)).norm();
-        if (apart < least) {
-            least = apart;
-            nearest = p;
+        if (const double distance = apart(reached.position(id)); distance < least) {
+            least = distance;
+            nearest = id;
         }
     });
     if (!nearest) {
         return {"the avatar falls out of the world"};
     }
-    return {"one gets no nearer than " + fixed(least, 2) + " m, to " + coordinates_text(*nearest), nearest};
+    const GroundState node = reached.state_at(*nearest, strider);
+    const StrideEnd end = strider.walk_to(node, target.point, 0.0, kSeconds);
+    const bool is_nearer = end.kind == StrideEnd::Kind::grounded && apart(end.at.foot) < apart(node.foot);
+    const Vec3 foot = is_nearer ? end.at.foot : node.foot;
+    std::string text =
+        "one gets no nearer than " + fixed(apart(foot), 2) + " m, to " + coordinates_text(foot);
+    if (const auto contact = opposing_contact(campus.world, strider.filter(), strider.settings().body, foot,
+                                              flat(target.point - foot))) {
+        text += ": " + object_text(campus, contact->object, contact->at) + " is in the way";
+    }
+    return {text, foot};
 }
 
 /// What is wrong with the target itself.
@@ -179,7 +193,7 @@ UnreachableReason why_target_is_unreachable(const scene::Campus& campus, const R
     const auto barrier =
         find_island_barriers(worlds, exploration, none.reached, islands, 1, &nodes, {true}).front();
     return barrier ? UnreachableReason{barrier_text(campus, *barrier), barrier->at}
-                   : nearest_reason(none.reached, none.target);
+                   : nearest_reason(campus, none.reached, none.target, strider);
 }
 
 }  // namespace

@@ -101,6 +101,16 @@ TEST(GoTo, SaysHowHighTheRiserIsThatKeepsItAway) {
     EXPECT_TRUE(run(campus, walk).summary.passed);
 }
 
+/// The wall is 0.26 m away: nearer than the body's radius, and too far for what is certain without a search.
+TEST(GoTo, SaysHowNearOneGetsToWhatIsCloseToAWall) {
+    const scene::Campus campus = yard();
+    const RecordedRun result = run(campus, walk_of({spawn_at({0, 0, 0}), go_to(4.74, 0.3, 0.0)}));
+    ASSERT_EQ(result.summary.failures.size(), 1U);
+    EXPECT_THAT(
+        result.summary.failures.front().message,
+        testing::HasSubstr("one gets no nearer than 0.06 m, to 4.68, 0.00, 0.30: east is in the way"));
+}
+
 TEST(GoTo, GoesUnderWhatOnlyACrouchedBodyPasses) {
     scene::Campus campus = level_campus(10.0);
     add_box(campus, "beam", {-12, 1.3, -0.2}, {12, 3, 0.2});
