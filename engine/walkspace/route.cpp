@@ -293,19 +293,7 @@ private:
     }
 
     /// False if the body falls out of the world.
-    bool land() {
-        if (state_.grounded) {
-            return true;
-        }
-        Pull pull{0, {target_, within_, Vec3(Vec3::Zero())}, {}, {}};
-        const auto end = trial_.stride(state_, pull.piece);
-        if (end) {
-            pull.end = *end;
-            pull.path = trial_.path();
-            append(pull);
-        }
-        return end.has_value();
-    }
+    bool land() { return state_.grounded || append_stride({target_, within_, Vec3(Vec3::Zero())}); }
 
     ExploreSettings explore_settings() {
         ExploreSettings settings;
@@ -452,23 +440,25 @@ private:
         const StrideEnd end = strider_.take({state_.foot, state_.support_y}, stride, grid);
         const double length = settings_.strides.walk_speed * settings_.strides.seconds;
         const Vec3 ahead = length * grid_directions()[stride.direction].unit;
-        append_stride(ahead, end.ticks_ahead);
+        append_stride({target_, within_, ahead, end.ticks_ahead});
         if (end.ticks > end.ticks_ahead) {
-            append_stride(stride.steering == Stride::kStraightOn ? ahead
-                          : stride.steering == Stride::kLetGo
-                              ? Vec3(Vec3::Zero())
-                              : Vec3(length * grid_directions()[stride.steering].unit),
-                          end.ticks - end.ticks_ahead);
+            const Vec3 steered = stride.steering == Stride::kStraightOn ? ahead
+                                 : stride.steering == Stride::kLetGo
+                                     ? Vec3(Vec3::Zero())
+                                     : Vec3(length * grid_directions()[stride.steering].unit);
+            append_stride({target_, within_, steered, end.ticks - end.ticks_ahead});
         }
     }
 
-    void append_stride(const Vec3& move, int ticks) {
-        Pull pull{0, {target_, within_, move, ticks}, {}, {}};
-        if (const auto end = trial_.stride(state_, pull.piece)) {
+    bool append_stride(const RoutePiece& piece) {
+        Pull pull{0, piece, {}, {}};
+        const auto end = trial_.stride(state_, pull.piece);
+        if (end) {
             pull.end = *end;
             pull.path = trial_.path();
             append(pull);
         }
+        return end.has_value();
     }
 
     void append(const Pull& pull) {
