@@ -48,7 +48,7 @@ public:
         }
         const scene::NodeTriangles nodes(campus_, query.within);
         query.nodes = &nodes;
-        query.single_change = true;
+        query.changes = Changes::single;
         const auto barrier = why_not(worlds_, settings_, query);
         return !barrier || barrier->kind == BarrierKind::solid
                    ? contact

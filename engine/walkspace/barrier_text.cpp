@@ -47,9 +47,12 @@ std::string letters_of(std::string name) {
     return name;
 }
 
-/// The other change that would do as well, if there is one of this kind.
+/// The other change that would do as well there, if there is one of this kind.
 const Barrier* part_of(const Barrier& barrier, BarrierKind kind) {
-    const auto found = std::ranges::find(barrier.parts, kind, &Barrier::kind);
+    constexpr double kBeside = 2.0;  // metres: farther off, it is another way in
+    const auto found = std::ranges::find_if(barrier.parts, [&](const Barrier& part) {
+        return part.kind == kind && (part.at - barrier.at).norm() <= kBeside;
+    });
     return found == barrier.parts.end() ? nullptr : &*found;
 }
 

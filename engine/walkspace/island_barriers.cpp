@@ -27,9 +27,10 @@ constexpr double kApart = 0.5;
 constexpr double kOneLevel = 0.5;
 /// A spot's ground, in its cell, metres.
 constexpr double kSameGround = 0.3;
-/// Stairs to an island begin no farther away than this from it, metres, and lead no longer way to it.
-constexpr double kStairs = 12.0;
-constexpr double kLongestStairs = 30.0;
+/// Stairs, ramps and long passages to an island begin no farther away than this from it, metres, and the
+/// climbs lead no longer way to it.
+constexpr double kFar = 12.0;
+constexpr double kLongestClimb = 30.0;
 
 /// Places by blocks of 2 m.
 template <typename Place>
@@ -139,80 +140,140 @@ auto on_island(const Island& island, const WalkGrid& grid, const collision::Aabb
     };
 }
 
-/// A riser of the stairs to an island, if such are what would lead there. Where their treads are too narrow
-/// to stand on, they are no part of the island, and begin farther away from it than other barriers are.
-std::optional<Barrier> riser_of_stairs(const WorkerWorlds& worlds, const ExploreSettings& settings,
-                                       const WalkSpace& reached, const Island& island, const Rim& rim) {
-    std::vector<Approach> feet;
-    for (const auto& [block, there] : rim.all()) {
+/// The island, and what it takes to ask about it.
+struct IslandQuestion {
+    const WorkerWorlds& worlds;
+    const ExploreSettings& settings;
+    const WalkSpace& reached;
+    const Island& island;
+    const Rim& rim;
+    const scene::NodeTriangles* nodes;
+};
+
+/// `ends`: of the way across, besides its starts.
+PassageQuery passage_to(const IslandQuestion& q, const std::vector<Approach>& approaches,
+                        const collision::Aabb& ends) {
+    PassageQuery query;
+    query.within = ends;
+    for (const Approach& approach : approaches) {
+        query.from.push_back(approach.from);
+        query.within.extend(approach.from.foot);
+    }
+    query.within = query.within.grown(kAround);
+    query.is_beyond = on_island(q.island, q.reached.grid, query.within);
+    query.middle = q.island.bounds.center();
+    query.known = &q.reached;
+    query.nodes = q.nodes;
+    return query;
+}
+
+/// What keeps the body from the island where nothing of it is near: stairs whose treads are too narrow to
+/// stand on and ramps too steep to stand on are no part of it, nor is a passage without room.
+std::optional<Barrier> barrier_from_afar(const IslandQuestion& q, Changes changes) {
+    std::vector<Approach> starts;
+    for (const auto& [block, there] : q.rim.all()) {
         for (const GroundState& from : there) {
-            const Vec3 nearest = from.foot.cwiseMax(island.bounds.min).cwiseMin(island.bounds.max);
+            const Vec3 nearest = from.foot.cwiseMax(q.island.bounds.min).cwiseMin(q.island.bounds.max);
             const double apart = collision::horizontal_norm(nearest - from.foot);
-            if (apart <= kStairs && from.foot.y() < island.bounds.max.y()) {
-                feet.push_back({from, nullptr, apart});
+            const double drop = from.foot.y() - q.island.bounds.max.y();
+            if (apart <= kFar && drop < (changes == Changes::climbs ? 0.0 : kHighestLedge)) {
+                starts.push_back({from, nullptr, apart});
             }
         }
     }
-    std::ranges::stable_sort(feet, {}, &Approach::apart);
-    thin_out(feet);
-    PassageQuery query;
-    query.within = island.bounds;
-    for (const Approach& foot : feet) {
-        query.from.push_back(foot.from);
-        query.within.extend(foot.from.foot);
-    }
-    query.within = query.within.grown(kAround);
-    query.is_beyond = on_island(island, reached.grid, query.within);
-    query.known = &reached;
-    query.only_risers = true;
-    query.longest_crossing = kLongestStairs;
-    return query.from.empty() ? std::nullopt : why_not(worlds, settings, query);
-}
-
-std::optional<Barrier> barrier_before(const WorkerWorlds& worlds, const ExploreSettings& settings,
-                                      const WalkSpace& reached, const Island& island, const Rim& rim,
-                                      const scene::NodeTriangles* nodes) {
-    std::vector<Approach> approaches = approaches_to(island, rim);
-    thin_out(approaches);
-    if (approaches.empty()) {
+    std::ranges::stable_sort(starts, {}, &Approach::apart);
+    thin_out(starts);
+    if (starts.empty()) {
         return std::nullopt;
     }
+    PassageQuery query = passage_to(q, starts, q.island.bounds);
+    query.changes = changes;
+    query.longest_crossing = changes == Changes::climbs ? kLongestClimb : kFar + kAround;
+    return why_not(q.worlds, q.settings, query);
+}
+
+/// The lowest step up to the island from what is near it.
+Barrier lowest_ledge(const std::vector<Approach>& approaches, double step_height) {
     const auto rise = [](const Approach& a) { return a.spot->at.foot.y() - a.from.foot.y(); };
     const Approach& lowest = *std::ranges::min_element(approaches, {}, rise);
     Barrier ledge;
     ledge.kind = BarrierKind::ledge;
     ledge.measured = rise(lowest);
-    ledge.allowed = settings.strides.body.step_height;
+    ledge.allowed = step_height;
     ledge.at = lowest.spot->at.foot;
     ledge.object = lowest.spot->object;
     ledge.triangle = lowest.spot->triangle;
     ledge.from = lowest.from.foot;
+    return ledge;
+}
+
+bool is_closed_off(const std::optional<Barrier>& barrier) {
+    return barrier && barrier->kind == BarrierKind::solid;
+}
+
+/// Whether it is an object, and the other one too, but a larger one.
+bool is_smaller_object(const collision::World& world, const Barrier& barrier, const Barrier& other) {
+    const auto size_of = [&](const Barrier& object) {
+        const collision::Aabb& box = world.bounds(*object.object);
+        return (box.max - box.min).norm();
+    };
+    return barrier.kind == BarrierKind::object && other.kind == BarrierKind::object &&
+           size_of(barrier) <= size_of(other);
+}
+
+/// `approaches`: at least one. `is_wanted`: see find_island_barriers.
+std::optional<Barrier> barrier_from_nearby(const IslandQuestion& q, const std::vector<Approach>& approaches,
+                                           bool is_wanted) {
+    const Barrier ledge = lowest_ledge(approaches, q.settings.strides.body.step_height);
     if (ledge.measured > kHighestLedge) {
         return ledge;
     }
-    PassageQuery query;
+    collision::Aabb ends;
     for (const Approach& approach : approaches) {
-        query.from.push_back(approach.from);
-        query.within.extend(approach.from.foot);
-        query.within.extend(approach.spot->at.foot);
+        ends.extend(approach.spot->at.foot);
     }
-    query.within = query.within.grown(kAround);
-    query.is_beyond = on_island(island, reached.grid, query.within);
-    query.middle = island.bounds.center();
-    query.known = &reached;
-    query.nodes = nodes;
+    PassageQuery query = passage_to(q, approaches, ends);
     query.likely_riser = ledge.measured;
     std::optional<bool> enclosed;
     query.is_enclosed = [&] {
         if (!enclosed) {
-            enclosed = is_enclosed(worlds[0], settings, reached, island);
+            enclosed = is_enclosed(q.worlds[0], q.settings, q.reached, q.island);
         }
         return *enclosed;
     };
-    std::optional<Barrier> barrier = why_not(worlds, settings, query);
-    const bool is_closed_off = barrier && barrier->kind == BarrierKind::solid;
-    const bool is_ledge = is_closed_off && ledge.measured > kHighestRiser && !query.is_enclosed();
+    if (is_wanted) {
+        query.changes = Changes::single;
+        std::optional<Barrier> here = why_not(q.worlds, q.settings, query);
+        if (here && here->kind != BarrierKind::solid && here->kind != BarrierKind::object) {
+            return here;
+        }
+        // One change that helps from afar is better than several here, or than to take away a wall.
+        const std::optional<Barrier> afar = barrier_from_afar(q, Changes::single);
+        if (afar && !is_closed_off(afar) && !(here && is_smaller_object(q.worlds[0], *here, *afar))) {
+            return afar;
+        }
+        if (!is_closed_off(here)) {
+            return here;
+        }
+        query.changes = Changes::any;
+    }
+    std::optional<Barrier> barrier = why_not(q.worlds, q.settings, query);
+    const bool is_ledge = is_closed_off(barrier) && ledge.measured > kHighestRiser && !query.is_enclosed();
     return is_ledge ? ledge : barrier;
+}
+
+std::optional<Barrier> barrier_before(const IslandQuestion& q, bool is_wanted) {
+    std::vector<Approach> approaches = approaches_to(q.island, q.rim);
+    thin_out(approaches);
+    if (approaches.empty()) {
+        return is_wanted ? barrier_from_afar(q, Changes::single) : std::nullopt;
+    }
+    std::optional<Barrier> barrier = barrier_from_nearby(q, approaches, is_wanted);
+    if (is_wanted && barrier && barrier->kind == BarrierKind::ledge) {
+        const auto climb = barrier_from_afar(q, Changes::climbs);
+        return climb ? climb : barrier;
+    }
+    return barrier;
 }
 
 }  // namespace
@@ -222,7 +283,7 @@ std::vector<std::optional<Barrier>> find_island_barriers(const WorkerWorlds& wor
                                                          const WalkSpace& reached,
                                                          const std::vector<Island>& islands,
                                                          std::size_t count, const scene::NodeTriangles* nodes,
-                                                         const std::vector<bool>& with_stairs) {
+                                                         const std::vector<bool>& wanted) {
     Rim rim;
     for (const WalkTile& tile : reached.tiles) {
         for (const WalkTile::Keyframe& at : tile.rim) {
@@ -232,13 +293,8 @@ std::vector<std::optional<Barrier>> find_island_barriers(const WorkerWorlds& wor
     std::vector<std::optional<Barrier>> barriers(std::min(count, islands.size()));
     for_each_item(barriers.size(), worlds.size(), [&](std::size_t worker, std::size_t island) {
         const WorkerWorlds own(worlds[worker], 1, {});
-        std::optional<Barrier>& barrier = barriers[island];
-        barrier = barrier_before(own, settings, reached, islands[island], rim, nodes);
-        const bool asks_for_stairs = island < with_stairs.size() && with_stairs[island];
-        if (asks_for_stairs && barrier && barrier->kind == BarrierKind::ledge) {
-            const auto riser = riser_of_stairs(own, settings, reached, islands[island], rim);
-            barrier = riser ? riser : barrier;
-        }
+        const bool is_wanted = island < wanted.size() && wanted[island];
+        barriers[island] = barrier_before({own, settings, reached, islands[island], rim, nodes}, is_wanted);
     });
     return barriers;
 }

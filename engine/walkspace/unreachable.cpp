@@ -22,8 +22,8 @@ namespace {
 
 /// As much of the target's ground is looked at: 1,250 m² with cells of 0.25 m.
 constexpr std::size_t kMostGround = 20'000;
-/// And of that, what is this near to where the way would lead over to it, metres.
-constexpr double kAroundCrossing = 4.0;
+/// Barriers are looked for this far around it, metres.
+constexpr double kAroundGround = 12.0;
 
 std::string coordinates_text(const Vec3& p) {
     return fixed(p.x(), 2) + ", " + fixed(p.y(), 2) + ", " + fixed(p.z(), 2);
@@ -45,21 +45,6 @@ void find_ground(const Strider& strider, UnreachedSpot& spot) {
     }
 }
 
-/// Whether something that is reached is in one of the cells within 2 m, at whatever height.
-bool is_near_reached(const WalkSpace& reached, const Vec3& foot) {
-    constexpr int kCells = 8;
-    constexpr double kAnyHeight = 20.0;
-    const GridCell cell = reached.grid.cell_at(foot);
-    for (int dx = -kCells; dx <= kCells; dx += 2) {
-        for (int dz = -kCells; dz <= kCells; dz += 2) {
-            if (reached.find({cell.x + dx, cell.z + dz}, foot.y(), kAnyHeight)) {
-                return true;
-            }
-        }
-    }
-    return false;
-}
-
 /// A body that falls back from the target's ground may land between nodes that are reached.
 bool is_beside_reached(const WalkSpace& reached, const Vec3& foot) {
     constexpr double kSameLevel = 0.3;
@@ -73,44 +58,21 @@ bool is_beside_reached(const WalkSpace& reached, const Vec3& foot) {
 }
 
 /// The ground around the target that isn't reached.
-std::vector<UnreachedSpot> ground_of(const WorkerWorlds& worlds, ExploreSettings settings,
-                                     const GroundState& target, const WalkSpace& reached, Strider& strider) {
+Island ground_of(const WorkerWorlds& worlds, ExploreSettings settings, const GroundState& target,
+                 const WalkSpace& reached, Strider& strider) {
     settings.more_starts = {target};
     settings.known = &reached;
     settings.max_nodes = kMostGround;
     const WalkSpace space = explore(worlds, settings);
-    std::vector<UnreachedSpot> spots;
+    Island island;
     NodeNumbers(space).for_each([&](const WalkNodeId& id) {
         const Vec3 foot = space.position(id);
         if (!is_beside_reached(reached, foot)) {
-            spots.push_back({{foot, foot.y()}});
-            find_ground(strider, spots.back());
+            island.spots.push_back({{foot, foot.y()}});
+            find_ground(strider, island.spots.back());
+            island.bounds.extend(foot);
         }
     });
-    return spots;
-}
-
-/// Where the way would most likely lead over to that ground: nearest to both start and target. Its spots
-/// around there are the island that is asked about, so that the answer is about this way.
-Island part_to_cross_to(const std::vector<UnreachedSpot>& spots, const WalkSpace& reached, const Vec3& start,
-                        const Vec3& target) {
-    const UnreachedSpot* best = nullptr;
-    double least = std::numeric_limits<double>::max();
-    for (const UnreachedSpot& spot : spots) {
-        const Vec3& foot = spot.at.foot;
-        const double length = (foot - start).norm() + (foot - target).norm();
-        if (length < least && is_near_reached(reached, foot)) {
-            least = length;
-            best = &spot;
-        }
-    }
-    Island island;
-    for (const UnreachedSpot& spot : spots) {
-        if (best != nullptr && (spot.at.foot - best->at.foot).norm() <= kAroundCrossing) {
-            island.spots.push_back(spot);
-            island.bounds.extend(spot.at.foot);
-        }
-    }
     return island;
 }
 
@@ -185,11 +147,8 @@ UnreachableReason why_target_is_unreachable(const scene::Campus& campus, const R
     ExploreSettings exploration;
     exploration.strides = settings.strides;
     exploration.solids = settings.solids;
-    const std::vector<UnreachedSpot> ground =
-        ground_of(worlds, exploration, *place.ground, none.reached, strider);
-    const std::vector<Island> islands{
-        part_to_cross_to(ground, none.reached, request.from.foot, place.ground->foot)};
-    const scene::NodeTriangles nodes(campus, islands.front().bounds.grown(kAroundCrossing));
+    const std::vector<Island> islands{ground_of(worlds, exploration, *place.ground, none.reached, strider)};
+    const scene::NodeTriangles nodes(campus, islands.front().bounds.grown(kAroundGround));
     const auto barrier =
         find_island_barriers(worlds, exploration, none.reached, islands, 1, &nodes, {true}).front();
     return barrier ? UnreachableReason{barrier_text(campus, *barrier), barrier->at}

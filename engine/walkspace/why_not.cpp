@@ -39,11 +39,6 @@ constexpr double kChangeOfNode = 0.61;
 constexpr double kAboutOneSize = 1.25;
 constexpr double kMuchShorter = 0.8;
 
-bool is_about_height(const Barrier& barrier) {
-    return barrier.kind == BarrierKind::riser || barrier.kind == BarrierKind::ledge ||
-           barrier.kind == BarrierKind::slope;
-}
-
 bool is_about_size(const Ability& ability) {
     return ability.kind == BarrierKind::opening || ability.kind == BarrierKind::headroom;
 }
@@ -62,6 +57,14 @@ struct Change {
     double length = 0.0;  ///< of the whole way without the object, see whole_length; else 0
 };
 
+/// One that needn't be compared with taking away a node.
+bool is_small_climb(const Change& change) {
+    const BarrierKind kind = change.barrier.kind;
+    const bool is_climb =
+        kind == BarrierKind::riser || kind == BarrierKind::ledge || kind == BarrierKind::slope;
+    return is_climb && change.amount <= kChangeOfNode;
+}
+
 /// The smallest first, and of objects the smallest: rather a door than the wall beside it.
 void order(std::vector<Change>& changes) {
     std::ranges::stable_sort(changes, {},
@@ -74,6 +77,16 @@ void order(std::vector<Change>& changes) {
     if (shortest->length < kMuchShorter * smallest.length) {
         std::rotate(changes.begin(), shortest, shortest + 1);
     }
+}
+
+/// With the others as its parts.
+Barrier smallest_of(std::vector<Change> changes) {
+    order(changes);
+    Barrier smallest = changes.front().barrier;
+    for (std::size_t i = 1; i < changes.size(); ++i) {
+        smallest.parts.push_back(changes[i].barrier);
+    }
+    return smallest;
 }
 
 /// A way that a changed body found.
@@ -109,8 +122,8 @@ public:
         if (find_path(body, query_.from)) {
             return std::nullopt;
         }
-        if (query_.only_risers) {
-            return try_risers(body);
+        if (query_.changes == Changes::climbs) {
+            return try_climbs(body);
         }
         const std::vector<ObjectId> touched = touched_;
         const std::vector<Ability> abilities = abilities_of(body);
@@ -119,7 +132,7 @@ public:
         for (const Ability& ability : abilities) {
             if (is_about_size(ability) && !found.empty()) {
                 if (!fits_nowhere) {
-                    fits_nowhere = !is_exhausted() && !find_path(smallest_of(abilities), query_.from);
+                    fits_nowhere = !is_exhausted() && !find_path(slimmest_of(abilities), query_.from);
                 }
                 if (*fits_nowhere) {
                     continue;
@@ -131,18 +144,13 @@ public:
             }
         }
         try_objects(touched, found);
-        if (std::ranges::none_of(found, is_about_height, &Change::barrier)) {
+        if (std::ranges::none_of(found, is_small_climb)) {
             try_nodes(found);
         }
         if (found.empty()) {
             return several_changes(abilities);
         }
-        order(found);
-        Barrier smallest = found.front().barrier;
-        for (std::size_t i = 1; i < found.size(); ++i) {
-            smallest.parts.push_back(found[i].barrier);
-        }
-        return smallest;
+        return smallest_of(std::move(found));
     }
 
 private:
@@ -240,16 +248,22 @@ private:
         return measured(ability, passes, body, *path);
     }
 
-    std::optional<Barrier> try_risers(const collision::MoverSettings& body) {
+    std::optional<Barrier> try_climbs(const collision::MoverSettings& body) {
+        std::vector<Change> found;
         std::vector<Ability> abilities = abilities_of(body);
-        std::erase_if(abilities, [](const Ability& ability) { return ability.kind != BarrierKind::riser; });
-        for (Ability& step : abilities) {
-            std::erase_if(step.easier, [](double height) { return height > kHighestRiser; });
-            if (!step.easier.empty()) {
-                return try_ability(step, body);
+        for (Ability& ability : abilities) {
+            if (ability.kind == BarrierKind::riser) {
+                std::erase_if(ability.easier, [](double height) { return height > kHighestRiser; });
+            }
+            if (is_about_size(ability) || ability.easier.empty()) {
+                continue;
+            }
+            if (auto barrier = try_ability(ability, body)) {
+                const double amount = change_of(*barrier);
+                found.push_back({std::move(*barrier), amount});
             }
         }
-        return std::nullopt;
+        return found.empty() ? std::nullopt : std::optional(smallest_of(std::move(found)));
     }
 
     Barrier measured(const Ability& ability, double value, const collision::MoverSettings& body,
@@ -406,7 +420,7 @@ private:
 
     /// As slim and as low as can be: where there is another way and that doesn't get there, neither is tried
     /// by itself. It might be enough, as a slim body falls into gaps that others walk over.
-    collision::MoverSettings smallest_of(std::vector<Ability> abilities) const {
+    collision::MoverSettings slimmest_of(std::vector<Ability> abilities) const {
         std::erase_if(abilities, [](const Ability& ability) { return !is_about_size(ability); });
         return easiest_of(abilities);
     }
@@ -420,7 +434,8 @@ private:
 
     /// Where no single change is enough.
     Barrier several_changes(const std::vector<Ability>& abilities) {
-        if (query_.single_change || is_exhausted() || (query_.is_enclosed && query_.is_enclosed())) {
+        if (query_.changes != Changes::any || is_exhausted() ||
+            (query_.is_enclosed && query_.is_enclosed())) {
             return closed_off();
         }
         const std::optional<FoundPath> easiest = find_path(easiest_of(abilities), query_.from);

@@ -40,6 +40,13 @@ struct Barrier {
     std::vector<Barrier> parts = {};
 };
 
+/// Which changes are tried.
+enum class Changes : std::uint8_t {
+    any,
+    single,  ///< not several at once, which is slow
+    climbs,  ///< only a step up to kHighestRiser, or a slope
+};
+
 /// From where to where the body doesn't get.
 struct PassageQuery {
     std::vector<GroundState> from;
@@ -54,14 +61,13 @@ struct PassageQuery {
     std::function<bool()> is_enclosed = {};
     /// How high the step up to what is beyond probably is, metres: saves searches where that is right.
     std::optional<double> likely_riser = {};
-    bool single_change = false;     ///< don't look for ways that take several changes at once, which is slow
-    bool only_risers = false;       ///< don't change anything but the step, up to kHighestRiser
+    Changes changes = Changes::any;
     double longest_crossing = 6.0;  ///< a way across the barrier is no longer than this, metres
 };
 
 /// The smallest change that would let the body through: of its step, its slope, its width or its height, or
 /// one object or node less. Found by walking with a changed body, measured to a millimetre and a tenth of a
-/// degree. None if the body gets through as it is, or if there are only risers to look for and none is found.
+/// degree. None if the body gets through as it is, or if only climbs are tried and none helps.
 std::optional<Barrier> why_not(const WorkerWorlds& worlds, const ExploreSettings& settings,
                                const PassageQuery& query);
 

@@ -129,6 +129,19 @@ class Suggest(ProgramCase):
         self.assertEqual(closed.code, 1, closed.out)
         self.assertIn("hut/tür", closed.out)
 
+    def test_a_gate_of_two_metres_that_one_could_climb_over_stands_in_the_way_all_the_same(self):
+        # A court without a roof, all of one mesh.
+        self.write("court.obj", boxes_obj([
+            ("meadow", -20, -1, -20, 20, 0, 20), ("court_n", -3, 0, -9, 3, 4, -8.8), ("court_w", -3, 0, -9, -2.8, 4, -4),
+            ("court_e", 2.8, 0, -9, 3, 4, -4), ("court_s1", -3, 0, -4.2, -0.6, 4, -4), ("court_s2", 0.6, 0, -4.2, 3, 4, -4),
+            ("gate_leaf", -0.6, 0, -4.15, 0.6, 2, -4.05)]))
+        self.write("court.campus.yaml", "scenes: [{file: court.obj}]\nlayers: [ground]\ncolliders:\n"
+                   '  - {id: world, nodes: "*", shape: mesh, mode: solid, layer: ground, popup: false}\n'
+                   "spawns: {start: {at: [0, 0, 4]}}\nplaces: {court: [0, 0, -6.5]}\n")
+        route = self.run_program("route", "court.campus.yaml", "start", "court")
+        self.assertEqual(route.code, 1, route.out)
+        self.assertIn("world (gate_leaf) stands in the way at ", route.out)
+
     def test_rooms_behind_doorways_become_triggers_that_the_walk_visits(self):
         # A house of 12 m x 8 m in two halves, with a doorway between.
         self.write("house.obj", boxes_obj([
