@@ -20,7 +20,7 @@ namespace {
 
 const scene::CacheFolder::Kind kRouteKind = "route";
 /// Increment the version whenever the layout changes, or how routes are planned and walked.
-constexpr scene::FileKind kRouteFile = {{'c', 'w', ' ', 'r', 'o', 'u', 't', 'e'}, 7};
+constexpr scene::FileKind kRouteFile = {{'c', 'w', ' ', 'r', 'o', 'u', 't', 'e'}, 8};
 
 /// So many are remembered of a campus at most, without those of more pieces, about 10 kB: some 20 MB in all.
 constexpr std::size_t kMostRoutes = 2'000;

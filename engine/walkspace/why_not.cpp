@@ -10,6 +10,7 @@
 #include "engine/walkspace/opposing_contact.h"
 #include "engine/walkspace/partial_world.h"
 #include "engine/walkspace/removable_nodes.h"
+#include "engine/walkspace/smallest_change.h"
 
 namespace campuswalk::engine {
 
@@ -30,63 +31,8 @@ constexpr std::size_t kMostObjects = 12;
 constexpr double kAroundSearch = 2.0;
 /// How far around the way that was found the exact number is looked for, metres.
 constexpr double kAround = 1.5;
-/// Taking an object away counts as much as changing the body by this share, or climbing so much higher,
-/// metres.
-constexpr double kChangeOfObject = 0.6;
-/// A node of a mesh a little more: rather the door that somebody put there than a part of the house.
-constexpr double kChangeOfNode = 0.61;
-/// Of objects of about one size, the one without which the way is the shortest, if it is by so much.
-constexpr double kAboutOneSize = 1.25;
-constexpr double kMuchShorter = 0.8;
-
 bool is_about_size(const Ability& ability) {
     return ability.kind == BarrierKind::opening || ability.kind == BarrierKind::headroom;
-}
-
-/// How much the body would have to change: of heights, in metres; else the share of what it has.
-double change_of(const Barrier& barrier) {
-    const bool climb = barrier.kind == BarrierKind::riser || barrier.kind == BarrierKind::ledge;
-    return std::abs(barrier.measured - barrier.allowed) / (climb ? 1.0 : barrier.allowed);
-}
-
-/// A change that would do.
-struct Change {
-    Barrier barrier;
-    double amount = 0.0;  ///< see change_of
-    double size = 0.0;    ///< of the object to take away, the diagonal of its bounds, metres; else 0
-    double length = 0.0;  ///< of the whole way without the object, see whole_length; else 0
-};
-
-/// One that needn't be compared with taking away a node.
-bool is_small_climb(const Change& change) {
-    const BarrierKind kind = change.barrier.kind;
-    const bool is_climb =
-        kind == BarrierKind::riser || kind == BarrierKind::ledge || kind == BarrierKind::slope;
-    return is_climb && change.amount <= kChangeOfNode;
-}
-
-/// The smallest first, and of objects the smallest: rather a door than the wall beside it.
-void order(std::vector<Change>& changes) {
-    std::ranges::stable_sort(changes, {},
-                             [](const Change& change) { return std::pair(change.amount, change.size); });
-    const Change smallest = changes.front();
-    const auto end = std::ranges::find_if(changes, [&](const Change& change) {
-        return change.amount != smallest.amount || change.size > kAboutOneSize * smallest.size;
-    });
-    const auto shortest = std::ranges::min_element(changes.begin(), end, {}, &Change::length);
-    if (shortest->length < kMuchShorter * smallest.length) {
-        std::rotate(changes.begin(), shortest, shortest + 1);
-    }
-}
-
-/// With the others as its parts.
-Barrier smallest_of(std::vector<Change> changes) {
-    order(changes);
-    Barrier smallest = changes.front().barrier;
-    for (std::size_t i = 1; i < changes.size(); ++i) {
-        smallest.parts.push_back(changes[i].barrier);
-    }
-    return smallest;
 }
 
 /// A way that a changed body found.
@@ -139,8 +85,7 @@ public:
                 }
             }
             if (auto barrier = try_ability(ability, body)) {
-                const double amount = change_of(*barrier);
-                found.push_back({std::move(*barrier), amount});
+                found.push_back({std::move(*barrier)});
             }
         }
         try_objects(touched, found);
@@ -259,8 +204,7 @@ private:
                 continue;
             }
             if (auto barrier = try_ability(ability, body)) {
-                const double amount = change_of(*barrier);
-                found.push_back({std::move(*barrier), amount});
+                found.push_back({std::move(*barrier)});
             }
         }
         return found.empty() ? std::nullopt : std::optional(smallest_of(std::move(found)));
@@ -330,7 +274,7 @@ private:
                 barrier.kind = BarrierKind::object;
                 locate(*path, body, barrier);
                 barrier.object = id;
-                found.push_back({barrier, kChangeOfObject, size_of(id), whole_length(*path)});
+                found.push_back({barrier, size_of(id), whole_length(*path)});
             }
         }
     }
@@ -362,7 +306,7 @@ private:
                 std::erase_if(found, [&](const Change& change) {
                     return change.barrier.kind == BarrierKind::object && change.barrier.object == node.object;
                 });
-                found.push_back({barrier, kChangeOfNode, size_of(node.object), whole_length(*path)});
+                found.push_back({barrier, size_of(node.object), whole_length(*path)});
                 return;
             }
         }

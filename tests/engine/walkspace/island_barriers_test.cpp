@@ -21,8 +21,8 @@ namespace {
 
 using collision::Vec3;
 
-/// South of z = 0 is open ground; north of it a yard behind walls of 4 m, the south one `thick`, with a gap of
-/// `gap` at x = 0 whose roof is `headroom` above the ground.
+/// South of z = 0 is open ground; north of it a yard behind walls of 4 m, the south one `thick`, with a gap
+/// of `gap` at x = 0 whose roof is `headroom` above the ground.
 scene::Campus yard_behind(double thick, double gap, double headroom) {
     scene::Campus campus = level_campus(20.0);
     add_box(campus, "south-west", {-6, 0, -thick}, {-0.5 * gap, 4, 0});
@@ -47,7 +47,8 @@ scene::Campus block_with_ramp(double height, double degrees) {
     support::add_triangle(ramp, low_left, high_left, {-1, 0, -length});
     support::add_triangle(ramp, low_right, {1, 0, -length}, high_right);
     support::add_box(ramp, {-3, 0, -length - 5}, {3, height, -length});
-    add_object(campus, "ramp", std::make_shared<const collision::MeshCollider>(std::move(ramp)), Vec3::Zero());
+    add_object(campus, "ramp", std::make_shared<const collision::MeshCollider>(std::move(ramp)),
+               Vec3::Zero());
     return campus;
 }
 
@@ -124,7 +125,7 @@ TEST_P(SteepRamp, ItsSlopeIsMeasuredThoughItsTopIsHigherThanAnyLedgeThatIsClimbe
 }
 
 /// The way straight to the place leads over the block's front; the stairs are behind it.
-TEST(IslandBarriers, GoToNamesTheSmallestChangeAndNotTheOneNearestToTheStraightWay) {
+TEST(IslandBarriers, GoToNamesTheSmallestChangeAndNotTheOneNearestToTheStraightLine) {
     scene::Campus campus = level_campus(20.0);
     add_box(campus, "block", {-3, 0, -9}, {3, 2.0, -3});
     for (int i = 0; i < 6; ++i) {
