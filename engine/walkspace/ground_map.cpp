@@ -164,6 +164,13 @@ std::optional<std::uint8_t> GroundMap::free_point(const Tile& tile, const Level&
     return std::nullopt;
 }
 
+bool GroundMap::has_room_beside(const Vec3& foot, double beside) const {
+    const double lift = std::max(lift_, kSweptAbove);
+    const double height = std::max(body_.height - lift, 2.0 * (body_.radius + beside));
+    return !collision::obstruction(world_, filter_, foot + Vec3(0.0, lift, 0.0), body_.radius + beside,
+                                   height);
+}
+
 bool GroundMap::is_path_free(const Vec3& from, const Vec3& to, double beside) const {
     const double lift = std::max(lift_, kSweptAbove);
     const Vec3 foot = from + Vec3(0.0, lift, 0.0);

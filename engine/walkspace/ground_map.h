@@ -50,6 +50,9 @@ public:
     collision::Vec3 foot(const Spot& spot) const;
     /// Whether the body has room on the surface, or above what it could climb from there.
     bool has_room(const Spot& spot);
+    /// Whether it has `beside` metres more than the room that it needs, there. Likewise only above what it
+    /// could climb.
+    bool has_room_beside(const collision::Vec3& foot, double beside) const;
     /// Whether it has room all the way from one foot to another, `beside` metres more than itself. Only above
     /// what it could climb, and 15 cm.
     bool is_path_free(const collision::Vec3& from, const collision::Vec3& to, double beside) const;

@@ -4,6 +4,7 @@
 #include "engine/events/decimals.h"
 #include "engine/script/avatar_body.h"
 #include "engine/script/travel.h"
+#include "engine/walkspace/barrier_text.h"
 
 namespace campuswalk::engine {
 
@@ -21,7 +22,8 @@ PlaceCheck check_place(const scene::Campus& campus, Strider& strider, const Vec3
         const auto free = collision::nearest_free_placement(world, strider.filter(), point, body.radius,
                                                             body.height, kPlacementSearch);
         if (!free) {
-            return {std::nullopt, "it is inside " + campus.objects[index_of(*object)].id};
+            const Vec3 middle = point + 0.5 * body.height * Vec3::UnitY();
+            return {std::nullopt, "it is inside " + object_text(campus, *object, middle)};
         }
     }
     if (!grounded) {

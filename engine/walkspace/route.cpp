@@ -271,9 +271,11 @@ private:
     /// The node of the chain from which none leads on; its size at the target.
     std::size_t follow_pieces(const GuessRules& rules) {
         std::size_t at = 0;
-        const double room_beside = settings_.strides.body.skin + kTouchSlack;
         const auto may_lead = [&](std::size_t node) {
             const ChainNode& goal = chain_[std::min(node, chain_.size() - 1)];
+            // A line may lead away from a wall that the body stands at.
+            const double room = settings_.strides.body.skin + kTouchSlack;
+            const double room_beside = map_.has_room_beside(state_.foot, room) ? room : -slide_allowed();
             return straight_path(map_, state_.foot, goal.at.foot, rules, room_beside).has_value();
         };
         while (at < chain_.size()) {

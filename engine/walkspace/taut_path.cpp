@@ -134,12 +134,20 @@ public:
     }
 
 private:
+    /// Where the path begins or ends right beside a wall, it leads along that wall.
+    double room_at(std::size_t i) const {
+        const Vec3 foot = map_.foot(path_[i]);
+        const bool is_end = i == 0 || i + 1 == path_.size();
+        return is_end && !map_.has_room_beside(foot, kVertexRoom) ? 0.0 : kVertexRoom;
+    }
+
     /// Without its first spot.
     std::optional<Path> line(std::size_t from, std::size_t to) {
         if (to == from + 1) {
             return Path{path_[to]};
         }
-        auto spots = straight_path(map_, map_.foot(path_[from]), map_.foot(path_[to]), rules_, kVertexRoom);
+        const double room = std::min(room_at(from), room_at(to));
+        auto spots = straight_path(map_, map_.foot(path_[from]), map_.foot(path_[to]), rules_, room);
         if (!spots || spots->empty()) {
             return std::nullopt;
         }

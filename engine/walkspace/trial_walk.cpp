@@ -78,6 +78,7 @@ void TrialWalk::begin(const MoverState& from) {
     path_.clear();
     falls_ = 0.0;
     touched_ = false;
+    is_leaving_ = true;
 }
 
 /// False once the body has fallen below the world. On the ground at an edge it may be a little lower.
@@ -90,9 +91,11 @@ bool TrialWalk::tick(const Vec3& desired) {
     if (trace_.landed) {
         falls_ += fall_to(state_.foot.y());
     }
-    touched_ = touched_ || std::ranges::any_of(trace_.touching, [this](const collision::Touch& touch) {
-                   return touch.gap <= settings_.body.skin + kTouchSlack;
-               });
+    const bool is_touching = std::ranges::any_of(trace_.touching, [this](const collision::Touch& touch) {
+        return touch.gap <= settings_.body.skin + kTouchSlack;
+    });
+    is_leaving_ = is_leaving_ && is_touching;
+    touched_ = touched_ || (is_touching && !is_leaving_);
     return state_.grounded || state_.foot.y() >= bottom_;
 }
 

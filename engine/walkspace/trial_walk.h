@@ -17,7 +17,7 @@ public:
     struct End {
         collision::MoverState state;
         double falls = 0.0;    ///< the heights of all that are higher than a step, metres
-        bool touched = false;  ///< a solid beside it
+        bool touched = false;  ///< a solid beside it, other than one that it left
     };
 
     /// The world, and what `filter` points to, must outlive it. No walk to a point may
@@ -56,6 +56,7 @@ private:
     double stood_at_ = 0.0;  ///< the height of what last carried it
     double falls_ = 0.0;
     bool touched_ = false;
+    bool is_leaving_ = false;  ///< it has touched something in each tick so far
 };
 
 }  // namespace campuswalk::engine

@@ -112,6 +112,19 @@ TEST(Route, RoundABlockIsHardlyLongerThanTheTautLine) {
     }
 }
 
+/// As a visitor stands who walked into the wall: as near as the skin lets it, and a little farther off.
+TEST(Route, AlongAWallThatItBeginsAtHasNoMorePiecesThanFromFartherOff) {
+    scene::Campus campus = level_campus(20.0);
+    add_box(campus, "wall", {-8.15, 0, -5}, {-7.85, 2, 5});
+    const Ground ground(std::move(campus));
+    const Vec3 goal(-12, 0, 0);
+    const std::size_t pieces = ground.route({-7.0, 0, 0}, goal).pieces.size();
+    for (const double gap : {0.0, 0.01, 0.02, 0.03, 0.05}) {
+        const Route route = ground.route({-7.55 + gap, 0, 0}, goal);
+        EXPECT_LE(route.pieces.size(), pieces + 1) << gap;
+    }
+}
+
 TEST(Route, PlaysBitForBitAsAStepAndAsSteps) {
     const Ground ground = block();
     const Vec3 from(-8, 0, 7);
