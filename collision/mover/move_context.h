@@ -47,6 +47,7 @@ struct MoveBuffers {
     GroundCandidates ground;            ///< among the surveyed pieces
     std::vector<HalfPlane> walls;
     std::vector<ContactCache::Index> edges;
+    std::vector<Vec3> sides;  ///< horizontal normals of what is beside a body that falls
 };
 
 /// What the stages of one move work on.
