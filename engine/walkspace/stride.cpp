@@ -165,7 +165,7 @@ StrideEnd Strider::walk_to(const GroundState& from, const Vec3& point, double wi
             end.edge = edge;
         }
         const bool still = (state_.foot - before).cwiseAbs().maxCoeff() <= kStill;
-        if ((state_.grounded && still) || state_.foot.y() < bottom_) {
+        if (state_.grounded ? still : state_.foot.y() < bottom_) {
             break;
         }
     }

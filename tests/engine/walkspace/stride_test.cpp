@@ -252,6 +252,14 @@ TEST(Strider, WalksToAPoint) {
     EXPECT_LT(blocked.ticks, 600) << "ends at a standstill";
 }
 
+TEST(Strider, WalksOverTheEdgeOfTheLowestGround) {
+    StrideOn floor(add_nothing);
+    const StrideEnd end = floor.strider.walk_to(floor.state_at({9.5, 0, 0.1}), {12, 0, 0.1}, 0.02, 60.0);
+    EXPECT_EQ(end.kind, Kind::gone)
+        << "though it is lower than all ground while it still hangs over the edge";
+    EXPECT_TRUE(end.left_ground);
+}
+
 TEST(Strider, PutsDownWhereThereIsRoomAndGround) {
     StrideOn floor([](TriangleMesh& mesh) { support::add_box(mesh, {3, 0, -9}, {9, 5, 9}); });
     const StrideEnd dropped = floor.strider.put_down({0, 4, 0});
