@@ -171,8 +171,8 @@ void write_plans(const scene::Campus& campus, const engine::WalkReport& report,
 }
 
 void write_walks(const ExploreOptions& options, const scene::Campus& walked,
-                 const engine::AvatarProfile& avatar, const engine::WalkReport& report,
-                 const std::vector<explore::Finding>& findings) {
+                 const engine::AvatarProfile& avatar, const engine::ExploreSettings& settings,
+                 const engine::WalkReport& report, const std::vector<explore::Finding>& findings) {
     std::error_code ignored;
     const std::filesystem::path campus = std::filesystem::proximate(
         std::filesystem::absolute(options.campus), std::filesystem::absolute(*options.walks), ignored);
@@ -181,10 +181,13 @@ void write_walks(const ExploreOptions& options, const scene::Campus& walked,
         return explore::avatar_text(body, kUsualAvatar, usual);
     };
     const engine::AvatarProfile body = has(options.allow, "crouch") ? explore::crouched(avatar) : avatar;
-    const explore::WalkHeader header{campus.generic_string(), text_of(body),
-                                     text_of(explore::widened(body, options.min_width)),
-                                     walked.world.bounds().min.y()};
-    for (const explore::MinimalWalk& walk : explore::minimal_walks(report, findings, header)) {
+    const engine::AvatarProfile wide = explore::widened(body, options.min_width);
+    const explore::DraftPlayer usual_player(walked, body, options.disable);
+    const explore::DraftPlayer wide_player(walked, wide, options.disable);
+    engine::Strider strider(walked.world, settings.strides, settings.solids);
+    for (const explore::MinimalWalk& walk :
+         explore::minimal_walks(report, findings, {campus.generic_string(), text_of(body), text_of(wide)},
+                                {usual_player, wide_player, strider})) {
         scene::write_file_atomically(*options.walks / (walk.name + std::string(config::kWalkSuffix)),
                                      walk.yaml);
     }
@@ -248,7 +251,7 @@ int explore_campus(const ExploreOptions& options, std::string* json) {
         write_plans(*campus, report, findings, *options.map);
     }
     if (options.walks) {
-        write_walks(options, *campus, avatar, report, findings);
+        write_walks(options, *campus, avatar, settings, report, findings);
     }
     const bool covered = !options.fail_under || 100.0 * coverage->share >= *options.fail_under;
     return is_accepted(options, report, findings) && covered ? kPass : kExpectationFailed;

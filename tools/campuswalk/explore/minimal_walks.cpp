@@ -2,29 +2,18 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
-#include <cstdio>
 #include <optional>
 
-#include "engine/events/decimals.h"
-#include "engine/simulation/body.h"
 #include "scene/base/glob.h"
 #include "tools/campuswalk/base/json_text.h"
+#include "tools/campuswalk/explore/barrier_walks.h"
+#include "tools/campuswalk/explore/one_way_walks.h"
 
 namespace campuswalk::tools::explore {
 
-using collision::Vec3;
-using engine::fixed;
 using engine::WalkReport;
 
 namespace {
-
-/// How far beyond the edge of the world a walk goes, metres.
-constexpr double kBeyond = 1.0;
-
-std::string list_of(const Vec3& p) {
-    return "[" + fixed(p.x(), 5) + ", " + fixed(p.y(), 5) + ", " + fixed(p.z(), 5) + "]";
-}
 
 /// The finding's number, kind and name: letters, digits and dashes.
 std::string file_name(std::size_t number, const Finding& finding) {
@@ -49,79 +38,106 @@ std::string file_name(std::size_t number, const Finding& finding) {
     return name;
 }
 
-/// From `from` towards `to`, where the walk must end once the campus is mended.
-std::string steps_yaml(const Vec3& from, const Vec3& to, const std::string& failure, const Finding& finding) {
-    return "status: {is: xfail, because: " + json_text(finding.text) + ", failures: [" + failure +
-           "]}\nsteps:\n  - spawn: {at: " + list_of(from) + "}\n  - walk_to: " + list_of(to) +
-           "\nexpect:\n  - reaches: {place: " + list_of(to) + ", within: 0.5}\n";
+std::string status_yaml(const Finding& finding, const std::string& failures) {
+    return "status: {is: xfail, because: " + json_text(finding.text) + ", failures: [" + failures + "]}\n";
 }
 
-/// More than a fall from there out of the world takes, also where slopes slow it down: a walk_to that its
-/// target is far above ends before.
-double fall_seconds(const Vec3& edge, double bottom) {
-    constexpr double kSlowed = 2.0;
-    constexpr double kToTheEdge = 1.0;
-    const double height = edge.y() - bottom + engine::kAbyss;
-    return kToTheEdge + kSlowed * std::sqrt(2.0 * height / collision::MoverSettings().gravity);
+/// Of a walk that must end where it can't get to.
+std::string yaml_of(const Finding& finding, const ShownWalk& walk, const DraftPlayer& player) {
+    return status_yaml(finding, walk.failure) + steps_yaml(walk.draft, player.disabled()) +
+           "expect:\n  - reaches: {place: " + list_of(walk.goal) + ", within: 0.5}\n";
 }
 
-std::optional<std::string> yaml_of(const WalkReport& report, const Finding& finding, double bottom) {
-    switch (finding.kind) {
-        case FindingKind::unreached:
-        case FindingKind::island: {
-            if (finding.islands.empty() || !finding.barrier ||
-                finding.barrier->kind == engine::BarrierKind::solid) {
-                return std::nullopt;
+class MinimalWalks {
+public:
+    MinimalWalks(const WalkReport& report, const WalkPlayers& players)
+        : report_(report), players_(players), starts_(report, players.strider) {}
+
+    std::optional<std::string> yaml_of(const Finding& finding) {
+        switch (finding.kind) {
+            case FindingKind::unreached:
+            case FindingKind::island:
+                return of_island(finding);
+            case FindingKind::narrow:
+                return of_narrow_passage(finding);
+            case FindingKind::hot:
+                return std::nullopt;  // a walk tells no costs
+            case FindingKind::trigger:
+                return of_trigger(finding);
+            case FindingKind::trap:
+            case FindingKind::stuck: {
+                const auto trap = std::ranges::find(report_.traps, finding.at, &engine::Trap::edge);
+                return yaml_if_shown(finding, walk_into_trap(report_, *trap, players_.usual, starts_),
+                                     players_.usual);
             }
-            const engine::Island& island = report.islands[finding.islands.front()].island;
-            const Vec3& from = finding.barrier->from;
-            return steps_yaml(from, island.nearest_to(from), "blocked", finding);
+            case FindingKind::hole:
+                return of_hole(finding);
         }
-        case FindingKind::narrow: {
-            const auto narrow = std::ranges::find_if(report.narrow, [&](const engine::NarrowPassage& entry) {
-                return entry.passage && entry.passage->at == finding.at;
-            });
-            if (narrow == report.narrow.end() || narrow->passage->kind == engine::BarrierKind::solid) {
-                return std::nullopt;
-            }
-            const Vec3& from = narrow->passage->from;
-            return steps_yaml(from, narrow->beyond.nearest_to(from), "blocked", finding);
-        }
-        case FindingKind::hot:
-            return std::nullopt;  // a walk tells no costs
-        case FindingKind::trigger:
-            return "status: {is: xfail, because: " + json_text(finding.text) +
-                   ", failures: [never]}\nsteps:\n  - spawn: {at: " + list_of(finding.at) +
-                   "}\n  - wait: 0.1\nexpect:\n  - never: " +
-                   json_text("trigger.enter " + scene::glob_for(finding.trigger)) + "\n";
-        case FindingKind::trap:
-        case FindingKind::stuck: {
-            const auto trap = std::ranges::find(report.traps, finding.at, &engine::Trap::edge);
-            return steps_yaml(report.space.position(trap->entrance), trap->edge, "blocked", finding);
-        }
-        case FindingKind::hole: {
-            const auto hole = std::ranges::find_if(
-                report.holes, [&](const engine::Hole& h) { return h.edges.front().at == finding.at; });
-            const Vec3 ahead = engine::grid_directions()[hole->edges.front().stride.direction].unit;
-            Vec3 beyond = finding.at + kBeyond * ahead;
-            return "status: {is: xfail, because: " + json_text(finding.text) +
-                   ", failures: [fell, never]}\nsteps:\n  - spawn: {at: " + list_of(finding.at) +
-                   "}\n  - walk_to: {to: " + list_of(beyond) +
-                   ", if_blocked: continue}\n  - wait: " + fixed(fall_seconds(finding.at, bottom), 1) +
-                   "\nexpect:\n  - never: \"avatar.fell *\"\n";
-        }
+        return std::nullopt;
     }
-    return std::nullopt;
-}
+
+private:
+    static std::optional<std::string> yaml_if_shown(const Finding& finding,
+                                                    const std::optional<ShownWalk>& walk,
+                                                    const DraftPlayer& player) {
+        return walk ? std::optional(explore::yaml_of(finding, *walk, player)) : std::nullopt;
+    }
+
+    std::optional<std::string> of_barrier(const Finding& finding, const engine::Barrier& barrier,
+                                          const engine::Island& beyond, const DraftPlayer& player) {
+        return barrier.kind == engine::BarrierKind::solid
+                   ? std::nullopt
+                   : yaml_if_shown(finding,
+                                   walk_at_barrier(barrier, beyond.nearest_to(barrier.from), player, starts_),
+                                   player);
+    }
+
+    std::optional<std::string> of_island(const Finding& finding) {
+        return finding.islands.empty() || !finding.barrier
+                   ? std::nullopt
+                   : of_barrier(finding, *finding.barrier, report_.islands[finding.islands.front()].island,
+                                players_.usual);
+    }
+
+    std::optional<std::string> of_narrow_passage(const Finding& finding) {
+        const auto narrow = std::ranges::find_if(report_.narrow, [&](const engine::NarrowPassage& entry) {
+            return entry.passage && entry.passage->at == finding.at;
+        });
+        return narrow == report_.narrow.end()
+                   ? std::nullopt
+                   : of_barrier(finding, *narrow->passage, narrow->beyond, players_.wide);
+    }
+
+    std::string of_trigger(const Finding& finding) const {
+        const WalkDraft draft{finding.at, {{.kind = DraftStep::Kind::wait, .seconds = 0.1}}};
+        return status_yaml(finding, "never") + steps_yaml(draft, players_.usual.disabled()) +
+               "expect:\n  - never: " + json_text("trigger.enter " + scene::glob_for(finding.trigger)) + "\n";
+    }
+
+    std::optional<std::string> of_hole(const Finding& finding) {
+        const auto hole = std::ranges::find_if(
+            report_.holes, [&](const engine::Hole& h) { return h.edges.front().at == finding.at; });
+        const auto walk = walk_into_hole(*hole, players_.usual, starts_);
+        return walk ? std::optional(status_yaml(finding, walk->failure + ", never") +
+                                    steps_yaml(walk->draft, players_.usual.disabled()) +
+                                    "expect:\n  - never: \"avatar.fell *\"\n")
+                    : std::nullopt;
+    }
+
+    const WalkReport& report_;
+    const WalkPlayers& players_;
+    WalkStarts starts_;
+};
 
 }  // namespace
 
 std::vector<MinimalWalk> minimal_walks(const WalkReport& report, const std::vector<Finding>& findings,
-                                       const WalkHeader& header) {
+                                       const WalkHeader& header, const WalkPlayers& players) {
+    MinimalWalks drafts(report, players);
     std::vector<MinimalWalk> walks;
     for (std::size_t i = 0; i < findings.size(); ++i) {
         const Finding& finding = findings[i];
-        if (const auto steps = yaml_of(report, finding, header.bottom)) {
+        if (const auto steps = drafts.yaml_of(finding)) {
             walks.push_back({file_name(i + 1, finding),
                              "# Finding " + std::to_string(i + 1) +
                                  " of `campuswalk explore`. Once it is mended, " +

@@ -6,6 +6,7 @@
 
 #include "engine/walkspace/walk_report.h"
 #include "tools/campuswalk/explore/findings.h"
+#include "tools/campuswalk/explore/walk_draft.h"
 
 namespace campuswalk::tools::explore {
 
@@ -17,16 +18,23 @@ struct MinimalWalk {
 
 /// What the walks have in common.
 struct WalkHeader {
-    std::string campus;  ///< the campus file, from the walks' folder
-    std::string avatar;  ///< as written after `avatar:`; as low as it crouches, if it may
-    /// Of the visitor for whom passages are too narrow, likewise.
-    std::string wide_avatar;
-    double bottom = 0.0;  ///< the lowest height of the world, metres
+    std::string campus;       ///< the campus file, from the walks' folder
+    std::string avatar;       ///< as written after `avatar:`
+    std::string wide_avatar;  ///< of the visitor for whom passages are too narrow, likewise
 };
 
-/// A walk for each finding that one can be shown of by walking: none for what is inside an object. They are
-/// xfail until the campus is mended, and pass from then on.
+/// Who walks them, on the campus that the report is about.
+struct WalkPlayers {
+    const DraftPlayer& usual;  ///< as low as it crouches, if it may
+    const DraftPlayer& wide;   ///< for whom passages are too narrow
+    /// Those that the report's visitor takes.
+    engine::Strider& strider;
+};
+
+/// A walk for each finding that one can be shown of by walking: none for what is inside an object. Each has
+/// been played and fails, from ground on which a visitor walks towards what is wrong. They are xfail until
+/// the campus is mended, and pass from then on.
 std::vector<MinimalWalk> minimal_walks(const engine::WalkReport& report, const std::vector<Finding>& findings,
-                                       const WalkHeader& header);
+                                       const WalkHeader& header, const WalkPlayers& players);
 
 }  // namespace campuswalk::tools::explore

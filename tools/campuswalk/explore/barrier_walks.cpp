@@ -1,0 +1,144 @@
+#include "tools/campuswalk/explore/barrier_walks.h"
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "engine/script/travel.h"
+#include "engine/walkspace/campus_route.h"
+#include "scene/base/glob.h"
+
+namespace campuswalk::tools::explore {
+
+using collision::Vec3;
+using engine::BarrierKind;
+
+namespace {
+
+/// The visitor for whom the barrier is none, or who goes where it isn't: as on the campus once it is mended.
+/// None if no single change does that.
+std::optional<DraftPlayer> unhindered(const DraftPlayer& player, const engine::Barrier& barrier) {
+    constexpr double kSlack = 0.02;       // metres
+    constexpr double kSlopeSlack = 0.01;  // radians
+    engine::AvatarProfile avatar = player.avatar();
+    std::vector<std::string> disabled = player.disabled();
+    switch (barrier.kind) {
+        case BarrierKind::riser:
+            avatar.step_height = barrier.measured + kSlack;
+            break;
+        case BarrierKind::slope:
+            avatar.max_slope = barrier.measured + kSlopeSlack;
+            break;
+        case BarrierKind::opening:
+            avatar.radius = 0.5 * (barrier.measured - kSlack);
+            break;
+        case BarrierKind::headroom:
+            avatar.height = barrier.measured - kSlack;
+            break;
+        case BarrierKind::object:
+            if (!barrier.object || barrier.is_node) {
+                return std::nullopt;
+            }
+            disabled.push_back(scene::glob_for(player.campus().objects[index_of(*barrier.object)].id));
+            break;
+        default:
+            return std::nullopt;
+    }
+    return DraftPlayer(player.campus(), std::move(avatar), std::move(disabled));
+}
+
+/// No way that is longer mends anything.
+constexpr std::size_t kMostNodes = 20'000;
+
+class BarrierWalker {
+public:
+    BarrierWalker(const engine::Barrier& barrier, const Vec3& goal, const DraftPlayer& player,
+                  WalkStarts& starts)
+        : barrier_(barrier), goal_(goal), player_(player), mended_(unhindered(player, barrier)) {
+        for (const auto& start :
+             starts.before(barrier.from, engine::flat(goal - barrier.from).normalized())) {
+            from_.push_back(start.foot);
+        }
+        from_.push_back(barrier.from);
+    }
+
+    /// Straight on, if that gets there once the barrier is away; else by whatever way then leads there.
+    std::optional<ShownWalk> find() const {
+        std::optional<ShownWalk> straight;
+        for (const Vec3& start : from_) {
+            if (auto shown = straight_from(start)) {
+                straight = shown;
+                if (passes_mended(shown->draft)) {
+                    return straight;
+                }
+            }
+        }
+        const auto round = by_route();
+        return round ? round : straight;
+    }
+
+private:
+    std::optional<ShownWalk> straight_from(const Vec3& start) const {
+        constexpr double kAtBarrier = 1.0;  // metres
+        const ShownWalk walk{{start, {{.to = goal_}}}, "blocked", goal_};
+        const DraftEnd end = player_.play(as_tried(walk.draft));
+        return end.stands_at_first && end.is_blocked && end.failure.empty() &&
+                       (end.foot - barrier_.from).norm() <= kAtBarrier
+                   ? std::optional(walk)
+                   : std::nullopt;
+    }
+
+    /// By a go_to: no way leads there, as the report has found.
+    std::optional<ShownWalk> by_route() const {
+        for (const Vec3& start : from_) {
+            if (!player_.play({start, {}}).stands_at_first) {
+                continue;
+            }
+            const ShownWalk walk{
+                {start, {{.kind = DraftStep::Kind::go_to, .to = goal_}}}, "unreachable", goal_};
+            return !mended_ || has_route(*mended_, start) ? std::optional(walk) : std::nullopt;
+        }
+        return std::nullopt;
+    }
+
+    bool has_route(const DraftPlayer& player, const Vec3& start) const {
+        const std::vector<bool> disabled = player.disabled_objects();
+        engine::RouteSettings settings = engine::route_settings(player.campus(), player.avatar(), &disabled);
+        settings.max_nodes = kMostNodes;
+        const auto body = engine::body_at(start, player.campus(), settings);
+        return body && std::holds_alternative<engine::Route>(engine::plan_route(
+                           player.campus().world, settings, {*body, {{list_of(goal_), goal_, true}}}));
+    }
+
+    /// Without a failure's search for a way round.
+    static WalkDraft as_tried(WalkDraft draft) {
+        draft.steps.front().goes_on = true;
+        return draft;
+    }
+
+    /// As far as that is known.
+    bool passes_mended(const WalkDraft& draft) const {
+        if (!mended_) {
+            return true;
+        }
+        const DraftEnd end = mended_->play(as_tried(draft));
+        return end.failure.empty() && !end.is_blocked;
+    }
+
+    const engine::Barrier& barrier_;
+    const Vec3 goal_;
+    const DraftPlayer& player_;
+    const std::optional<DraftPlayer> mended_;
+    std::vector<Vec3> from_;
+};
+
+}  // namespace
+
+std::optional<ShownWalk> walk_at_barrier(const engine::Barrier& barrier, const Vec3& goal,
+                                         const DraftPlayer& player, WalkStarts& starts) {
+    return BarrierWalker(barrier, goal, player, starts).find();
+}
+
+}  // namespace campuswalk::tools::explore
