@@ -135,9 +135,12 @@ public:
         return name != nullptr ? *name : "";
     }
 
-    /// `verb` is "blocked" or "stuck".
-    void add(bool expected, const std::string& verb, const std::string& object, const StateSnapshot& now) {
-        const std::string what = verb + (object.empty() ? " " : " by " + object + " ") + at_time(now.time);
+    /// `verb` is "blocked" or "stuck". The words end with the reason that the event gives.
+    void add(bool expected, const std::string& verb, const Event& event, const StateSnapshot& now) {
+        const std::string object = obstacle_of(event);
+        const auto* why = find_field<Text>(event, kWhy);
+        const std::string what = verb + (object.empty() ? " " : " by " + object + " ") + at_time(now.time) +
+                                 (why != nullptr ? ": " + why->value : "");
         if (expected && first_.empty()) {
             first_ = "the avatar was " + what;
             when_ = now;
@@ -169,7 +172,7 @@ public:
             if (event.kind == EventKind::avatar_blocked || event.kind == EventKind::avatar_stuck) {
                 const std::string object = ObstructionFinder::obstacle_of(event);
                 const bool expected = !object.empty() && scene::glob_matches(expected_->object.glob, object);
-                finder_.add(expected, "blocked", object, now);
+                finder_.add(expected, "blocked", event, now);
             }
         }
     }
@@ -195,7 +198,7 @@ public:
             if (event.kind == EventKind::avatar_stuck) {
                 const std::string object = ObstructionFinder::obstacle_of(event);
                 const bool expected = glob == "*" || (!object.empty() && scene::glob_matches(glob, object));
-                finder_.add(expected, "stuck", object, now);
+                finder_.add(expected, "stuck", event, now);
             }
         }
     }

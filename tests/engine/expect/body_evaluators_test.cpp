@@ -109,6 +109,18 @@ TEST(BlockedByEvaluator, FailsIfNothingBlocked) {
     EXPECT_EQ(evaluator.failure()->message.find("but"), std::string::npos);
 }
 
+TEST(BlockedByEvaluator, SaysWhyAsTheEventDoes) {
+    const Text why{"riser of 0.45 m at world (stage), 1.00, 0.45, -4.00; the avatar steps 0.30 m"};
+    const std::vector<Event> blocked{
+        made_event("avatar.blocked goal", {{"by", std::string("world")}, {"why", why}})};
+    SingleEvaluator expected(ExpectBlockedBy{kMark, {kMark, "lamp"}});
+    TickFeed(expected).with(blocked, {0, 0, 0});
+    expect_failure(expected.failure(), 7, "blocked_by", {"'lamp'", "world at 0.000 s: " + why.value});
+    SingleEvaluator unexpected(ExpectNot{kMark, ExpectBlockedBy{kMark, {kMark, "world"}}});
+    TickFeed(unexpected).with(blocked, {0, 0, 0});
+    expect_failure(unexpected.failure(), 7, "not-blocked_by", {"blocked by world at 0.000 s: " + why.value});
+}
+
 TEST(StuckEvaluator, RequiresAnEventWithTheObject) {
     EXPECT_FALSE(bumped(ExpectStuck{kMark, {kMark, "*"}}));
     EXPECT_FALSE(bumped(ExpectStuck{kMark, {kMark, "bench/?"}}));
