@@ -88,7 +88,7 @@ std::string BodyRoutes::describe_route_round(const Target& target, double within
         return "";  // straight on, had there been more time
     }
     const std::string waypoints = first_waypoints(*route);
-    return "; a route of " + fixed(route->length(), 1) + " m leads there" +
+    return "; from there a route of " + fixed(route->length(), 1) + " m leads to " + target.label +
            (waypoints.empty() ? "" : " by " + waypoints) + ": use go_to";
 }
 

@@ -61,9 +61,10 @@ TEST(StopReason, TheFailureNamesARouteToTheTarget) {
     const RecordedRun result = run(campus, walk_of({spawn_at({0, 0, 0}), walk_to(0, -10)}));
     ASSERT_EQ(result.summary.failures.size(), 1U);
     // To the corner at 6.3, -4 and back: 6.3 + 8.7 m.
-    EXPECT_THAT(result.summary.failures[0].message,
-                MatchesRegex(".*wall .*; a route of 1[45]\\.[0-9] m leads there by \\[[2-6]\\.[0-9]+, "
-                             "-3\\.[0-9]+\\].*: use go_to"));
+    EXPECT_THAT(
+        result.summary.failures[0].message,
+        MatchesRegex(".*wall .*; from there a route of 1[45]\\.[0-9] m leads to goal by \\[[2-6]\\.[0-9]+, "
+                     "-3\\.[0-9]+\\].*: use go_to"));
     const std::vector<Event> blocked = result.recorder.events("avatar.blocked");
     ASSERT_EQ(blocked.size(), 1U);
     EXPECT_THAT(field<Text>(blocked[0], "why").value, Not(HasSubstr("route of")))
@@ -81,8 +82,10 @@ TEST(StopReason, TheFailureNamesARouteToAnotherLevel) {
     up.target.has_height = true;
     const RecordedRun result = run(campus, walk_of({spawn_at({0, 0, 0}), up}));
     ASSERT_EQ(result.summary.failures.size(), 1U);
-    EXPECT_THAT(result.summary.failures[0].message,
-                MatchesRegex(".*2\\.40. m above the avatar's feet; a route of [0-9.]+ m leads there by .*"));
+    EXPECT_THAT(
+        result.summary.failures[0].message,
+        MatchesRegex(
+            ".*2\\.40. m above the avatar's feet; from there a route of [0-9.]+ m leads to goal by .*"));
 }
 
 TEST(StopReason, TheGroundIsNoObstacle) {
