@@ -9,6 +9,7 @@
 #include "engine/walkspace/keep_out.h"
 #include "engine/walkspace/route.h"
 #include "engine/walkspace/tight_places.h"
+#include "engine/walkspace/trial_walk.h"
 #include "engine/walkspace/unreachable.h"
 
 namespace campuswalk::engine {
@@ -74,12 +75,21 @@ PlannedRoute BodyRoutes::plan_anew(const GoToStep& step, RouteSettings settings)
 }
 
 std::string BodyRoutes::describe_route_round(const Target& target, double within) const {
-    if (!body_.mover_state().grounded) {
-        return "";
-    }
+    return body_.mover_state().grounded ? describe_route(body_.mover_state(), target, within) : "";
+}
+
+std::string BodyRoutes::describe_route_round(const Target& target, double within,
+                                             const Eigen::Vector3d& foot) const {
+    const RouteSettings settings = this->settings(body_.profile().speed);
+    const auto from = TrialWalk(campus_.world, settings.strides, settings.solids, {}).put_down(foot);
+    return from && from->grounded ? describe_route(*from, target, within) : "";
+}
+
+std::string BodyRoutes::describe_route(const collision::MoverState& from, const Target& target,
+                                       double within) const {
     RouteSettings settings = this->settings(body_.profile().speed);
     settings.max_nodes = kMostNodesForHint;
-    const auto found = plan_route(campus_.world, settings, {body_.mover_state(), {target}, within});
+    const auto found = plan_route(campus_.world, settings, {from, {target}, within});
     const auto* route = std::get_if<Route>(&found);
     if (route == nullptr) {
         return "";

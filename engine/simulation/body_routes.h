@@ -24,10 +24,13 @@ public:
     /// Of a body that didn't get straight to the target: how long a route there is, and its first waypoints,
     /// as the end of a failure's message. Empty if there is none, or none that is found soon.
     std::string describe_route_round(const Target& target, double within) const;
+    /// Likewise for a body that left the ground at `foot`.
+    std::string describe_route_round(const Target& target, double within, const Eigen::Vector3d& foot) const;
 
 private:
     PlannedRoute plan_anew(const GoToStep& step, RouteSettings settings) const;
     RouteSettings settings(double speed) const;
+    std::string describe_route(const collision::MoverState& from, const Target& target, double within) const;
 
     const scene::Campus& campus_;
     const SimSettings& sim_;

@@ -19,6 +19,22 @@ const char* cause_of(const Intent& intent) {
                                                                   : "spawn";
 }
 
+/// Where a step goes straight to.
+struct StepGoal {
+    const Target* target = nullptr;
+    double within = 0.0;
+};
+
+std::optional<StepGoal> goal_of(const Step& step) {
+    if (const auto* walk_to = std::get_if<WalkToStep>(&step)) {
+        return StepGoal{&walk_to->target, walk_to->within};
+    }
+    if (const auto* follow = std::get_if<FollowStep>(&step)) {
+        return StepGoal{&follow->points.back(), follow->within};
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 Simulation::Simulation(const scene::Campus& campus, const Walk& walk, RouteMemory* memory)
@@ -115,9 +131,14 @@ Stop Simulation::stop_of_fall() const {
         stop.message += "; it never stood on any ground since it was placed";
         return stop;
     }
-    const std::string why = reason_of_fall(state_.campus, *stood).text;
-    stop.message += (why.empty() ? "" : " " + why) + "; it last stood at " + fixed(stood->at.foot);
-    stop.at = stood->at.foot;
+    const StopReason why = reason_of_fall(state_.campus, *stood);
+    const Eigen::Vector3d ground = why.at.value_or(stood->at.foot);
+    stop.message += (why.text.empty() ? "" : " " + why.text) + "; it last stood at " + fixed(ground.x(), 2) +
+                    ", " + fixed(ground.y(), 2) + ", " + fixed(ground.z(), 2);
+    if (const auto goal = goal_of(steps[step])) {
+        stop.message += routes_.describe_route_round(*goal->target, goal->within, ground);
+    }
+    stop.at = ground;
     return stop;
 }
 

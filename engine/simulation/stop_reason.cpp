@@ -1,8 +1,11 @@
 #include "engine/simulation/stop_reason.h"
 
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <vector>
 
+#include "collision/world/obstacle.h"
 #include "collision/world/placement.h"
 #include "engine/events/decimals.h"
 #include "engine/walkspace/barrier_text.h"
@@ -99,6 +102,23 @@ private:
     ExploreSettings settings_;
 };
 
+/// Of the object that carries a body, what the body touches.
+Vec3 carrying_point(const collision::World& world, collision::ObjectId object,
+                    const collision::MoverSettings& body, const Vec3& foot) {
+    const collision::Segment core = body.core(foot);
+    std::vector<collision::Obstacle> pieces;
+    collision::gather_pieces(world, object, core, body.radius, pieces);
+    Vec3 point = foot;
+    double least = std::numeric_limits<double>::max();
+    for (const collision::Obstacle& piece : pieces) {
+        if (const collision::Closest c = collision::closest(core, piece); c.distance < least) {
+            least = c.distance;
+            point = c.on_shape;
+        }
+    }
+    return point;
+}
+
 }  // namespace
 
 StopReason reason_of_stop(const scene::Campus& campus, const StoppedBody& body) {
@@ -108,12 +128,13 @@ StopReason reason_of_stop(const scene::Campus& campus, const StoppedBody& body) 
 StopReason reason_of_fall(const scene::Campus& campus, const StoppedBody& stood) {
     constexpr double kInto = 0.02;  // metres: beside walls there is more room than below the feet
     const collision::MoverSettings& body = stood.strides.body;
-    const auto carried_by = collision::obstruction(
-        campus.world, stood.solids, stood.at.foot - Vec3(0, kInto, 0), body.radius, body.height);
+    const Vec3 lowered = stood.at.foot - Vec3(0, kInto, 0);
+    const auto carried_by =
+        collision::obstruction(campus.world, stood.solids, lowered, body.radius, body.height);
     if (!carried_by) {
         return {};
     }
-    const Vec3 edge = edge_below(state_of(stood.at));
+    const Vec3 edge = carrying_point(campus.world, *carried_by, body, lowered);
     return {"from the edge of " + object_text(campus, *carried_by, edge) + " at a height of " +
                 fixed(edge.y(), 2) + " m",
             edge};

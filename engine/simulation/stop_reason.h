@@ -26,8 +26,8 @@ struct StopReason {
 /// body would have to change.
 StopReason reason_of_stop(const scene::Campus& campus, const StoppedBody& body);
 
-/// From the edge of what, and at which height, a body fell that stood there last. Its text is empty if
-/// nothing carries it there any more.
+/// From the edge of what, and at which height, a body fell that stood there last, and where on that it stood:
+/// the body's middle was beyond the edge by then. Its text is empty if nothing carries it there any more.
 StopReason reason_of_fall(const scene::Campus& campus, const StoppedBody& stood);
 
 }  // namespace campuswalk::engine

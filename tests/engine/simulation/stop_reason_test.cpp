@@ -129,17 +129,33 @@ TEST(StopReason, AFallOutOfTheWorldSaysFromTheEdgeOfWhat) {
     EXPECT_THAT(
         fall_message(campus, {spawn_at({0, 0, 0}), walk_to(0, -10)}),
         MatchesRegex("the avatar fell out of the world from the edge of ground at a height of 0\\.00 m; it "
-                     "last stood at 0\\.000,-?0\\.[0-9]+,-5\\.[0-9]+"));
+                     "last stood at 0\\.00, 0\\.00, -5\\.00"));
     add_box(campus, "pier", {-1, -1, -8}, {1, 0.25, -4});
     add_box(campus, "rail", {1, 0, -8}, {1.1, 1.2, -4});
     EXPECT_THAT(fall_message(campus, {spawn_at({0.65, 0, 0}), walk_to(0.65, -10), wait_for(10)}),
-                HasSubstr("from the edge of pier at a height of 0.25 m; it last stood at 0.650,"));
+                HasSubstr("from the edge of pier at a height of 0.25 m; it last stood at 0.65, 0.25, -8.00"));
+}
+
+TEST(StopReason, AFallNamesARouteRoundTheHole) {
+    scene::Campus campus = empty_campus();
+    add_box(campus, "west", {-10, -1, -20}, {-1, 0, 20});
+    add_box(campus, "east", {1, -1, -20}, {10, 0, 20});
+    add_box(campus, "bridge", {-1, -1, 4}, {1, 0, 8});
+    const std::string message = fall_message(campus, {spawn_at({-4, 0, 0}), walk_to(4, 0)});
+    EXPECT_THAT(message,
+                HasSubstr("from the edge of west at a height of 0.00 m; it last stood at -1.00, 0.00, 0.00"));
+    // To the bridge at z = 4, over it and back, hanging over its edge at most: 4 + 2 + 5 m.
+    EXPECT_THAT(message,
+                MatchesRegex(".*; from there a route of 1[01]\\.[0-9] m leads to goal by .*: use go_to"));
+    const std::string along = fall_message(campus, {spawn_at({-4, 0, 0}), follow({{4, 0, 0}})});
+    EXPECT_THAT(along, HasSubstr("; from there a route of 1")) << "a follow as well";
+    add_box(campus, "wall", {-1, 0, 4}, {-0.8, 3, 8});
+    EXPECT_THAT(fall_message(campus, {spawn_at({-4, 0, 0}), walk_to(4, 0)}), Not(HasSubstr("route")));
 }
 
 TEST(StopReason, AFallWhereTheGroundWasDisabledHasNoEdge) {
-    EXPECT_THAT(
-        fall_message(level_campus(5.0), {spawn_at({0, 0, 0}), disable("ground"), wait_for(10)}),
-        MatchesRegex("the avatar fell out of the world; it last stood at 0\\.000,-?0\\.[0-9]+,-?0\\.0+"));
+    EXPECT_THAT(fall_message(level_campus(5.0), {spawn_at({0, 0, 0}), disable("ground"), wait_for(10)}),
+                MatchesRegex("the avatar fell out of the world; it last stood at 0\\.00, 0\\.00, 0\\.00"));
 }
 
 TEST(StopReason, AFallFromWhereTheAvatarWasPlacedHasNoEdge) {

@@ -43,9 +43,9 @@ export function measureIn(text: string): Measure | null {
   return null;
 }
 
-/** Where a fall began. */
+/** Where a fall began. Older runs wrote it without spaces. */
 function ledgeIn(text: string): Point | null {
-  const match = new RegExp(`it last stood at ${number},${number},${number}(?!\\w)`).exec(text);
+  const match = new RegExp(`it last stood at ${number}, ?${number}, ?${number}(?!\\w)`).exec(text);
   return match ? [Number(match[1]), Number(match[2]), Number(match[3])] : null;
 }
 
