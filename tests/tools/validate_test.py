@@ -97,6 +97,18 @@ class Validate(ProgramCase):
         self.write("walks.config.yaml", "walks: [lost.walk.yaml]\nprojects:\n  a:\n  b: {spawn: {at: [0, 0, 3]}}\n")
         outcome = self.run_program("validate", "walks.config.yaml")
         self.assertEqual((outcome.code, len(outcome.err_lines)), (0, 1), "once, as both projects have it")
+        self.assertNotIn("project", outcome.err)
+
+    def test_a_warning_names_the_projects_that_have_it(self):
+        self.write("sill.campus.yaml", CAMPUS.replace("spawns:", "  - {id: sill, shape: box, center: [0, 0, 7], "
+                                                      "size: [20, 0.9, 0.5], mode: solid}\nspawns:"))
+        self.write("up.walk.yaml", "campus: sill.campus.yaml\navatar: adult\nsteps:\n  - spawn: start\n  - go_to: [0, 9]\n"
+                   "expect:\n  - reaches: [0, 9]\n")
+        self.write("walks.config.yaml", "walks: [up.walk.yaml]\nprojects:\n  plain:\n"
+                   "  climber: {avatar: {profile: adult, step_height: 0.5}}\n  short: {avatar: {profile: adult, eye_height: 1.5}}\n")
+        outcome = self.run_program("validate", "walks.config.yaml")
+        self.assertEqual((outcome.code, len(outcome.err_lines)), (0, 1), outcome.err)
+        self.assertIn("warning unreachable-place: in projects 'plain', 'short': go_to 0,9 can't be reached", outcome.err)
 
     def test_a_folder_without_files_is_refused(self):
         self.write("empty/notes.txt", "")

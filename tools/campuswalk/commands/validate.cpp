@@ -113,7 +113,7 @@ FileKind checked_kind(const fs::path& file) {
 }
 
 /// Checks a file of the kind that its name says; returns a summary of its contents.
-std::string check(WalkLoader& loader, const fs::path& file) {
+std::string check(WalkLoader& loader, const fs::path& file, const WalkLoader::Warn& warn) {
     switch (checked_kind(file)) {
         case FileKind::campus:
             return summary_of(*loader.load_campus(file));
@@ -126,12 +126,12 @@ std::string check(WalkLoader& loader, const fs::path& file) {
         case FileKind::steps:
             return plural(config::load_steps(file, search_paths()).size(), "step");
         case FileKind::config:
-            return plural(check_config(loader, file), "project");
+            return plural(check_config(loader, file, warn), "project");
         case FileKind::walk:
             break;
     }
     const LoadedWalk loaded = loader.load_walk(file);
-    loader.check_go_to(loaded);
+    warn(WalkLoader::check_go_to(loaded));
     return plural(loaded.walk.steps.size(), "step") + ", " +
            plural(loaded.walk.expectations.size(), "expectation") + ", on " + loaded.walk.campus_name + " (" +
            summary_of(*loaded.campus) + ")";
@@ -145,7 +145,7 @@ public:
     void add(const fs::path& file) {
         CheckedFile checked{file.string(), false, ""};
         try {
-            checked.summary = check(loader_, file);
+            checked.summary = check(loader_, file, warn_);
             checked.valid = true;
             if (prints_) {
                 print_line("%s: ok: %s", checked.file.c_str(), checked.summary.c_str());
@@ -173,7 +173,8 @@ private:
     bool prints_;
     Findings findings_;
     std::set<std::string> reported_;
-    WalkLoader loader_{[this](const std::vector<Diagnostic>& warnings) { report(warnings); }};
+    const WalkLoader::Warn warn_ = [this](const std::vector<Diagnostic>& warnings) { report(warnings); };
+    WalkLoader loader_{warn_};
 };
 
 /// Reads and checks YAML files as `run` would, and where walks go to; writes nothing. Returns the exit code.

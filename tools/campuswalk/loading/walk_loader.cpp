@@ -89,8 +89,8 @@ LoadedWalk WalkLoader::ready(config::SharedRun run) {
     return loaded;
 }
 
-void WalkLoader::check_go_to(const LoadedWalk& loaded) {
-    warn_(engine::check_go_to(*loaded.campus, loaded.walk, loaded.routes.get()));
+std::vector<scene::Diagnostic> WalkLoader::check_go_to(const LoadedWalk& loaded) {
+    return engine::check_go_to(*loaded.campus, loaded.walk, loaded.routes.get());
 }
 
 std::shared_ptr<const scene::Campus> WalkLoader::load_campus(const fs::path& campus_file) {

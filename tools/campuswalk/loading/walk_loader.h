@@ -45,8 +45,8 @@ public:
     /// Builds the campus unless that was done before, and checks the walk against it.
     LoadedWalk ready(config::SharedRun run);
 
-    /// Warns of the places that the walk's steps can't get to. Takes as long as playing them.
-    void check_go_to(const LoadedWalk& loaded);
+    /// A warning for each place that the walk's steps can't get to. Takes as long as playing them.
+    static std::vector<scene::Diagnostic> check_go_to(const LoadedWalk& loaded);
 
     std::shared_ptr<const scene::Campus> load_campus(const std::filesystem::path& campus_file);
 

@@ -1,5 +1,7 @@
 #include "tools/campuswalk/validate/check_config.h"
 
+#include <algorithm>
+#include <map>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -18,12 +20,14 @@ namespace fs = std::filesystem;
 
 using config::ProjectConfig;
 using config::WalksConfig;
+using scene::Diagnostic;
 
 namespace {
 
 class ConfigCheck {
 public:
-    ConfigCheck(WalkLoader& loader, const WalksConfig& config) : loader_(loader), config_(config) {}
+    ConfigCheck(WalkLoader& loader, const WalksConfig& config, const WalkLoader::Warn& warn)
+        : loader_(loader), config_(config), warn_(warn) {}
 
     void run() {
         for (const config::ConfiguredReporter& reporter : config_.reporters) {
@@ -33,6 +37,7 @@ public:
         for (const ProjectConfig& project : config_.projects) {
             check(project, walks);
         }
+        warn_of_walks();
         found_.throw_if_errors();
     }
 
@@ -83,20 +88,59 @@ private:
     void check_walk(const ProjectConfig& project, const Selector& selector, const fs::path& file) {
         config::SharedRun run = loader_.read(file, project.overrides);
         if (selector.takes(file.generic_string(), run.walk.name, run.walk.tags)) {
-            loader_.check_go_to(loader_.ready(std::move(run)));
+            ++projects_of_[file];
+            for (Diagnostic& warning : WalkLoader::check_go_to(loader_.ready(std::move(run)))) {
+                note_warning(project, file, std::move(warning));
+            }
         }
     }
 
+    void note_warning(const ProjectConfig& project, const fs::path& file, Diagnostic warning) {
+        const auto same = std::ranges::find_if(warnings_, [&](const WalkWarning& each) {
+            return scene::to_string(each.warning) == scene::to_string(warning);
+        });
+        WalkWarning& noted = same != warnings_.end()
+                                 ? *same
+                                 : warnings_.emplace_back(WalkWarning{file, std::move(warning), {}});
+        noted.projects.push_back(project.name);
+    }
+
+    /// What a walk gets to may depend on the project, whose avatar or campus replaces the walk's own.
+    void warn_of_walks() {
+        std::vector<Diagnostic> warnings;
+        for (WalkWarning& each : warnings_) {
+            if (each.projects.size() < projects_of_.at(each.file)) {
+                std::string names;
+                for (const std::string& name : each.projects) {
+                    names += (names.empty() ? "'" : ", '") + name + "'";
+                }
+                each.warning.message = (each.projects.size() == 1 ? "in project " : "in projects ") + names +
+                                       ": " + each.warning.message;
+            }
+            warnings.push_back(std::move(each.warning));
+        }
+        warn_(warnings);
+    }
+
+    struct WalkWarning {
+        fs::path file;
+        Diagnostic warning;
+        std::vector<std::string> projects;  ///< that have it
+    };
+
     WalkLoader& loader_;
     const WalksConfig& config_;
+    const WalkLoader::Warn& warn_;
+    std::map<fs::path, std::size_t> projects_of_;  ///< of a walk: how many take it
+    std::vector<WalkWarning> warnings_;
     scene::DiagnosticList found_;
 };
 
 }  // namespace
 
-std::size_t check_config(WalkLoader& loader, const fs::path& file) {
+std::size_t check_config(WalkLoader& loader, const fs::path& file, const WalkLoader::Warn& warn) {
     const WalksConfig config = config::load_walks_config(file, search_paths());
-    ConfigCheck(loader, config).run();
+    ConfigCheck(loader, config, warn).run();
     return config.projects.size();
 }
 
