@@ -35,7 +35,7 @@ FoundRoute find_route(const Expected& expected, const EvaluatorContext& context)
     if (auto* route = std::get_if<Route>(&answer)) {
         found.route = std::move(*route);
     } else {
-        found.why_not = std::get<std::string>(answer);
+        found.why_not = std::get<UnreachableReason>(answer).text;
     }
     return found;
 }

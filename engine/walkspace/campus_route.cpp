@@ -4,7 +4,6 @@
 
 #include "engine/script/walk.h"
 #include "engine/walkspace/trial_walk.h"
-#include "engine/walkspace/unreachable.h"
 #include "engine/walkspace/walk_report.h"
 
 namespace campuswalk::engine {
@@ -30,13 +29,14 @@ std::optional<collision::MoverState> body_at(const collision::Vec3& start, const
     return TrialWalk(campus.world, settings.strides, settings.solids, {}).put_down(start);
 }
 
-std::variant<Route, std::string> route_or_reason(const scene::Campus& campus, const RouteSettings& settings,
-                                                 const RouteRequest& request) {
+std::variant<Route, UnreachableReason> route_or_reason(const scene::Campus& campus,
+                                                       const RouteSettings& settings,
+                                                       const RouteRequest& request) {
     auto found = plan_route(campus.world, settings, request);
     if (auto* route = std::get_if<Route>(&found)) {
         return std::move(*route);
     }
-    return why_unreachable(campus, settings, request, std::get<NoRoute>(found)).text;
+    return why_unreachable(campus, settings, request, std::get<NoRoute>(found));
 }
 
 }  // namespace campuswalk::engine

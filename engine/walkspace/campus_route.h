@@ -1,12 +1,12 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <variant>
 #include <vector>
 
 #include "engine/script/avatar.h"
 #include "engine/walkspace/route.h"
+#include "engine/walkspace/unreachable.h"
 #include "scene/campus/campus.h"
 
 namespace campuswalk::engine {
@@ -22,7 +22,8 @@ std::optional<collision::MoverState> body_at(const collision::Vec3& start, const
                                              const RouteSettings& settings);
 
 /// The route, or why there is none, as `why_unreachable` says it.
-std::variant<Route, std::string> route_or_reason(const scene::Campus& campus, const RouteSettings& settings,
-                                                 const RouteRequest& request);
+std::variant<Route, UnreachableReason> route_or_reason(const scene::Campus& campus,
+                                                       const RouteSettings& settings,
+                                                       const RouteRequest& request);
 
 }  // namespace campuswalk::engine

@@ -96,6 +96,16 @@ class Route(ProgramCase):
             self.assertEqual(0, done.code, done.err)
             self.assertTrue(self.read("route.png").startswith(b"\x89PNG"))
 
+    def test_draws_what_is_in_the_way(self):
+        """In a build without rendering, that is refused instead."""
+        done = self.run_program("route", "yard.campus.yaml", "south", "stage", "--map", "none.png")
+        if done.code != 2:
+            self.assertEqual(1, done.code, done.err)
+            self.assertTrue(self.read("none.png").startswith(b"\x89PNG"))
+
+    def test_the_help_tells_every_exit_code(self):
+        self.assertIn("3 it can't be drawn or written", " ".join(self.passes("route", "--help").out.split()))
+
     def test_is_the_same_each_time(self):
         self.assertEqual(self.route("south", "north", "--json"), self.route("south", "north", "--json"))
 

@@ -97,12 +97,14 @@ int find_route(const RouteOptions& options) {
     const engine::RouteRequest request = request_of(options, *campus, settings, start);
 
     route::RouteAnswer answer{options.from, options.to, {}, {}, {}};
+    engine::UnreachableReason why;
     auto found = engine::route_or_reason(*campus, settings, request);
     if (auto* route = std::get_if<engine::Route>(&found)) {
         answer.facts = engine::facts_of(*route, campus->world, settings.strides.body, settings.solids);
         answer.route = std::move(*route);
     } else {
-        answer.why_not = std::get<std::string>(found);
+        why = std::get<engine::UnreachableReason>(found);
+        answer.why_not = why.text;
     }
     if (options.json) {
         print_lines(route::answer_json(answer));
@@ -112,9 +114,11 @@ int find_route(const RouteOptions& options) {
     if (options.write && answer.route) {
         write_steps(options, *campus, avatar, start, answer);
     }
-    if (options.map && answer.route) {
-        draw_storey_plan(route::route_plan(*campus, settings, *answer.route, options.from, options.to),
-                         *options.map);
+    if (options.map) {
+        const auto plan =
+            answer.route ? route::route_plan(*campus, settings, *answer.route, options.from, options.to)
+                         : route::barrier_plan(*campus, settings, request, why, options.from, options.to);
+        draw_storey_plan(plan, *options.map);
     }
     return answer.route ? kPass : kExpectationFailed;
 }
@@ -150,11 +154,16 @@ void add_route(Command program, CommandAction& chosen) {
                     .help = "Write the route as steps that any walk may include: NAME.steps.yaml",
                     .value = "FILE"},
                    options->write);
-    command.option({.names = "--map", .help = "Draw a plan of it: NAME.png", .value = "FILE"}, options->map);
+    command.option({.names = "--map",
+                    .help = "Draw a plan of it, or of what is in the way if there is none: NAME.png",
+                    .value = "FILE"},
+                   options->map);
     command.flag({.names = "--json", .help = "Print it for programs"}, options->json);
     add_import_options(command);
     add_root_option(command);
-    command.footer("Exit code: 0 there is a route, 1 there is none, 2 bad usage or input.");
+    command.footer(
+        "Exit code: 0 there is a route, 1 there is none, 2 bad usage or input, 3 it can't be drawn or "
+        "written.");
     command.choose(chosen, [options] { return find_route(*options); });
 }
 

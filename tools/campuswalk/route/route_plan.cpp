@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "engine/events/decimals.h"
 #include "engine/walkspace/explore.h"
@@ -20,12 +22,12 @@ constexpr double kAround = 8.0;
 constexpr double kAbove = 1.0;
 
 engine::WalkSpace ground_around(const scene::Campus& campus, const engine::RouteSettings& settings,
-                                const engine::Route& route) {
+                                const std::vector<Vec3>& path) {
     engine::ExploreSettings exploration;
     exploration.strides = settings.strides;
     exploration.solids = settings.solids;
-    exploration.starts = {route.path.front()};
-    for (const Vec3& foot : route.path) {
+    exploration.starts = {path.front()};
+    for (const Vec3& foot : path) {
         exploration.within.extend(foot);
     }
     const Vec3 around(kAround, kAbove, kAround);
@@ -56,27 +58,60 @@ engine::render::PlanRaster raster_of(const engine::WalkSpace& space, const colli
     return raster;
 }
 
-}  // namespace
+Eigen::Vector2d seen_from_above(const Vec3& p) {
+    return {p.x(), p.z()};
+}
 
-StoreyPlan route_plan(const scene::Campus& campus, const engine::RouteSettings& settings,
-                      const engine::Route& route, const std::string& from, const std::string& to) {
+/// The ground around a path, with its ends.
+StoreyPlan plan_around(const scene::Campus& campus, const engine::RouteSettings& settings,
+                       const std::vector<Vec3>& path, const std::string& from, const std::string& to) {
     collision::Aabb box;
-    engine::render::PlanRoute line{{}, from + " to " + to};
-    for (const Vec3& foot : route.path) {
+    for (const Vec3& foot : path) {
         box.extend(foot);
-        line.points.emplace_back(foot.x(), foot.z());
     }
     box = box.grown(kAround);
     StoreyPlan plan;
     plan.title = campus.description.name + ", " + from + " to " + to;
+    plan.raster = raster_of(ground_around(campus, settings, path), box);
+    plan.area.extend(seen_from_above(box.min));
+    plan.area.extend(seen_from_above(box.max));
+    plan.points.push_back({seen_from_above(path.front()), from, engine::render::PlanPointKind::spawn});
+    plan.points.push_back({seen_from_above(path.back()), to});
+    return plan;
+}
+
+}  // namespace
+
+StoreyPlan route_plan(const scene::Campus& campus, const engine::RouteSettings& settings,
+                      const engine::Route& route, const std::string& from, const std::string& to) {
+    StoreyPlan plan = plan_around(campus, settings, route.path, from, to);
     plan.subtitle = engine::fixed(route.length(), 1) + " m, climb " + engine::fixed(route.climb(), 2) + " m";
-    plan.raster = raster_of(ground_around(campus, settings, route), box);
-    plan.area.extend(Eigen::Vector2d(box.min.x(), box.min.z()));
-    plan.area.extend(Eigen::Vector2d(box.max.x(), box.max.z()));
+    engine::render::PlanRoute line{{}, from + " to " + to};
+    for (const Vec3& foot : route.path) {
+        line.points.push_back(seen_from_above(foot));
+    }
     plan.routes.push_back(std::move(line));
-    plan.points.push_back(
-        {{route.path.front().x(), route.path.front().z()}, from, engine::render::PlanPointKind::spawn});
-    plan.points.push_back({{route.path.back().x(), route.path.back().z()}, to});
+    return plan;
+}
+
+StoreyPlan barrier_plan(const scene::Campus& campus, const engine::RouteSettings& settings,
+                        const engine::RouteRequest& request, const engine::UnreachableReason& why,
+                        const std::string& from, const std::string& to) {
+    std::vector<Vec3> path{request.from.foot};
+    if (why.at) {
+        path.push_back(*why.at);
+    }
+    path.push_back(request.to.back().point);
+    if (!request.to.back().has_height) {
+        path.back().y() = request.from.foot.y();
+    }
+    StoreyPlan plan = plan_around(campus, settings, path, from, to);
+    plan.subtitle = "no route";
+    if (why.at) {
+        plan.findings.push_back({1, seen_from_above(*why.at), why.text, engine::render::PlanSeverity::error});
+    } else {
+        plan.subtitle += ": " + why.text;
+    }
     return plan;
 }
 
