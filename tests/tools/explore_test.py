@@ -309,6 +309,26 @@ class Explore(ProgramCase):
             self.assertEqual((2, ""), (done.code, done.out), done.err)
             self.assertIn(words, done.err)
 
+    def test_lists_have_commas(self):
+        """Like the option repeated; that both are needed is shown by what one of them alone gives."""
+        def explored(*arguments):
+            done = self.run_program("explore", "yard.campus.yaml", *arguments)
+            return done.code, done.out
+        # A bar below which one crouches, to a sill that one jumps over.
+        low = box("shed/gate-leaf", (4.4, 1.2, -6.2), (5.6, 2.2, -5)) + box("shed/sill", (2.2, -0.1, -6.8), (9.8, 0.5, -6.4))
+        self.write("yard.campus.yaml", YARD.replace(box("shed/gate-leaf", (4.4, 0, -5.13), (5.05, 2.2, -5.07)), low)
+                   .replace("{start: {at: [0, 0, 0]}}", "{start: {at: [0, 0, 0]}, top: {at: [7, 0.45, 7]}}"))
+        for option, one, other, code in (("--allow", "crouch", "jump", 0), ("--from", "start", "top", 0),
+                                         ("--disable", "stage", "shed/*", 0), ("--require", "corner", "shed", 1),
+                                         ("--fail-on", "hot", "traps", 1)):
+            listed = explored(option, one + "," + other)
+            self.assertEqual(code, listed[0], listed)
+            self.assertEqual(listed, explored(option, one, option, other))
+            self.assertNotEqual(listed, explored(option, one))
+        done = self.run_program("explore", "yard.campus.yaml", "--allow", "run,fly")
+        self.assertEqual((2, ""), (done.code, done.out), done.err)
+        self.assertIn("'fly' is none of run|jump|crouch", done.err)
+
     def test_its_walks_fail_until_the_campus_is_mended(self):
         self.passes("explore", "yard.campus.yaml", "--write-walks", "walks")
         names = sorted(os.listdir(self.path("walks")))

@@ -145,6 +145,9 @@ void Command::apply(CLI::Option& option, const OptionSpec& spec) {
     if (spec.show_default) {
         option.capture_default_str();
     }
+    if (spec.is_list) {
+        option.delimiter(',');
+    }
     if (!spec.excludes.empty()) {
         option.excludes(app_->get_option(spec.excludes));
     }

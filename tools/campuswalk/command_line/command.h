@@ -24,6 +24,7 @@ struct OptionSpec {
     std::string value = {};        ///< placeholder in the help: "FILE"; empty: none
     bool required = false;         ///< where several values are taken, at least one
     bool show_default = false;     ///< the target's current value
+    bool is_list = false;          ///< one word may be several values, with commas between them
     std::string excludes = {};     ///< an option that was added before, by its long name
     std::string environment = {};  ///< a variable with the value, used when the command line has none
     /// Returns what is wrong with a value as written; empty when nothing is.

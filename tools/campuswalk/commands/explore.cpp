@@ -94,19 +94,26 @@ void add_explore(Command program, CommandAction& chosen) {
                             "repeated [adult]",
                     .value = "AVATAR"},
                    all->avatars);
-    command.option(
-        {.names = kFromOption, .help = "Start at this spawn only; may be repeated", .value = "SPAWN"},
-        options->from);
-    command.choices({.names = "--allow", .help = "What the visitor may do besides walking; may be repeated"},
+    command.option({.names = kFromOption,
+                    .help = "Start at this spawn only, or at those, with commas between: gate,lobby",
+                    .value = "SPAWN",
+                    .is_list = true},
+                   options->from);
+    command.choices({.names = "--allow",
+                     .help = "What the visitor may do besides walking; several with commas between: run,jump",
+                     .is_list = true},
                     {"run", "jump", "crouch"}, options->allow);
     add_disable(command, options->disable);
     command.option({.names = "--require",
-                    .help = "Exit with 1 unless this place is reached, or 'all'; may be repeated",
-                    .value = "PLACE"},
+                    .help = "Exit with 1 unless this place is reached, or those: gallery,desk; or 'all'",
+                    .value = "PLACE",
+                    .is_list = true},
                    options->required);
-    command.choices({.names = "--fail-on", .help = "Exit with 1 if there are such findings; may be repeated"},
-                    {"unreached", "traps", "stuck", "holes", "narrow", "triggers", "islands", "hot"},
-                    options->fail_on);
+    command.choices(
+        {.names = "--fail-on",
+         .help = "Exit with 1 if there are such findings; several with commas between: traps,holes",
+         .is_list = true},
+        {"unreached", "traps", "stuck", "holes", "narrow", "triggers", "islands", "hot"}, options->fail_on);
     command.option({.names = "--min-width",
                     .help = "Find passages that are too narrow for a visitor of this width",
                     .value = "METRES"},

@@ -93,8 +93,9 @@ void add_report_geometry(Command command, ReportGeometry& geometry) {
 
 void add_disable(Command command, std::vector<std::string>& globs) {
     command.option({.names = "--disable",
-                    .help = "Objects that aren't there, such as a gate: a glob; may be repeated",
-                    .value = "OBJECT"},
+                    .help = "Objects that aren't there, such as a gate: globs, with commas between several",
+                    .value = "OBJECT",
+                    .is_list = true},
                    globs);
 }
 
