@@ -55,7 +55,9 @@ public:
             subjects_.push_back({SubjectKind::building, building.id});
         }
         for (std::size_t i = 0; i < s_.campus.objects.size(); ++i) {
-            add_object(static_cast<ObjectId>(i), first_building);
+            if (is_noticed(static_cast<ObjectId>(i))) {
+                add_object(static_cast<ObjectId>(i), first_building);
+            }
         }
         return std::move(subjects_);
     }
@@ -113,6 +115,12 @@ private:
             }
         }
         return nearest;
+    }
+
+    bool is_noticed(ObjectId id) const {
+        const collision::QueryFilter& filter = s_.settings.solids;
+        return (filter.disabled == nullptr || !(*filter.disabled)[index_of(id)]) &&
+               ((filter.ignored_layers >> world_.object(id).layer) & 1U) == 0;
     }
 
     void add_object(ObjectId id, std::size_t first_building) {

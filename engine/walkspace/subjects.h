@@ -41,12 +41,14 @@ struct SubjectSearch {
     const std::vector<Island>& islands;
 };
 
-/// All spawns, places, buildings and objects, each kind in the campus file's order.
+/// All spawns, places, buildings and objects that the visitor notices (neither disabled nor in a layer that
+/// it ignores), each kind in the campus file's order.
 ///   spawn, place  reached if one can walk to it from the nearest node, as the step walk_to does
 ///   trigger       if the body is in it at some node; a mesh trigger that isn't closed: touches its surface
 ///   ray           if some node's eyes see it; a sample of nodes and of its points is tried
 ///   solid         if a stride touched it, or a node stands on it
-///   building      if one of its objects is reached
+///   building      if a stride touched one of its solids, or one of its triggers or rays is reached: whether
+///                 one gets inside is another question
 std::vector<Subject> find_subjects(const SubjectSearch& search);
 
 const char* name_of(SubjectKind kind);

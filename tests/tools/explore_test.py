@@ -309,6 +309,50 @@ class Explore(ProgramCase):
             self.assertEqual((2, ""), (done.code, done.out), done.err)
             self.assertIn(words, done.err)
 
+    def with_buildings(self, colliders, names):
+        """The yard with these buildings, of which each object of it is a line of `colliders`."""
+        self.write("yard.campus.yaml", YARD.replace("colliders:\n", "buildings:\n" + "".join(
+            "  - {id: %s, title: T, kind: k, text: x}\n" % name for name in names) + "colliders:\n" + colliders))
+
+    def opens_in_a_run(self, building, *steps):
+        self.write("near.walk.yaml", "campus: yard.campus.yaml\navatar: adult\nsteps:\n  - spawn: start\n" +
+                   "".join("  - walk_to: {to: %s, if_blocked: continue}\n" % step for step in steps))
+        return re.search("popup.open +" + building, self.passes("run", "near.walk.yaml", "--rendering-backend", "none",
+                                                                "--reporter", "log").out) is not None
+
+    def test_popups_that_nobody_can_open(self):
+        """As a run opens them, or doesn't."""
+        walls = ("solid, building: tower, popup: %s", (-1, 0, 5), (1, 3, 7))
+        top = box("tower/top", (-1, 3, 5), (1, 5, 7), "trigger, building: tower")
+        for popup, opens in (("false", False), ("true", True)):
+            self.with_buildings(box("tower/walls", *walls[1:], walls[0] % popup) + top, ["tower"])
+            report = self.report("--fail-on", "popups", code=0 if opens else 1)
+            tower = self.subject(report, "building", "tower")
+            self.assertEqual((True, opens), (tower["reached"], tower["popup_opens"]))
+            self.assertEqual(opens, self.opens_in_a_run("tower", "[0, 7]"))
+            found = [f for f in report["findings"] if f["kind"] == "popups"]
+            self.assertEqual([] if opens else ["building tower"], [f["subject"] for f in found])
+            text = self.run_program("explore", "yard.campus.yaml").out
+            self.assertIn("\nbuildings  1 of 1 touched or seen, not necessarily entered\n"
+                          "pop-ups    %d of 1 that somebody can open\n" % opens, text)
+        self.with_buildings(box("tower/walls", *walls[1:], walls[0] % "false") + top, ["tower"])
+        self.assertIn("what opens it, tower/top", self.finding(self.report(), "pop-up")["text"])
+        # Nothing that was taken away on purpose is missed.
+        self.report("--disable", "tower/top", "--fail-on", "popups")
+
+    def test_buildings_without_a_contact(self):
+        """Nothing of one that belongs nowhere is said to be somewhere."""
+        self.with_buildings(box("kite/string", (0, 5, 0), (1, 6, 1), "trigger, building: kite"), ["kite", "idea"])
+        report = self.report("--geojson", "ground.geojson", "--fail-on", "popups", code=1)
+        kite, idea = (self.finding(report, "building " + name) for name in ("kite", "idea"))
+        self.assertEqual(([0.5, 5.5, 0.5], ["popups"]), (kite["at"], kite["also"]))
+        self.assertRegex(kite["text"], "^nobody touches, .* so that its pop-up never opens$")
+        self.assertEqual((False, False), ("at" in idea, "also" in idea))
+        features = json.loads(self.read("ground.geojson"))["features"]
+        self.assertIsNone(next(f["geometry"] for f in features if f["properties"].get("subject") == "building idea"))
+        self.assertRegex(self.run_program("explore", "yard.campus.yaml").out,
+                         r"(?m)building idea: nobody touches, enters or sees anything of it$")
+
     def test_lists_have_commas(self):
         """Like the option repeated; that both are needed is shown by what one of them alone gives."""
         def explored(*arguments):

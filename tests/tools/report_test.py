@@ -324,6 +324,9 @@ class LaterReports(ReportCase):
         self.write("other.json", "{}")
         self.assert_refused(self.run_program("report", "r.jsonl", "--findings", "other.json"),
                             "other.json:1:1: error bad-report: explore")
+        nowhere = {key: value for key, value in findings[0].items() if key != "at"}
+        self.write("other.json", json.dumps({**json.loads(explored), "findings": [nowhere]}))
+        self.assertEqual(self.page_of_report("--findings", "other.json").index["findings"], [{**nowhere, "campus": 0}])
         for forged in ([1], [{}], 5, [{**findings[0], "at": [0, 1]}]):
             self.write("other.json", json.dumps({**json.loads(explored), "findings": forged}))
             self.assert_refused(self.run_program("report", "r.jsonl", "--findings", "other.json"),

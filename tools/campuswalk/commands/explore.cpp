@@ -113,7 +113,8 @@ void add_explore(Command program, CommandAction& chosen) {
         {.names = "--fail-on",
          .help = "Exit with 1 if there are such findings; several with commas between: traps,holes",
          .is_list = true},
-        {"unreached", "traps", "stuck", "holes", "narrow", "triggers", "islands", "hot"}, options->fail_on);
+        {"unreached", "traps", "stuck", "holes", "narrow", "triggers", "popups", "islands", "hot"},
+        options->fail_on);
     command.option({.names = "--min-width",
                     .help = "Find passages that are too narrow for a visitor of this width",
                     .value = "METRES"},

@@ -103,7 +103,8 @@ bool is_accepted(const ExploreOptions& options, const engine::WalkReport& report
         }
     }
     return std::ranges::none_of(findings, [&](const explore::Finding& finding) {
-        return has(options.fail_on, explore::name_of(finding.kind));
+        return std::ranges::any_of(
+            options.fail_on, [&](const std::string& kind) { return explore::is_of_kind(finding, kind); });
     });
 }
 

@@ -6,6 +6,7 @@
 
 #include "engine/events/decimals.h"
 #include "engine/walkspace/barrier_text.h"
+#include "tools/campuswalk/explore/building_popups.h"
 #include "tools/campuswalk/explore/island_groups.h"
 
 namespace campuswalk::tools::explore {
@@ -38,17 +39,45 @@ bool is_wanted(const engine::Subject& subject) {
     return subject.kind != SubjectKind::solid;
 }
 
+/// The middle of the building's first object, if it has any.
+std::optional<collision::Vec3> place_of(const scene::Campus& campus, std::size_t building) {
+    const auto first = std::ranges::find(campus.objects, building, &scene::CampusObject::building);
+    if (first == campus.objects.end()) {
+        return std::nullopt;
+    }
+    return campus.world.bounds(static_cast<collision::ObjectId>(first - campus.objects.begin())).center();
+}
+
+const BuildingPopup* find_popup(const std::vector<BuildingPopup>& popups, std::size_t building) {
+    const auto popup = std::ranges::find(popups, building, &BuildingPopup::building);
+    return popup == popups.end() ? nullptr : &*popup;
+}
+
+void add_untouched_building(const scene::Campus& campus, const engine::Subject& subject,
+                            const std::vector<BuildingPopup>& popups, std::vector<Finding>& findings) {
+    const std::vector<scene::Building>& buildings = campus.description.buildings;
+    const auto building = static_cast<std::size_t>(
+        std::ranges::find(buildings, subject.name, &scene::Building::id) - buildings.begin());
+    Finding finding{FindingKind::unreached, named(subject), "nobody touches, enters or sees anything of it",
+                    place_of(campus, building)};
+    if (find_popup(popups, building) != nullptr) {
+        finding.text += ", so that its pop-up never opens";
+        finding.also.push_back(FindingKind::popup);
+    }
+    findings.push_back(std::move(finding));
+}
+
 /// Adds a finding for each unreached subject; those on one island share it.
-void add_unreached(const scene::Campus& campus, const WalkReport& report, std::vector<Finding>& findings) {
+void add_unreached(const scene::Campus& campus, const WalkReport& report,
+                   const std::vector<BuildingPopup>& popups, std::vector<Finding>& findings) {
     std::map<std::size_t, std::size_t> by_island;
     for (const engine::SubjectReport& entry : report.subjects) {
         const engine::Subject& subject = entry.subject;
         if (subject.reached || !is_wanted(subject)) {
             continue;
         }
-        if (subject.kind == SubjectKind::building && subject.reason.empty() && !subject.island) {
-            findings.push_back(
-                {FindingKind::unreached, named(subject), "no contact with it is possible", subject.at});
+        if (subject.kind == SubjectKind::building) {
+            add_untouched_building(campus, subject, popups, findings);
             continue;
         }
         if (!subject.island) {
@@ -137,6 +166,31 @@ void add_overhangs(const scene::Campus& campus, const WalkReport& report, std::v
     }
 }
 
+/// Pop-ups of buildings that one does come into contact with, by objects that don't open them.
+void add_popups(const scene::Campus& campus, const WalkReport& report,
+                const std::vector<BuildingPopup>& popups, std::vector<Finding>& findings) {
+    constexpr std::size_t kMost = 3;
+    for (const engine::SubjectReport& entry : report.subjects) {
+        const engine::Subject& subject = entry.subject;
+        const auto popup = std::ranges::find_if(popups, [&](const BuildingPopup& each) {
+            return campus.description.buildings[each.building].id == subject.name;
+        });
+        if (subject.kind != SubjectKind::building || !subject.reached || popup == popups.end() ||
+            popup->opens) {
+            continue;
+        }
+        const std::vector<collision::ObjectId>& openers = popup->openers;
+        std::string names;
+        for (std::size_t i = 0; i < openers.size() && i < kMost; ++i) {
+            names += (i == 0 ? "" : ", ") + campus.objects[index_of(openers[i])].id;
+        }
+        names += openers.size() > kMost ? " and " + std::to_string(openers.size() - kMost) + " more" : "";
+        findings.push_back({FindingKind::popup, named(subject),
+                            "its pop-up never opens: nobody comes into contact with what opens it, " + names,
+                            campus.world.bounds(openers.front()).center()});
+    }
+}
+
 /// "4.0 m²", or of several "3.5 to 4.0 m²".
 std::string areas_text(const WalkReport& report, const IslandGroup& group) {
     const auto area = [&](std::size_t i) { return report.islands[i].island.area(report.space.grid); };
@@ -210,11 +264,13 @@ void add_hot_spots(const scene::Campus& campus, const WalkReport& report, std::v
 
 std::vector<Finding> find_findings(const scene::Campus& campus, const WalkReport& report) {
     std::vector<Finding> findings;
-    add_unreached(campus, report, findings);
+    const std::vector<BuildingPopup> popups = building_popups(campus, report);
+    add_unreached(campus, report, popups, findings);
     add_traps(report, findings);
     add_holes(report, findings);
     add_narrow_passages(campus, report, findings);
     add_overhangs(campus, report, findings);
+    add_popups(campus, report, popups, findings);
     add_islands(campus, report, findings);
     add_hot_spots(campus, report, findings);
     return findings;
@@ -234,12 +290,19 @@ const char* name_of(FindingKind kind) {
             return "narrow";
         case FindingKind::trigger:
             return "triggers";
+        case FindingKind::popup:
+            return "popups";
         case FindingKind::island:
             return "islands";
         case FindingKind::hot:
             return "hot";
     }
     return "";
+}
+
+bool is_of_kind(const Finding& finding, const std::string& name) {
+    return name_of(finding.kind) == name ||
+           std::ranges::any_of(finding.also, [&](FindingKind kind) { return name_of(kind) == name; });
 }
 
 }  // namespace campuswalk::tools::explore

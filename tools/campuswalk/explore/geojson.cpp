@@ -103,11 +103,14 @@ std::string report_geojson(const scene::Campus& campus, const engine::WalkReport
         }
     }
     for (std::size_t i = 0; i < findings.size(); ++i) {
-        features.push_back(feature("Point", map.at(findings[i].at),
-                                   {{"kind", name_of(findings[i].kind)},
-                                    {"number", i + 1},
-                                    {"subject", findings[i].subject},
-                                    {"text", findings[i].text}}));
+        const Finding& f = findings[i];
+        Json finding =
+            feature("Point", f.at ? map.at(*f.at) : Json(),
+                    {{"kind", name_of(f.kind)}, {"number", i + 1}, {"subject", f.subject}, {"text", f.text}});
+        if (!f.at) {
+            finding["geometry"] = nullptr;  // as GeoJSON says of features that are nowhere
+        }
+        features.push_back(std::move(finding));
     }
     const Json collection = {
         {"type", "FeatureCollection"},

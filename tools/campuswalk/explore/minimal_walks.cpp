@@ -60,13 +60,14 @@ public:
                 return of_island(finding);
             case FindingKind::narrow:
                 return of_narrow_passage(finding);
-            case FindingKind::hot:
-                return std::nullopt;  // a walk tells no costs
+            case FindingKind::popup:  // there is nothing to try
+            case FindingKind::hot:    // a walk tells no costs
+                return std::nullopt;
             case FindingKind::trigger:
                 return of_trigger(finding);
             case FindingKind::trap:
             case FindingKind::stuck: {
-                const auto trap = std::ranges::find(report_.traps, finding.at, &engine::Trap::edge);
+                const auto trap = std::ranges::find(report_.traps, *finding.at, &engine::Trap::edge);
                 return yaml_if_shown(finding, walk_into_trap(report_, *trap, players_.usual, starts_),
                                      players_.usual);
             }
@@ -101,7 +102,7 @@ private:
 
     std::optional<std::string> of_narrow_passage(const Finding& finding) {
         const auto narrow = std::ranges::find_if(report_.narrow, [&](const engine::NarrowPassage& entry) {
-            return entry.passage && entry.passage->at == finding.at;
+            return entry.passage && entry.passage->at == *finding.at;
         });
         return narrow == report_.narrow.end()
                    ? std::nullopt
@@ -109,14 +110,14 @@ private:
     }
 
     std::string of_trigger(const Finding& finding) const {
-        const WalkDraft draft{finding.at, {{.kind = DraftStep::Kind::wait, .seconds = 0.1}}};
+        const WalkDraft draft{*finding.at, {{.kind = DraftStep::Kind::wait, .seconds = 0.1}}};
         return status_yaml(finding, "never") + steps_yaml(draft, players_.usual.disabled()) +
                "expect:\n  - never: " + json_text("trigger.enter " + scene::glob_for(finding.trigger)) + "\n";
     }
 
     std::optional<std::string> of_hole(const Finding& finding) {
         const auto hole = std::ranges::find_if(
-            report_.holes, [&](const engine::Hole& h) { return h.edges.front().at == finding.at; });
+            report_.holes, [&](const engine::Hole& h) { return h.edges.front().at == *finding.at; });
         const auto walk = walk_into_hole(*hole, players_.usual, starts_);
         return walk ? std::optional(status_yaml(finding, walk->failure + ", never") +
                                     steps_yaml(walk->draft, players_.usual.disabled()) +

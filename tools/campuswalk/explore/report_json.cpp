@@ -7,6 +7,7 @@
 #include "engine/walkspace/barrier_text.h"
 #include "scene/campus/node_at.h"
 #include "tools/campuswalk/base/json_text.h"
+#include "tools/campuswalk/explore/building_popups.h"
 #include "tools/campuswalk/explore/island_groups.h"
 
 namespace campuswalk::tools::explore {
@@ -58,7 +59,11 @@ Json storeys_json(const WalkReport& report) {
     return json;
 }
 
-Json subjects_json(const WalkReport& report) {
+Json subjects_json(const scene::Campus& campus, const WalkReport& report) {
+    std::map<std::string, bool> opens;
+    for (const BuildingPopup& popup : building_popups(campus, report)) {
+        opens.emplace(campus.description.buildings[popup.building].id, popup.opens);
+    }
     Json json = Json::array();
     for (const engine::SubjectReport& entry : report.subjects) {
         const engine::Subject& subject = entry.subject;
@@ -66,6 +71,9 @@ Json subjects_json(const WalkReport& report) {
             {"kind", engine::name_of(subject.kind)}, {"name", subject.name}, {"reached", subject.reached}};
         if (subject.kind != engine::SubjectKind::building || subject.reached) {
             one["at"] = json_of(subject.at);
+        }
+        if (subject.kind == engine::SubjectKind::building && opens.contains(subject.name)) {
+            one["popup_opens"] = opens.at(subject.name);
         }
         if (entry.distance) {
             one["distance"] = rounded(*entry.distance);
@@ -189,6 +197,20 @@ Json coverage_json(const WalkReport& report, const Coverage& coverage) {
     return json;
 }
 
+Json finding_json(const Finding& finding, std::size_t number) {
+    Json json = {{"number", number},
+                 {"kind", name_of(finding.kind)},
+                 {"subject", finding.subject},
+                 {"text", finding.text}};
+    for (const FindingKind kind : finding.also) {
+        json["also"].push_back(name_of(kind));
+    }
+    if (finding.at) {
+        json["at"] = json_of(*finding.at);
+    }
+    return json;
+}
+
 Json bounds_json(const WalkReport& report) {
     Json json = Json::array();
     for (const engine::Bound bound : report.space.bounds) {
@@ -208,7 +230,7 @@ std::string report_json(const scene::Campus& campus, const WalkReport& report,
                  {"crouched_area", rounded(report.space.low_area())},
                  {"incomplete", bounds_json(report)},
                  {"storeys", storeys_json(report)},
-                 {"subjects", subjects_json(report)},
+                 {"subjects", subjects_json(campus, report)},
                  {"islands", islands_json(campus, report, findings)},
                  {"traps", traps_json(report)},
                  {"holes", holes_json(report)},
@@ -217,11 +239,7 @@ std::string report_json(const scene::Campus& campus, const WalkReport& report,
                  {"hot_spots", hot_spots_json(campus, report)},
                  {"findings", Json::array()}};
     for (std::size_t i = 0; i < findings.size(); ++i) {
-        json["findings"].push_back({{"number", i + 1},
-                                    {"kind", name_of(findings[i].kind)},
-                                    {"subject", findings[i].subject},
-                                    {"text", findings[i].text},
-                                    {"at", json_of(findings[i].at)}});
+        json["findings"].push_back(finding_json(findings[i], i + 1));
     }
     if (coverage != nullptr) {
         json["coverage"] = coverage_json(report, *coverage);

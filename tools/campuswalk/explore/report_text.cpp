@@ -1,11 +1,13 @@
 #include "tools/campuswalk/explore/report_text.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
 
 #include "engine/events/decimals.h"
 #include "tools/campuswalk/base/print.h"
+#include "tools/campuswalk/explore/building_popups.h"
 #include "tools/campuswalk/explore/findings.h"
 #include "tools/campuswalk/explore/island_groups.h"
 
@@ -74,8 +76,16 @@ void print_untouched(const WalkReport& report) {
     }
 }
 
+void print_popups(const scene::Campus& campus, const WalkReport& report) {
+    const std::vector<BuildingPopup> popups = building_popups(campus, report);
+    if (!popups.empty()) {
+        print_line("pop-ups    %td of %zu that somebody can open",
+                   std::ranges::count(popups, true, &BuildingPopup::opens), popups.size());
+    }
+}
+
 /// How many of each kind are reached.
-void print_subjects(const WalkReport& report) {
+void print_subjects(const scene::Campus& campus, const WalkReport& report) {
     constexpr std::array kKinds{SubjectKind::spawn,   SubjectKind::place, SubjectKind::building,
                                 SubjectKind::trigger, SubjectKind::ray,   SubjectKind::solid};
     constexpr std::array kPlurals{"spawns", "places", "buildings", "triggers", "rays", "solids"};
@@ -87,7 +97,11 @@ void print_subjects(const WalkReport& report) {
             reached += entry.subject.kind == kKinds[k] && entry.subject.reached ? 1U : 0U;
         }
         if (all > 0) {
-            print_line("%-10s %zu of %zu", kPlurals[k], reached, all);
+            print_line("%-10s %zu of %zu%s", kPlurals[k], reached, all,
+                       kKinds[k] == SubjectKind::building ? " touched or seen, not necessarily entered" : "");
+        }
+        if (all > 0 && kKinds[k] == SubjectKind::building) {
+            print_popups(campus, report);
         }
     }
     print_untouched(report);
@@ -134,11 +148,11 @@ void print_report(const scene::Campus& campus, const WalkReport& report, const e
                fixed(avatar.height, 2).c_str(), fixed(avatar.step_height, 2).c_str(),
                fixed(engine::degrees(avatar.max_slope), 1).c_str(), fixed(avatar.speed, 2).c_str());
     print_reached(report);
-    print_subjects(report);
+    print_subjects(campus, report);
     print_line("findings   %zu", findings.size());
     for (std::size_t i = 0; i < findings.size(); ++i) {
         const Finding& f = findings[i];
-        const std::string at = place_text(f.at);
+        const std::string at = f.at ? place_text(*f.at) : "";
         const bool says_where = f.text.find(at) != std::string::npos;  // as what was measured does
         print_line("%4zu  %s: %s%s", i + 1, f.subject.c_str(), f.text.c_str(),
                    says_where ? "" : (" (" + at + ")").c_str());

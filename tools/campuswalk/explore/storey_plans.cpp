@@ -118,8 +118,12 @@ void add_marks(const scene::Campus& campus, const engine::WalkReport& report,
     }
     for (std::size_t i = 0; i < findings.size(); ++i) {
         const Finding& f = findings[i];
-        plan_at(f.at.y()).findings.push_back(
-            {static_cast<int>(i + 1), {f.at.x(), f.at.z()}, f.subject + ": " + f.text, severity_of(f.kind)});
+        if (f.at) {
+            plan_at(f.at->y()).findings.push_back({static_cast<int>(i + 1),
+                                                   {f.at->x(), f.at->z()},
+                                                   f.subject + ": " + f.text,
+                                                   severity_of(f.kind)});
+        }
     }
 }
 

@@ -145,7 +145,7 @@ private:
 
 bool is_finding(const Json& json) {
     return engine::has_numbers(json, {"number"}) && engine::has_strings(json, {"kind", "subject", "text"}) &&
-           engine::has_points(json, {"at"});
+           (!json.contains("at") || engine::has_points(json, {"at"}));  // a building may be nowhere
 }
 
 /// All findings of the files, each with the name of its campus.

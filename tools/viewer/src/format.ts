@@ -129,7 +129,8 @@ export interface Finding {
   kind: string;
   subject: string;
   text: string;
-  at: Point;
+  /** None: it is nowhere, as a building that nothing belongs to. */
+  at?: Point;
 }
 
 /** A line of a chunk of details. */

@@ -162,6 +162,7 @@ export class WalkScene {
 
   showFindings(findings: readonly Finding[]): void {
     for (const finding of findings) {
+      if (!finding.at) continue;
       const at = new Vector3(...finding.at);
       this.findings.add(ball(at.clone().add(new Vector3(0, 0.25, 0)), 0.14, 0xd946a6));
       const label = this.labels.add(String(finding.number), at.clone().add(new Vector3(0, 0.5, 0)), 'finding', 120);

@@ -126,17 +126,17 @@ function findings(context: WalkContext, viewport: Viewport | null): HTMLElement 
     element(
       'ol',
       { class: 'findings' },
-      ...own.map((finding) =>
+      ...own.map(({ at, ...finding }) =>
         element(
           'li',
           { attributes: { value: finding.number } },
-          viewport
+          viewport && at
             ? element('button', {
                 class: 'link',
                 text: finding.kind,
                 title: 'Look at it',
                 attributes: { type: 'button' },
-                on: { click: () => viewport.lookAt(finding.at) },
+                on: { click: () => viewport.lookAt(at) },
               })
             : element('strong', { text: finding.kind }),
           ' ',
