@@ -353,6 +353,19 @@ class Explore(ProgramCase):
         self.assertRegex(self.run_program("explore", "yard.campus.yaml").out,
                          r"(?m)building idea: nobody touches, enters or sees anything of it$")
 
+    def test_triggers_that_nobody_can_enter(self):
+        """Whether a place shares their finding, or they are where nobody could stand."""
+        kite = box("kite", (0, 5, 0), (1, 6, 1), "trigger")
+        for more, arguments, unentered in (("", (), ["shed/inside"]), ("", ("--disable", "shed/gate-leaf"), []),
+                                           (kite, ("--disable", "shed/gate-leaf"), ["kite"])):
+            self.write("yard.campus.yaml", YARD.replace("spawns:", more + "spawns:"))
+            report = self.report("--fail-on", "triggers", *arguments, code=1 if unentered else 0)
+            self.assertEqual(unentered, [s["name"] for s in report["subjects"] if s["kind"] == "trigger" and not s["reached"]])
+            found = [f for f in report["findings"] if "triggers" in f.get("also", ())]
+            self.assertEqual(["unreached"] * len(unentered), [f["kind"] for f in found])
+            for name, finding in zip(unentered, found):
+                self.assertIn("trigger " + name, finding["subject"])
+
     def test_lists_have_commas(self):
         """Like the option repeated; that both are needed is shown by what one of them alone gives."""
         def explored(*arguments):

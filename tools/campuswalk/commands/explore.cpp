@@ -161,6 +161,17 @@ void add_explore(Command program, CommandAction& chosen) {
     add_import_options(command);
     add_root_option(command);
     command.footer(
+        "What --fail-on looks for:\n"
+        "  unreached  a spawn, a place, a building or an object that nobody gets to\n"
+        "  traps      ground that one gets to and not away from, of 1 m² or more\n"
+        "  stuck      such a spot that is smaller\n"
+        "  holes      edges over which one falls out of the world\n"
+        "  narrow     passages that are too narrow for --min-width\n"
+        "  triggers   triggers that nobody can enter, or that reach through a floor\n"
+        "  popups     buildings' pop-ups that nobody can open\n"
+        "  islands    other walkable ground that isn't reached, of more than 1 m²\n"
+        "  hot        spots with so many triangles around the visitor that ticks take long\n"
+        "\n"
         "Exit code: 0 explored, 1 the report has what --require, --fail-on or --fail-under forbids, 2 bad "
         "usage "
         "or\n"

@@ -67,6 +67,14 @@ void add_untouched_building(const scene::Campus& campus, const engine::Subject& 
     findings.push_back(std::move(finding));
 }
 
+/// One that nobody can enter is a fault of a trigger, too.
+void note_trigger(const engine::Subject& subject, Finding& finding) {
+    if (subject.kind == SubjectKind::trigger &&
+        std::ranges::find(finding.also, FindingKind::trigger) == finding.also.end()) {
+        finding.also.push_back(FindingKind::trigger);
+    }
+}
+
 /// Adds a finding for each unreached subject; those on one island share it.
 void add_unreached(const scene::Campus& campus, const WalkReport& report,
                    const std::vector<BuildingPopup>& popups, std::vector<Finding>& findings) {
@@ -82,11 +90,13 @@ void add_unreached(const scene::Campus& campus, const WalkReport& report,
         }
         if (!subject.island) {
             findings.push_back({FindingKind::unreached, named(subject), subject.reason, subject.at});
+            note_trigger(subject, findings.back());
             continue;
         }
         const auto [known, added] = by_island.emplace(*subject.island, findings.size());
         if (!added) {
             findings[known->second].subject += ", " + named(subject);
+            note_trigger(subject, findings[known->second]);
             continue;
         }
         const engine::IslandReport& island = report.islands[*subject.island];
@@ -95,6 +105,7 @@ void add_unreached(const scene::Campus& campus, const WalkReport& report,
         if (island.barrier) {
             finding.at = island.barrier->at;
         }
+        note_trigger(subject, finding);
         findings.push_back(std::move(finding));
     }
 }
