@@ -278,6 +278,64 @@ TEST_F(Findings, ATriggerThatReachesThroughAFloorIsFound) {
     EXPECT_EQ(found[0].also_in[0], below);
 }
 
+/// Also beyond the middle of a visitor upstairs.
+TEST_F(Findings, ATriggerIsTheMoreOfAnOverhangTheFartherItReaches) {
+    for (const double top : {3.1, 3.5, 3.8, 4.2, 4.6}) {
+        scene::Campus campus = yard_with_gallery();
+        ObjectTraits trigger;
+        trigger.detection = collision::Detection::trigger;
+        add_box(campus, "lower-room", {-2, 0, -4}, {1, top, -2}, trigger);
+        const collision::ObjectId upper = add_box(campus, "upper-room", {-2, 3, -4}, {1, 5, -2}, trigger);
+        const WalkSpace& space = explored(campus);
+        const std::vector<TriggerOverhang> found =
+            find_trigger_overhangs(campus, *worlds_, settings_, space, find_storeys(space));
+        ASSERT_EQ(found.size(), 1U) << top;
+        EXPECT_EQ(found[0].storey, 1U);
+        EXPECT_FALSE(found[0].from_above);
+        EXPECT_NEAR(found[0].depth, top - 3.0, 0.01);
+        EXPECT_EQ(found[0].also_in, std::vector{upper});
+    }
+}
+
+TEST_F(Findings, ATriggerForTwoStoreysIsNoOverhang) {
+    for (const double top : {4.75, 5.0, 9.0}) {  // as high as who stands upstairs, or nearly
+        scene::Campus campus = yard_with_gallery();
+        ObjectTraits trigger;
+        trigger.detection = collision::Detection::trigger;
+        add_box(campus, "atrium", {-2, 0, -4}, {1, top, -2}, trigger);
+        add_box(campus, "stairwell", {-6, 0, -6}, {-4, top, 6}, trigger);
+        const WalkSpace& space = explored(campus);
+        EXPECT_TRUE(find_trigger_overhangs(campus, *worlds_, settings_, space, find_storeys(space)).empty())
+            << top;
+    }
+}
+
+/// Stairs that one also walks under: who climbs them leaves the room's trigger little by little, which is no
+/// fault of it. The floor that they lead to is another thing.
+TEST_F(Findings, StairsOutOfATriggerAreNoOverhang) {
+    for (const bool reaches_the_gallery : {false, true}) {
+        scene::Campus campus = walled_yard();
+        for (int i = 1; i <= 12; ++i) {
+            add_box(campus, "tread-" + std::to_string(i), {-6, 0.25 * i - 0.1, 5.5 - 0.5 * i},
+                    {-4.5, 0.25 * i, 6.0 - 0.5 * i});
+        }
+        add_box(campus, "gallery", {-6, 2.8, -6}, {2, 3, -0.5});
+        ObjectTraits trigger;
+        trigger.detection = collision::Detection::trigger;
+        add_box(campus, "room", {-6, 0, -6}, {6, reaches_the_gallery ? 3.6 : 2.9, 6}, trigger);
+        const WalkSpace& space = explored(campus);
+        ASSERT_TRUE(space.find(space.grid.cell_at(-5.0, 0.8), 2.5)) << "on the stairs";
+        ASSERT_TRUE(space.find(space.grid.cell_at(-5.0, 0.8), 0.0)) << "under them";
+        const std::vector<TriggerOverhang> found =
+            find_trigger_overhangs(campus, *worlds_, settings_, space, find_storeys(space));
+        ASSERT_EQ(found.size(), reaches_the_gallery ? 1U : 0U);
+        if (reaches_the_gallery) {
+            EXPECT_EQ(found[0].storey, 1U);
+            EXPECT_NEAR(found[0].foot.y(), 3.0, 0.1) << "the feet may hang over the edge a little";
+        }
+    }
+}
+
 /// A carpet on the floor, 2 m x 2 m about the point, of triangles with sides of 5 cm.
 std::shared_ptr<const collision::MeshCollider> carpet() {
     constexpr std::uint32_t kCells = 40;
