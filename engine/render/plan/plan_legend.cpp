@@ -29,10 +29,11 @@ constexpr double kBetween = 24.0;      // entries of a row
 constexpr double kColumn = 340.0;      // at least, of the list
 constexpr double kMarkerWidth = 36.0;  // of the list, with room for three digits
 
+constexpr int kMostLines = 8;              // of a finding: the numbers come at the end
 constexpr std::size_t kMostFindings = 60;  // listed: the report has them all
 
 TextStyle text_style(double width) {
-    return {kText, false, kInk, width, width > 0.0 ? 3 : 1};
+    return {kText, false, kInk, width, width > 0.0 ? kMostLines : 1};
 }
 
 // A box of pixels, each with its colour, and a thin frame.

@@ -8,7 +8,7 @@
 
 #include "engine/events/decimals.h"
 #include "engine/walkspace/node_numbers.h"
-#include "tools/campuswalk/explore/island_groups.h"
+#include "tools/campuswalk/explore/storey_marks.h"
 
 namespace campuswalk::tools::explore {
 
@@ -23,24 +23,6 @@ namespace {
 
 /// White around what a plan shows, metres.
 constexpr double kMargin = 2.0;
-
-/// The storey at a height: of those whose range has it, that with most of its ground near it.
-std::size_t storey_at(const std::vector<engine::Storey>& storeys, double y) {
-    constexpr double kAround = 0.6;
-    constexpr double kOutside = 1e6;
-    std::size_t best = 0;
-    double least = 1e300;
-    for (std::size_t i = 0; i < storeys.size(); ++i) {
-        const engine::Storey& s = storeys[i];
-        const double outside = std::max({s.low - kAround - y, y - s.high - kAround, 0.0});
-        const double apart = std::abs(s.main_height - y) + (outside > 0.0 ? kOutside * outside : 0.0);
-        if (apart < least) {
-            least = apart;
-            best = i;
-        }
-    }
-    return best;
-}
 
 /// The cells of one storey before they are laid out in rows.
 struct Cells {
@@ -58,12 +40,13 @@ struct Cells {
 std::vector<Cells> cells_by_storey(const engine::WalkReport& report) {
     std::vector<Cells> cells(report.storeys.list.size());
     for (const engine::IslandReport& entry : report.islands) {
-        if (entry.island.area(report.space.grid) <= engine::kNotableIsland || is_top(entry) || entry.hollow) {
+        if (!is_shown(report, entry)) {
             continue;
         }
-        for (const engine::UnreachedSpot& spot : entry.island.spots) {
-            cells[storey_at(report.storeys.list, spot.at.foot.y())].add(
-                report.space.grid.cell_at(spot.at.foot), PlanCell::unreached);
+        const std::vector<std::size_t> storeys = storeys_of_island(report, entry.island);
+        for (std::size_t i = 0; i < storeys.size(); ++i) {
+            cells[storeys[i]].add(report.space.grid.cell_at(entry.island.spots[i].at.foot),
+                                  PlanCell::unreached);
         }
     }
     std::set<WalkNodeId> trapped;
@@ -105,24 +88,23 @@ PlanSeverity severity_of(FindingKind kind) {
     }
 }
 
-void add_marks(const scene::Campus& campus, const engine::WalkReport& report,
-               const std::vector<Finding>& findings, std::vector<StoreyPlan>& plans) {
-    const auto plan_at = [&](double y) -> StoreyPlan& { return plans[storey_at(report.storeys.list, y)]; };
-    for (const scene::Spawn& spawn : campus.description.spawns) {
-        plan_at(spawn.position.y())
-            .points.push_back(
-                {{spawn.position.x(), spawn.position.z()}, spawn.name, engine::render::PlanPointKind::spawn});
-    }
-    for (const scene::Place& place : campus.description.places) {
-        plan_at(place.position.y()).points.push_back({{place.position.x(), place.position.z()}, place.name});
+void add_marks(const engine::WalkReport& report, const std::vector<Finding>& findings,
+               std::vector<StoreyPlan>& plans) {
+    for (const engine::SubjectReport& entry : report.subjects) {
+        const engine::Subject& subject = entry.subject;
+        const bool is_spawn = subject.kind == engine::SubjectKind::spawn;
+        if (is_spawn || subject.kind == engine::SubjectKind::place) {
+            plans[storey_of(report, subject)].points.push_back(
+                {{subject.at.x(), subject.at.z()},
+                 subject.name,
+                 is_spawn ? engine::render::PlanPointKind::spawn : engine::render::PlanPointKind::place});
+        }
     }
     for (std::size_t i = 0; i < findings.size(); ++i) {
         const Finding& f = findings[i];
-        if (f.at) {
-            plan_at(f.at->y()).findings.push_back({static_cast<int>(i + 1),
-                                                   {f.at->x(), f.at->z()},
-                                                   f.subject + ": " + f.text,
-                                                   severity_of(f.kind)});
+        for (const StoreyMark& mark : marks_of(report, f)) {
+            plans[mark.storey].findings.push_back(
+                {static_cast<int>(i + 1), mark.at, f.subject + ": " + f.text, severity_of(f.kind)});
         }
     }
 }
@@ -149,10 +131,9 @@ std::vector<StoreyPlan> storey_plans(const scene::Campus& campus, const engine::
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const engine::Storey& storey = report.storeys.list[i];
         StoreyPlan& plan = plans[i];
-        plan.title = campus.description.name + ", storey " + std::to_string(i) + " of " +
-                     std::to_string(cells.size() - 1);
-        if (cells.size() == 1) {
-            plan.title = campus.description.name;
+        plan.title = campus.description.name;
+        if (cells.size() > 1) {  // they are counted from 0, as in the report
+            plan.title += ", storey " + std::to_string(i) + " of 0 to " + std::to_string(cells.size() - 1);
         }
         plan.subtitle = fixed(storey.area, 0) + " m² reached, most of it at " + fixed(storey.main_height, 1) +
                         " m (" + fixed(storey.low, 2) + " to " + fixed(storey.high, 2) + " m)";
@@ -162,7 +143,7 @@ std::vector<StoreyPlan> storey_plans(const scene::Campus& campus, const engine::
                          size * Eigen::Vector2d(plan.raster.columns, plan.raster.rows));
     }
     if (!plans.empty()) {
-        add_marks(campus, report, findings, plans);
+        add_marks(report, findings, plans);
     }
     std::ranges::for_each(plans, extend_area);
     return plans;

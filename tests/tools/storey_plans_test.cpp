@@ -1,0 +1,135 @@
+// The plans of storeys: what is on which of them.
+
+#include "tools/campuswalk/explore/storey_plans.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "engine/walkspace/walk_report.h"
+#include "tests/engine/small_campus.h"
+
+namespace campuswalk::tools::explore {
+namespace {
+
+using engine::render::PlanCell;
+using engine::render::StoreyPlan;
+
+/// Stairs of 0.25 m along the west wall lead up to a gallery at 3 m, under which one walks. On both floors,
+/// there is a table that is too high to climb.
+scene::Campus two_storeys() {
+    scene::Campus campus = engine::walled_yard();
+    for (int i = 1; i <= 12; ++i) {
+        engine::add_box(campus, "tread-" + std::to_string(i), {-6, -0.1, 5.5 - 0.5 * i},
+                        {-4.5, 0.25 * i, 6.0 - 0.5 * i});
+    }
+    engine::add_box(campus, "gallery", {-6, 2.8, -6}, {2, 3, -0.5});
+    engine::add_box(campus, "table-1", {-1, 3, -4}, {1, 3.5, -2.5});
+    engine::add_box(campus, "table-0", {3, 0, 3}, {5, 0.5, 4.5});
+    campus.description.spawns.push_back({{}, "start", {0, 0, 3}});
+    campus.description.places.push_back({{}, "on-table-0", {4, 0.5, 4}});
+    campus.description.places.push_back({{}, "on-table-1", {0, 3.5, -3}});
+    campus.description.places.push_back({{}, "upstairs", {-2, 3, -5}});
+    campus.description.places.push_back({{}, "downstairs", {-2, 0, -5}});
+    return campus;
+}
+
+struct Plans {
+    engine::WalkReport report;
+    std::vector<Finding> findings;
+    std::vector<StoreyPlan> list;
+};
+
+Plans plans_of(const scene::Campus& campus) {
+    const engine::WorkerWorlds worlds(campus.world, 1, engine::WorkerWorlds::MakeBroadPhase());
+    const engine::ExploreSettings settings =
+        engine::explore_settings(campus, engine::AvatarProfile(), 60);
+    engine::WalkReport report = engine::report_walks(campus, engine::AvatarProfile(), worlds, settings);
+    std::vector<Finding> findings = find_findings(campus, report);
+    std::vector<StoreyPlan> list = storey_plans(campus, report, findings);
+    return {std::move(report), std::move(findings), std::move(list)};
+}
+
+std::set<std::string> points_on(const StoreyPlan& plan) {
+    std::set<std::string> names;
+    for (const engine::render::PlanPoint& point : plan.points) {
+        names.insert(point.name);
+    }
+    return names;
+}
+
+PlanCell cell_at(const StoreyPlan& plan, double x, double z) {
+    const engine::render::PlanRaster& raster = plan.raster;
+    const auto column = static_cast<int>(std::floor((x - raster.north_west.x()) / raster.cell_size));
+    const auto row = static_cast<int>(std::floor((z - raster.north_west.y()) / raster.cell_size));
+    return column < 0 || row < 0 || column >= raster.columns || row >= raster.rows
+               ? PlanCell::nothing
+               : raster.cells[static_cast<std::size_t>(row * raster.columns + column)];
+}
+
+/// Whether something is drawn within a metre.
+bool is_on_ground(const StoreyPlan& plan, const Eigen::Vector2d& at) {
+    for (double dz = -1.0; dz <= 1.0; dz += 0.25) {
+        for (double dx = -1.0; dx <= 1.0; dx += 0.25) {
+            if (cell_at(plan, at.x() + dx, at.y() + dz) != PlanCell::nothing) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+TEST(StoreyPlans, ShowWhatIsOnTheirStorey) {
+    const Plans plans = plans_of(two_storeys());
+    ASSERT_EQ(plans.list.size(), 2U);
+    EXPECT_EQ(plans.list[0].title, "small, storey 0 of 0 to 1");
+    EXPECT_EQ(plans.list[1].title, "small, storey 1 of 0 to 1");
+    EXPECT_EQ(points_on(plans.list[0]), (std::set<std::string>{"start", "on-table-0", "downstairs"}));
+    EXPECT_EQ(points_on(plans.list[1]), (std::set<std::string>{"on-table-1", "upstairs"}));
+    EXPECT_EQ(cell_at(plans.list[0], 4.0, 4.0), PlanCell::unreached);
+    EXPECT_EQ(cell_at(plans.list[1], 0.1, -3.0), PlanCell::unreached);
+    EXPECT_EQ(cell_at(plans.list[0], 0.1, -3.0), PlanCell::reached) << "under the gallery";
+}
+
+TEST(StoreyPlans, NumberFindingsWhereTheirGroundIs) {
+    const Plans plans = plans_of(two_storeys());
+    const auto numbered = [&](std::size_t storey, const std::string& subject) {
+        const auto& marks = plans.list[storey].findings;
+        return std::ranges::any_of(marks, [&](const engine::render::PlanFinding& mark) {
+            return plans.findings[static_cast<std::size_t>(mark.number) - 1].subject == subject;
+        });
+    };
+    EXPECT_TRUE(numbered(0, "place on-table-0"));
+    EXPECT_FALSE(numbered(1, "place on-table-0"));
+    EXPECT_TRUE(numbered(1, "place on-table-1"));
+    EXPECT_FALSE(numbered(0, "place on-table-1"));
+    for (const StoreyPlan& plan : plans.list) {
+        EXPECT_FALSE(plan.findings.empty());
+        for (const engine::render::PlanFinding& mark : plan.findings) {
+            EXPECT_TRUE(is_on_ground(plan, mark.at)) << plan.title << ": " << mark.text;
+        }
+    }
+}
+
+/// From the gallery one falls into a cell on the ground that nothing leads out of.
+TEST(StoreyPlans, NumberATrapWhereOneFallsAndWhereOneIsCaught) {
+    scene::Campus campus = two_storeys();
+    engine::add_box(campus, "cell/west", {1.8, -0.1, -6}, {2, 2.8, -2});
+    engine::add_box(campus, "cell/south", {1.8, -0.1, -2}, {6, 4, -1.8});
+    const Plans plans = plans_of(campus);
+    ASSERT_EQ(plans.report.traps.size(), 1U);
+    for (const StoreyPlan& plan : plans.list) {
+        EXPECT_EQ(std::ranges::count_if(plan.findings,
+                                        [&](const engine::render::PlanFinding& mark) {
+                                            return mark.text.starts_with("trap of ");
+                                        }),
+                  1)
+            << plan.title;
+    }
+}
+
+}  // namespace
+}  // namespace campuswalk::tools::explore

@@ -1,0 +1,210 @@
+#include "tools/campuswalk/explore/storey_marks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include "tools/campuswalk/explore/island_groups.h"
+
+namespace campuswalk::tools::explore {
+
+using collision::Vec3;
+using engine::WalkReport;
+
+namespace {
+
+/// A finding's ground that is smaller, and a smaller share of it, needs no number of its own: m².
+constexpr double kGoodPart = 5.0;
+constexpr double kGoodShare = 0.1;
+
+/// Of the storeys whose range has this height, that with most of its ground near it.
+std::size_t storey_at_height(const std::vector<engine::Storey>& storeys, double y) {
+    constexpr double kAround = 0.6;
+    constexpr double kOutside = 1e6;
+    std::size_t best = 0;
+    double least = 1e300;
+    for (std::size_t i = 0; i < storeys.size(); ++i) {
+        const engine::Storey& s = storeys[i];
+        const double outside = std::max({s.low - kAround - y, y - s.high - kAround, 0.0});
+        const double apart = std::abs(s.main_height - y) + (outside > 0.0 ? kOutside * outside : 0.0);
+        if (apart < least) {
+            least = apart;
+            best = i;
+        }
+    }
+    return best;
+}
+
+/// The reached node that is nearest to a point: below it if there is one within so many metres, seen from above.
+std::optional<engine::WalkNodeId> node_near(const WalkReport& report, const Vec3& at, double around) {
+    constexpr double kFar = 1e9;
+    constexpr double kHigher = 0.7;  // metres: ground that one is beside rather than below
+    constexpr double kOverhead = 1e6;
+    std::optional<engine::WalkNodeId> nearest;
+    double least = std::numeric_limits<double>::max();
+    for (const engine::WalkNodeId& node : report.space.nodes_in(
+             {{at.x() - around, -kFar, at.z() - around}, {at.x() + around, kFar, at.z() + around}})) {
+        const Vec3 foot = report.space.position(node);
+        const double apart = (foot - at).norm() + (foot.y() > at.y() + kHigher ? kOverhead : 0.0);
+        if (apart < least) {
+            least = apart;
+            nearest = node;
+        }
+    }
+    return nearest;
+}
+
+/// The storey of the ground that is reached there or near it.
+std::size_t storey_near(const WalkReport& report, const Vec3& at) {
+    for (const double around : {2.0, 8.0, 32.0}) {
+        if (const auto node = node_near(report, at, around)) {
+            return report.storeys.of(*node);
+        }
+    }
+    return storey_at_height(report.storeys.list, at.y());
+}
+
+Eigen::Vector2d on_plan(const Vec3& at) {
+    return {at.x(), at.z()};
+}
+
+/// A finding's ground, by storey.
+class GroundByStorey {
+public:
+    void add(std::size_t storey, const Vec3& foot) { feet_[storey].push_back(foot); }
+
+    /// On each storey with a good part of it, where it is nearest to the middle of that.
+    std::vector<StoreyMark> marks(double cell_area) const {
+        std::size_t all = 0;
+        for (const auto& [storey, feet] : feet_) {
+            all += feet.size();
+        }
+        std::vector<StoreyMark> marks;
+        for (const auto& [storey, feet] : feet_) {
+            const auto count = static_cast<double>(feet.size());
+            if (count * cell_area >= kGoodPart || count >= kGoodShare * static_cast<double>(all)) {
+                marks.push_back({storey, on_plan(nearest_to_middle(feet))});
+            }
+        }
+        return marks;
+    }
+
+private:
+    static Vec3 nearest_to_middle(const std::vector<Vec3>& feet) {
+        Vec3 middle = Vec3::Zero();
+        for (const Vec3& foot : feet) {
+            middle += foot / static_cast<double>(feet.size());
+        }
+        return *std::ranges::min_element(feet, {},
+                                         [&](const Vec3& foot) { return (foot - middle).squaredNorm(); });
+    }
+
+    std::map<std::size_t, std::vector<Vec3>> feet_;
+};
+
+std::vector<StoreyMark> ground_marks(const WalkReport& report, const Finding& finding) {
+    GroundByStorey ground;
+    for (const std::size_t island : finding.islands) {
+        if (!is_shown(report, report.islands[island])) {
+            continue;
+        }
+        const std::vector<engine::UnreachedSpot>& spots = report.islands[island].island.spots;
+        const std::vector<std::size_t> storeys = storeys_of_island(report, report.islands[island].island);
+        for (std::size_t i = 0; i < spots.size(); ++i) {
+            ground.add(storeys[i], spots[i].at.foot);
+        }
+    }
+    if (finding.kind == FindingKind::trap || finding.kind == FindingKind::stuck) {
+        const auto trap = std::ranges::find(report.traps, *finding.at, &engine::Trap::edge);
+        for (const engine::WalkNodeId& node : trap->nodes) {
+            ground.add(report.storeys.of(node), report.space.position(node));
+        }
+    }
+    return ground.marks(report.space.grid.cell * report.space.grid.cell);
+}
+
+/// Where the visitor stood for whom it was measured.
+std::size_t storey_of(const WalkReport& report, const Finding& finding) {
+    switch (finding.kind) {
+        case FindingKind::hole: {
+            const auto hole = std::ranges::find_if(report.holes, [&](const engine::Hole& each) {
+                return each.edges.front().at == *finding.at;
+            });
+            return report.storeys.of(hole->edges.front().node);
+        }
+        case FindingKind::island:  // its place is the first spot
+            return storeys_of_island(report, report.islands[finding.islands.front()].island).front();
+        default:
+            return storey_near(report, finding.barrier ? finding.barrier->from : *finding.at);
+    }
+}
+
+}  // namespace
+
+bool is_shown(const WalkReport& report, const engine::IslandReport& island) {
+    return island.island.area(report.space.grid) > engine::kNotableIsland && !is_top(island) &&
+           !island.hollow;
+}
+
+std::vector<std::size_t> storeys_of_island(const WalkReport& report, const engine::Island& island) {
+    constexpr double kBeside = 2.0;       // metres
+    constexpr double kStoreyHeight = 1.8;  // metres: what is nearer in height is on one storey
+    std::vector<std::optional<std::size_t>> beside;
+    std::map<double, std::size_t> by_height;
+    for (const engine::UnreachedSpot& spot : island.spots) {
+        const auto node = node_near(report, spot.at.foot, kBeside);
+        beside.push_back(node ? std::optional(report.storeys.of(*node)) : std::nullopt);
+        if (node) {
+            by_height.emplace(spot.at.foot.y(), *beside.back());
+        }
+    }
+    const auto as_high = [&](double y) {
+        const auto above = by_height.lower_bound(y);
+        auto nearest = above;
+        if (above == by_height.end() ||
+            (above != by_height.begin() && y - std::prev(above)->first < above->first - y)) {
+            nearest = above == by_height.begin() ? above : std::prev(above);
+        }
+        return nearest != by_height.end() && std::abs(nearest->first - y) < kStoreyHeight
+                   ? nearest->second
+                   : storey_at_height(report.storeys.list, y);
+    };
+    std::vector<std::size_t> storeys;
+    for (std::size_t i = 0; i < beside.size(); ++i) {
+        storeys.push_back(beside[i] ? *beside[i] : as_high(island.spots[i].at.foot.y()));
+    }
+    return storeys;
+}
+
+std::size_t storey_of(const WalkReport& report, const engine::Subject& subject) {
+    if (subject.node) {
+        return report.storeys.of(*subject.node);
+    }
+    if (subject.island && is_shown(report, report.islands[*subject.island])) {
+        const engine::Island& island = report.islands[*subject.island].island;
+        const auto nearest =
+            std::ranges::min_element(island.spots, {}, [&](const engine::UnreachedSpot& spot) {
+                return (spot.at.foot - subject.at).squaredNorm();
+            });
+        return storeys_of_island(report, island)[static_cast<std::size_t>(nearest - island.spots.begin())];
+    }
+    return storey_near(report, subject.at);
+}
+
+std::vector<StoreyMark> marks_of(const WalkReport& report, const Finding& finding) {
+    if (!finding.at) {
+        return {};
+    }
+    std::vector<StoreyMark> marks{{storey_of(report, finding), on_plan(*finding.at)}};
+    for (const StoreyMark& mark : ground_marks(report, finding)) {
+        if (mark.storey != marks.front().storey) {
+            marks.push_back(mark);
+        }
+    }
+    return marks;
+}
+
+}  // namespace campuswalk::tools::explore
