@@ -45,8 +45,7 @@ struct Plans {
 
 Plans plans_of(const scene::Campus& campus) {
     const engine::WorkerWorlds worlds(campus.world, 1, engine::WorkerWorlds::MakeBroadPhase());
-    const engine::ExploreSettings settings =
-        engine::explore_settings(campus, engine::AvatarProfile(), 60);
+    const engine::ExploreSettings settings = engine::explore_settings(campus, engine::AvatarProfile(), 60);
     engine::WalkReport report = engine::report_walks(campus, engine::AvatarProfile(), worlds, settings);
     std::vector<Finding> findings = find_findings(campus, report);
     std::vector<StoreyPlan> list = storey_plans(campus, report, findings);

@@ -81,15 +81,14 @@ void PlanLegend::add_cells(const StoreyPlan& plan) {
             add(kSwatch, swatch, text);
         }
     };
-    if (plan.raster.widths.empty()) {
-        add_kind(PlanCell::reached, "reached");
-    } else {
+    add_kind(PlanCell::reached, "reached");
+    if (!plan.raster.widths.empty()) {
         const auto ramp = [](const Canvas& canvas, const Vector2d& middle) {
             draw_swatch(canvas, middle, kRampBar,
                         [](int x, int) { return width_color(x / (kRampBar - 1.0)); });
         };
         add(kRampBar, ramp,
-            "reached, by the width of the passage: 0 to " + length_text(plan.widest) + " and more");
+            "reached, narrower than " + length_text(plan.widest) + ": from " + length_text(plan.narrowest));
     }
     add_kind(PlanCell::no_return, "reached, but no way back");
     add_kind(PlanCell::unreached, "walkable, not reached");

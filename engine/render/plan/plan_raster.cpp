@@ -77,13 +77,13 @@ PixelContent content_of(const PlanRaster& raster, const Span& columns, const Spa
     return {most, narrowest[static_cast<std::size_t>(most)]};
 }
 
-PlanColor color_at(const PixelContent& content, double widest, int x, int y) {
+PlanColor color_at(const PixelContent& content, const StoreyPlan& plan, int x, int y) {
     if (content.cell == PlanCell::no_return && is_on_stripe(x, y)) {
         return kNoReturnStripe;
     }
     const bool reached = content.cell == PlanCell::reached || content.cell == PlanCell::no_return;
-    if (reached && content.width >= 0.0F) {
-        return width_color(std::min(1.0, content.width / widest));
+    if (reached && content.width >= 0.0F && content.width < plan.widest) {
+        return width_color((content.width - plan.narrowest) / (plan.widest - plan.narrowest));
     }
     return color_of(content.cell);
 }
@@ -98,8 +98,7 @@ PlanColor shaded(PlanColor color) {
 }  // namespace
 
 PlanColor width_color(double share) {
-    static constexpr std::array<PlanColor, 4> kRamp = {
-        {{106, 0, 104}, {129, 107, 180}, {150, 188, 220}, {234, 243, 250}}};
+    static constexpr std::array<PlanColor, 3> kRamp = {{{106, 0, 104}, {129, 85, 170}, {140, 160, 215}}};
     const double at = std::clamp(share, 0.0, 1.0) * (kRamp.size() - 1);
     const auto i = std::min(static_cast<std::size_t>(at), kRamp.size() - 2);
     const double part = at - static_cast<double>(i);
@@ -140,7 +139,7 @@ void draw_cells(const StoreyPlan& plan, const PlanFrame& frame, const Eigen::Ali
                 contents[static_cast<std::size_t>(y) * columns.size() + static_cast<std::size_t>(x)];
             const bool rim = is_walkable(here.cell) && !(walkable(x - 1, y) && walkable(x + 1, y) &&
                                                          walkable(x, y - 1) && walkable(x, y + 1));
-            const PlanColor inside = color_at(here, plan.widest, x, y);
+            const PlanColor inside = color_at(here, plan, x, y);
             const PlanColor color = rim ? shaded(color_of(here.cell)) : inside;
             std::ranges::copy(color, image.rgba.begin() + static_cast<std::ptrdiff_t>(image.offset(
                                                               map.min().x() + x, map.min().y() + y)));

@@ -26,8 +26,8 @@ struct PlanRaster {
     int columns = 0;
     int rows = 0;
     std::vector<PlanCell> cells;  ///< columns * rows
-    /// Width of the passage at each cell, metres, which then colours what is reached; negative if unknown.
-    /// Empty for plain colours.
+    /// Width of the passage at each cell, metres, which then colours what is reached if it is less than the
+    /// plan's `widest`; negative if unknown. Empty for plain colours.
     std::vector<float> widths;
 };
 
@@ -61,7 +61,8 @@ struct StoreyPlan {
     Eigen::AlignedBox2d area;                ///< x and z that the plan covers, metres; not empty
     std::optional<double> metres_per_pixel;  ///< none: round_resolution() of the area
     PlanRaster raster;
-    double widest = 3.0;  ///< metres: wider passages have the same colour
+    double narrowest = 0.0;  ///< metres, of passages: the darkest colour
+    double widest = 3.0;     ///< metres: passages as wide as that have the plain colour
     std::vector<PlanRoute> routes;
     std::vector<PlanPoint> points;
     std::vector<PlanFinding> findings;

@@ -12,6 +12,7 @@
 
 #include "collision/world/bullet_broad_phase.h"
 #include "config/loader/load_run.h"
+#include "engine/walkspace/passage_widths.h"
 #include "engine/walkspace/walk_report.h"
 #include "scene/base/atomic_file.h"
 #include "scene/base/glob.h"
@@ -164,8 +165,10 @@ void check_options(const ExploreOptions& options) {
 }
 
 void write_plans(const scene::Campus& campus, const engine::WalkReport& report,
-                 const std::vector<explore::Finding>& findings, const std::filesystem::path& folder) {
-    const std::vector<engine::render::StoreyPlan> plans = explore::storey_plans(campus, report, findings);
+                 const std::vector<explore::Finding>& findings, const explore::GroundWidths& widths,
+                 const std::filesystem::path& folder) {
+    const std::vector<engine::render::StoreyPlan> plans =
+        explore::storey_plans(campus, report, findings, widths);
     for (std::size_t i = 0; i < plans.size(); ++i) {
         draw_storey_plan(plans[i], folder / ("storey-" + std::to_string(i) + ".png"));
     }
@@ -249,7 +252,12 @@ int explore_campus(const ExploreOptions& options, std::string* json) {
         scene::write_file_atomically(*options.geojson, explore::report_geojson(*campus, report, findings));
     }
     if (options.map) {
-        write_plans(*campus, report, findings, *options.map);
+        explore::GroundWidths widths;
+        if (options.min_width > 0.0) {
+            widths = {engine::passage_widths(worlds, settings, report.space, options.min_width),
+                      2.0 * avatar.radius, options.min_width};
+        }
+        write_plans(*campus, report, findings, widths, *options.map);
     }
     if (options.walks) {
         write_walks(options, *campus, avatar, settings, report, findings);

@@ -38,7 +38,8 @@ std::size_t storey_at_height(const std::vector<engine::Storey>& storeys, double 
     return best;
 }
 
-/// The reached node that is nearest to a point: below it if there is one within so many metres, seen from above.
+/// The reached node that is nearest to a point: below it if there is one within so many metres, seen from
+/// above.
 std::optional<engine::WalkNodeId> node_near(const WalkReport& report, const Vec3& at, double around) {
     constexpr double kFar = 1e9;
     constexpr double kHigher = 0.7;  // metres: ground that one is beside rather than below
@@ -130,9 +131,8 @@ std::vector<StoreyMark> ground_marks(const WalkReport& report, const Finding& fi
 std::size_t storey_of(const WalkReport& report, const Finding& finding) {
     switch (finding.kind) {
         case FindingKind::hole: {
-            const auto hole = std::ranges::find_if(report.holes, [&](const engine::Hole& each) {
-                return each.edges.front().at == *finding.at;
-            });
+            const auto hole = std::ranges::find_if(
+                report.holes, [&](const engine::Hole& each) { return each.edges.front().at == *finding.at; });
             return report.storeys.of(hole->edges.front().node);
         }
         case FindingKind::island:  // its place is the first spot
@@ -150,12 +150,15 @@ bool is_shown(const WalkReport& report, const engine::IslandReport& island) {
 }
 
 std::vector<std::size_t> storeys_of_island(const WalkReport& report, const engine::Island& island) {
-    constexpr double kBeside = 2.0;       // metres
+    constexpr double kBeside = 2.0;        // metres
     constexpr double kStoreyHeight = 1.8;  // metres: what is nearer in height is on one storey
     std::vector<std::optional<std::size_t>> beside;
     std::map<double, std::size_t> by_height;
     for (const engine::UnreachedSpot& spot : island.spots) {
-        const auto node = node_near(report, spot.at.foot, kBeside);
+        auto node = node_near(report, spot.at.foot, kBeside);
+        if (node && std::abs(report.space.position(*node).y() - spot.at.foot.y()) >= kStoreyHeight) {
+            node.reset();
+        }
         beside.push_back(node ? std::optional(report.storeys.of(*node)) : std::nullopt);
         if (node) {
             by_height.emplace(spot.at.foot.y(), *beside.back());
@@ -185,10 +188,9 @@ std::size_t storey_of(const WalkReport& report, const engine::Subject& subject) 
     }
     if (subject.island && is_shown(report, report.islands[*subject.island])) {
         const engine::Island& island = report.islands[*subject.island].island;
-        const auto nearest =
-            std::ranges::min_element(island.spots, {}, [&](const engine::UnreachedSpot& spot) {
-                return (spot.at.foot - subject.at).squaredNorm();
-            });
+        const auto nearest = std::ranges::min_element(
+            island.spots, {},
+            [&](const engine::UnreachedSpot& spot) { return (spot.at.foot - subject.at).squaredNorm(); });
         return storeys_of_island(report, island)[static_cast<std::size_t>(nearest - island.spots.begin())];
     }
     return storey_near(report, subject.at);

@@ -26,18 +26,23 @@ constexpr double kMargin = 2.0;
 
 /// The cells of one storey before they are laid out in rows.
 struct Cells {
-    std::vector<std::pair<GridCell, PlanCell>> list;
+    struct One {
+        GridCell cell;
+        PlanCell kind = PlanCell::nothing;
+        float width = -1.0F;  ///< metres; negative: unknown
+    };
+    std::vector<One> list;
     GridCell low{1 << 30, 1 << 30};
     GridCell high{-(1 << 30), -(1 << 30)};
 
-    void add(const GridCell& cell, PlanCell kind) {
-        list.emplace_back(cell, kind);
+    void add(const GridCell& cell, PlanCell kind, float width = -1.0F) {
+        list.push_back({cell, kind, width});
         low = {std::min(low.x, cell.x), std::min(low.z, cell.z)};
         high = {std::max(high.x, cell.x), std::max(high.z, cell.z)};
     }
 };
 
-std::vector<Cells> cells_by_storey(const engine::WalkReport& report) {
+std::vector<Cells> cells_by_storey(const engine::WalkReport& report, const GroundWidths& widths) {
     std::vector<Cells> cells(report.storeys.list.size());
     for (const engine::IslandReport& entry : report.islands) {
         if (!is_shown(report, entry)) {
@@ -53,14 +58,16 @@ std::vector<Cells> cells_by_storey(const engine::WalkReport& report) {
     for (const engine::Trap& trap : report.traps) {
         trapped.insert(trap.nodes.begin(), trap.nodes.end());
     }
-    engine::NodeNumbers(report.space).for_each([&](const WalkNodeId& id) {
+    const engine::NodeNumbers numbers(report.space);
+    numbers.for_each([&](const WalkNodeId& id) {
         cells[report.storeys.of(id)].add(report.space.cell_of(id),
-                                         trapped.contains(id) ? PlanCell::no_return : PlanCell::reached);
+                                         trapped.contains(id) ? PlanCell::no_return : PlanCell::reached,
+                                         widths.of_nodes.empty() ? -1.0F : widths.of_nodes[numbers(id)]);
     });
     return cells;
 }
 
-engine::render::PlanRaster raster_of(const Cells& cells, double size) {
+engine::render::PlanRaster raster_of(const Cells& cells, double size, bool has_widths) {
     engine::render::PlanRaster raster;
     raster.cell_size = size;
     raster.north_west = {cells.low.x * size, cells.low.z * size};
@@ -68,10 +75,17 @@ engine::render::PlanRaster raster_of(const Cells& cells, double size) {
     raster.rows = cells.high.z - cells.low.z + 1;
     raster.cells.assign(static_cast<std::size_t>(raster.columns) * static_cast<std::size_t>(raster.rows),
                         PlanCell::nothing);
-    for (const auto& [cell, kind] : cells.list) {
-        const auto row = static_cast<std::size_t>(cell.z - cells.low.z);
-        const auto column = static_cast<std::size_t>(cell.x - cells.low.x);
-        raster.cells[row * static_cast<std::size_t>(raster.columns) + column] = kind;
+    if (has_widths) {
+        raster.widths.assign(raster.cells.size(), -1.0F);
+    }
+    for (const Cells::One& one : cells.list) {
+        const auto row = static_cast<std::size_t>(one.cell.z - cells.low.z);
+        const auto column = static_cast<std::size_t>(one.cell.x - cells.low.x);
+        const std::size_t at = row * static_cast<std::size_t>(raster.columns) + column;
+        raster.cells[at] = one.kind;
+        if (has_widths) {
+            raster.widths[at] = one.width;
+        }
     }
     return raster;
 }
@@ -124,8 +138,8 @@ void extend_area(StoreyPlan& plan) {
 }  // namespace
 
 std::vector<StoreyPlan> storey_plans(const scene::Campus& campus, const engine::WalkReport& report,
-                                     const std::vector<Finding>& findings) {
-    const std::vector<Cells> cells = cells_by_storey(report);
+                                     const std::vector<Finding>& findings, const GroundWidths& widths) {
+    const std::vector<Cells> cells = cells_by_storey(report, widths);
     const double size = report.space.grid.cell;
     std::vector<StoreyPlan> plans(cells.size());
     for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -137,7 +151,9 @@ std::vector<StoreyPlan> storey_plans(const scene::Campus& campus, const engine::
         }
         plan.subtitle = fixed(storey.area, 0) + " m² reached, most of it at " + fixed(storey.main_height, 1) +
                         " m (" + fixed(storey.low, 2) + " to " + fixed(storey.high, 2) + " m)";
-        plan.raster = raster_of(cells[i], size);
+        plan.raster = raster_of(cells[i], size, !widths.of_nodes.empty());
+        plan.narrowest = widths.narrowest;
+        plan.widest = widths.widest;
         plan.area.extend(plan.raster.north_west);
         plan.area.extend(plan.raster.north_west +
                          size * Eigen::Vector2d(plan.raster.columns, plan.raster.rows));

@@ -9,9 +9,17 @@
 
 namespace campuswalk::tools::explore {
 
-/// A plan for each storey, with the findings at its height under their numbers in the report.
+/// How wide passages are, which then colours what is reached.
+struct GroundWidths {
+    std::vector<float> of_nodes = {};  ///< as engine::passage_widths returns them; empty: plain colours
+    double narrowest = 0.0;            ///< of the body itself, metres
+    double widest = 3.0;               ///< metres: what is wider is plain
+};
+
+/// A plan for each storey, with the findings on its ground under their numbers in the report.
 std::vector<engine::render::StoreyPlan> storey_plans(const scene::Campus& campus,
                                                      const engine::WalkReport& report,
-                                                     const std::vector<Finding>& findings);
+                                                     const std::vector<Finding>& findings,
+                                                     const GroundWidths& widths = {});
 
 }  // namespace campuswalk::tools::explore

@@ -117,10 +117,11 @@ TEST_F(StoreyPlanImage, WidthsColorWhatIsReached) {
     fill({-8, -6}, {-6, -4}, PlanCell::unreached);
     widen({-10, -8}, {-2.5, 8}, 0.5F);
     widen({-5, 0}, {-2.5, 8}, 9.0F);
-    plan_.widest = 2.0;
+    plan_.narrowest = 0.2;
+    plan_.widest = 1.4;
     const Image image = draw_storey_plan(plan_);
     EXPECT_EQ(at(image, -7.3, 3.3), width_color(0.25));
-    EXPECT_EQ(at(image, -3.3, 3.3), width_color(1.0));
+    EXPECT_EQ(at(image, -3.3, 3.3), kReached) << "wide enough";
     EXPECT_EQ(at(image, -1.3, 3.3), kReached) << "unknown width";
     EXPECT_EQ(at(image, -7.3, -5.3), kUnreached);
     EXPECT_EQ(width_color(-1.0), width_color(0.0));
