@@ -22,7 +22,6 @@ constexpr double kLeastPassedArea = 1.0;
 ExploreSettings widened(ExploreSettings settings, double width) {
     collision::MoverSettings& body = settings.strides.body;
     body.radius = 0.5 * width;
-    body.height = std::max(body.height, width);
     settings.keep_rim = true;
     return settings;
 }

@@ -16,7 +16,8 @@ struct NarrowPassage {
 };
 
 /// Walks everywhere once more, with a body of this width (metres), and compares. The largest ground first;
-/// less than 1 m² is left out. The width is more than the body's own. `nodes` as in PassageQuery.
+/// less than 1 m² is left out. The width is more than the body's own, and at most its height. `nodes` as in
+/// PassageQuery.
 std::vector<NarrowPassage> find_narrow_passages(const WorkerWorlds& worlds, const ExploreSettings& settings,
                                                 const WalkSpace& reached, double width,
                                                 const scene::NodeTriangles* nodes);

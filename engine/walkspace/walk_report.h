@@ -46,8 +46,8 @@ struct WalkReport {
 };
 
 /// Explores the campus and finds all that a report tells. `settings` as for `explore`; the campus and what
-/// they refer to must outlive the call. Passages narrower than `min_width` (metres) are looked for if that is
-/// more than the body's own width.
+/// they refer to must outlive the call. Passages narrower than `min_width` (metres, at most the body's
+/// height) are looked for if that is more than the body's own width.
 WalkReport report_walks(const scene::Campus& campus, const AvatarProfile& avatar, const WorkerWorlds& worlds,
                         ExploreSettings settings, double min_width = 0.0);
 

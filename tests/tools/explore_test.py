@@ -127,6 +127,24 @@ class Explore(ProgramCase):
         self.report("--disable", "shed/gate-leaf", "--min-width", "1.3", "--fail-on", "narrow", code=1)
         self.assertEqual([], self.report("--disable", "shed/gate-leaf", "--min-width", "1.1", "--fail-on", "narrow")["narrow"])
 
+    def test_a_width_that_no_visitor_has(self):
+        """A wider visitor is no taller; one that is no wider than the avatar would find nothing."""
+        for arguments, words in ((("--min-width", "0.6"), "0.60 m wide itself"), (("--min-width", "1.81"), "1.80 m high"),
+                                 (("--min-width", "1.2", "--allow", "crouch"), "1.08 m high when it crouches"),
+                                 (("--min-width", "0.8", "--avatar", "{profile: adult, radius: 0.4}"), "0.80 m wide")):
+            for campuses in (("yard.campus.yaml",), ("yard.campus.yaml", "yard.campus.yaml")):
+                done = self.run_program("explore", *campuses, *arguments)
+                self.assertEqual((2, ""), (done.code, done.out), done.err)
+                self.assertIn("--min-width:1:1: error bad-value", done.err)
+                self.assertIn(words, done.err)
+        # Under a lintel of 1.85 m a visitor of 1.8 m width gets as well as one of 0.7 m.
+        lintel = box("shed/gate-leaf", (2.2, 1.85, -5.2), (9.8, 2.5, -5))
+        self.write("yard.campus.yaml", YARD.replace(box("shed/gate-leaf", (4.4, 0, -5.13), (5.05, 2.2, -5.07)), lintel).replace(
+            box("shed/left", (2, 0, -5.2), (4.4, 2.5, -5)) + box("shed/right", (5.6, 0, -5.2), (9.8, 2.5, -5)), "").replace(
+            ", inside-the-wall: [3, 1, -5.1]", ""))
+        for width in ("0.7", "1.8"):
+            self.assertEqual([], [n for n in self.report("--min-width", width)["narrow"] if n["barrier"]["kind"] == "headroom"])
+
     def test_a_narrow_passage_has_a_walk_by_a_wide_visitor(self):
         no_gate = YARD.replace(box("shed/gate-leaf", (4.4, 0, -5.13), (5.05, 2.2, -5.07)), "")
         self.write("yard.campus.yaml", no_gate)

@@ -12,6 +12,7 @@
 
 #include "collision/world/bullet_broad_phase.h"
 #include "config/loader/load_run.h"
+#include "engine/events/decimals.h"
 #include "engine/walkspace/passage_widths.h"
 #include "engine/walkspace/walk_report.h"
 #include "scene/base/atomic_file.h"
@@ -129,6 +130,23 @@ std::vector<engine::Walk> walks_on_campus(WalkLoader& loader, const std::filesys
     return walks;
 }
 
+/// A body is a capsule, which is at least as high as it is wide; one that is no wider finds nothing.
+void check_width(const ExploreOptions& options, const engine::AvatarProfile& avatar) {
+    const bool crouches = has(options.allow, "crouch");
+    const double height = crouches ? engine::crouched_height(avatar) : avatar.height;
+    const auto metres = [](double value) { return engine::fixed(value, 2) + " m"; };
+    if (options.min_width > 0.0 && options.min_width <= 2.0 * avatar.radius) {
+        throw scene::InputError(
+            {"--min-width", 1, 1}, "bad-value",
+            "the avatar is " + metres(2.0 * avatar.radius) + " wide itself; name a larger width");
+    }
+    if (options.min_width > height) {
+        throw scene::InputError({"--min-width", 1, 1}, "bad-value",
+                                "no visitor is wider than high, and this one is " + metres(height) + " high" +
+                                    (crouches ? " when it crouches" : ""));
+    }
+}
+
 void check_places(const ExploreOptions& options, const scene::CampusDescription& campus) {
     for (const std::string& name : options.required) {
         const bool known =
@@ -202,7 +220,7 @@ void write_walks(const ExploreOptions& options, const scene::Campus& walked,
 void check_exploration(const ExploreOptions& options) {
     const scene::CampusDescription campus = config::load_campus_description(options.campus, search_paths());
     check_places(options, campus);
-    avatar_of(options.avatar, options, campus);
+    check_width(options, avatar_of(options.avatar, options, campus));
     for (const std::string& name : options.from) {
         spawn_position(campus, name);
     }
@@ -214,6 +232,7 @@ int explore_campus(const ExploreOptions& options, std::string* json) {
     const std::shared_ptr<const scene::Campus> campus = loader.load_campus(options.campus);
     check_places(options, campus->description);
     const engine::AvatarProfile avatar = avatar_of(options.avatar, options, campus->description);
+    check_width(options, avatar);
     const std::vector<engine::Walk> walks = options.covered_by.empty()
                                                 ? std::vector<engine::Walk>()
                                                 : walks_on_campus(loader, options.campus, options.covered_by);

@@ -66,7 +66,6 @@ AvatarProfile crouched(AvatarProfile avatar) {
 
 AvatarProfile widened(AvatarProfile avatar, double width) {
     avatar.radius = 0.5 * width;
-    avatar.height = std::max(avatar.height, width);
     return avatar;
 }
 
