@@ -384,6 +384,46 @@ class Explore(ProgramCase):
             for name, finding in zip(unentered, found):
                 self.assertIn("trigger " + name, finding["subject"])
 
+    def test_what_an_earlier_run_left(self):
+        """What explore wrote itself and nobody has changed since makes way; all else stays."""
+        def names(folder):
+            return set(os.listdir(self.path(folder)))
+        self.passes("explore", "yard.campus.yaml", "--write-walks", "walks")
+        first = names("walks")
+        stage = next(name for name in first if "stage" in name)
+        trap = next(name for name in first if "-traps-" in name)
+        self.write("walks/" + trap, re.sub("(?m)^status: .*\n", "", self.read("walks/" + trap).decode()))  # mended
+        for name, text in (("01-unreached-desk.walk.yaml", "campus: ../yard.campus.yaml\navatar: adult\nsteps: []\n"),
+                           ("notes.txt", "# Finding 1 of `campuswalk explore`. \n"),
+                           ("other.walk.yaml", self.read("walks/" + stage).decode().replace("yard", "garden"))):
+            self.write("walks/" + name, text)
+        os.symlink(self.path("walks/" + stage), self.path("walks/link.walk.yaml"))
+        self.write("yard.campus.yaml", YARD.replace("spawns:", box("ramp", (3.4, -0.1, 4), (4, 0.2, 9.8)) + "spawns:"))
+        self.passes("explore", "yard.campus.yaml", "--write-walks", "later")
+        later = names("later")
+        self.assertFalse(any("stage" in name for name in later))
+        self.assertNotIn(trap, later)  # it has another number
+        os.remove(self.path("walks/link.walk.yaml"))
+        self.passes("explore", "yard.campus.yaml", "--write-walks", "walks")
+        self.assertEqual(later | {trap, "01-unreached-desk.walk.yaml", "notes.txt", "other.walk.yaml"}, names("walks"))
+
+    def test_plans_of_an_earlier_run(self):
+        gallery = "".join(box("tread-%d" % i, (-6, -0.1, 5.5 - 0.5 * i), (-4.5, 0.25 * i, 6 - 0.5 * i))
+                          for i in range(1, 13)) + box("gallery", (-6, 2.8, -6), (2, 3, -0.5))
+        campus = ("scenes: [{file: floor.obj}]\ncolliders:\n"
+                  "  - {id: ground, nodes: floor, shape: mesh, mode: solid}\n%sspawns: {start: {at: [0, 0, 3]}}\n")
+        self.write("yard.campus.yaml", campus % gallery)
+        done = self.run_program("explore", "yard.campus.yaml", "--map", "plans")
+        if done.code == 2:
+            self.assertIn("no-rendering", done.err)
+            return
+        self.assertEqual({"storey-0.png", "storey-1.png"}, set(os.listdir(self.path("plans"))))
+        self.write("plans/storey-7.png", "not a plan")
+        shutil.copy(self.path("plans/storey-1.png"), self.path("plans/mine.png"))
+        self.write("yard.campus.yaml", campus % "")
+        self.passes("explore", "yard.campus.yaml", "--map", "plans")
+        self.assertEqual({"storey-0.png", "storey-7.png", "mine.png"}, set(os.listdir(self.path("plans"))))
+
     def test_lists_have_commas(self):
         """Like the option repeated; that both are needed is shown by what one of them alone gives."""
         def explored(*arguments):

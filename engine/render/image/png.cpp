@@ -25,9 +25,13 @@ void check(int error) {
 
 }  // namespace
 
-std::vector<std::uint8_t> encode_png(const Image& image) {
+std::vector<std::uint8_t> encode_png(const Image& image, std::string_view software) {
     PixelCompressor compressor;
     PngWriter file(image.width, image.height);
+    if (!software.empty()) {
+        const std::string text = std::string("Software") + '\0' + std::string(software);
+        file.chunk("tEXt", {std::vector<std::uint8_t>(text.begin(), text.end())});
+    }
     file.chunk("IDAT", {compressor.compress(image)});
     file.end();
     return file.take();
@@ -58,8 +62,8 @@ std::vector<std::uint8_t> encode_depth_png(int width, int height, const std::vec
     return {first, first + size};
 }
 
-void write_png(const Image& image, const std::filesystem::path& file) {
-    const std::vector<std::uint8_t> bytes = encode_png(image);
+void write_png(const Image& image, const std::filesystem::path& file, std::string_view software) {
+    const std::vector<std::uint8_t> bytes = encode_png(image, software);
     scene::write_file_atomically(file, std::as_bytes(std::span(bytes)));
 }
 

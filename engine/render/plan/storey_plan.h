@@ -54,6 +54,9 @@ struct PlanRoute {
     std::string name;                     ///< in the legend; may be empty
 };
 
+/// What files of plans name as their software.
+inline constexpr const char* kPlanSoftware = "campuswalk plan";
+
 /// What the plan of one storey shows.
 struct StoreyPlan {
     std::string title;

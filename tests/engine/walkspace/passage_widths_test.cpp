@@ -69,7 +69,8 @@ TEST_F(PassageWidths, AreTheSameForAnyNumberOfWorkers) {
 TEST_F(PassageWidths, TakeNoNoticeOfSteps) {
     scene::Campus campus = walled_yard();
     for (int i = 1; i <= 8; ++i) {
-        add_box(campus, "tread-" + std::to_string(i), {-3, -0.1, 3.0 - 0.3 * i}, {1, 0.17 * i, 3.3 - 0.3 * i});
+        add_box(campus, "tread-" + std::to_string(i), {-3, -0.1, 3.0 - 0.3 * i},
+                {1, 0.17 * i, 3.3 - 0.3 * i});
     }
     measure(campus, 1.2);
     for (int i = 1; i <= 7; ++i) {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -24,6 +25,7 @@
 #include "tools/campuswalk/explore/avatar_text.h"
 #include "tools/campuswalk/explore/cached_report.h"
 #include "tools/campuswalk/explore/coverage.h"
+#include "tools/campuswalk/explore/earlier_files.h"
 #include "tools/campuswalk/explore/findings.h"
 #include "tools/campuswalk/explore/geojson.h"
 #include "tools/campuswalk/explore/minimal_walks.h"
@@ -190,6 +192,7 @@ void write_plans(const scene::Campus& campus, const engine::WalkReport& report,
     for (std::size_t i = 0; i < plans.size(); ++i) {
         draw_storey_plan(plans[i], folder / ("storey-" + std::to_string(i) + ".png"));
     }
+    explore::remove_earlier_plans(folder, plans.size());
 }
 
 void write_walks(const ExploreOptions& options, const scene::Campus& walked,
@@ -207,12 +210,15 @@ void write_walks(const ExploreOptions& options, const scene::Campus& walked,
     const explore::DraftPlayer usual_player(walked, body, options.disable);
     const explore::DraftPlayer wide_player(walked, wide, options.disable);
     engine::Strider strider(walked.world, settings.strides, settings.solids);
+    const explore::WalkHeader header{campus.generic_string(), text_of(body), text_of(wide)};
+    std::set<std::string> written;
     for (const explore::MinimalWalk& walk :
-         explore::minimal_walks(report, findings, {campus.generic_string(), text_of(body), text_of(wide)},
-                                {usual_player, wide_player, strider})) {
-        scene::write_file_atomically(*options.walks / (walk.name + std::string(config::kWalkSuffix)),
-                                     walk.yaml);
+         explore::minimal_walks(report, findings, header, {usual_player, wide_player, strider})) {
+        const std::string name = walk.name + std::string(config::kWalkSuffix);
+        scene::write_file_atomically(*options.walks / name, walk.yaml);
+        written.insert(name);
     }
+    explore::remove_earlier_walks(*options.walks, header.campus, written);
 }
 
 }  // namespace

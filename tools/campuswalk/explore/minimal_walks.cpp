@@ -7,6 +7,7 @@
 #include "scene/base/glob.h"
 #include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/explore/barrier_walks.h"
+#include "tools/campuswalk/explore/earlier_files.h"
 #include "tools/campuswalk/explore/one_way_walks.h"
 
 namespace campuswalk::tools::explore {
@@ -140,8 +141,7 @@ std::vector<MinimalWalk> minimal_walks(const WalkReport& report, const std::vect
         const Finding& finding = findings[i];
         if (const auto steps = drafts.yaml_of(finding)) {
             walks.push_back({file_name(i + 1, finding),
-                             "# Finding " + std::to_string(i + 1) +
-                                 " of `campuswalk explore`. Once it is mended, " +
+                             "# Finding " + std::to_string(i + 1) + kWalkHeading + "Once it is mended, " +
                                  "take away `status`.\ncampus: " + json_text(header.campus) + "\navatar: " +
                                  (finding.kind == FindingKind::narrow ? header.wide_avatar : header.avatar) +
                                  "\n" + *steps});

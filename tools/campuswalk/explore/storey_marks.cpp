@@ -128,7 +128,7 @@ std::vector<StoreyMark> ground_marks(const WalkReport& report, const Finding& fi
 }
 
 /// Where the visitor stood for whom it was measured.
-std::size_t storey_of(const WalkReport& report, const Finding& finding) {
+std::size_t storey_before(const WalkReport& report, const Finding& finding) {
     switch (finding.kind) {
         case FindingKind::hole: {
             const auto hole = std::ranges::find_if(
@@ -200,7 +200,7 @@ std::vector<StoreyMark> marks_of(const WalkReport& report, const Finding& findin
     if (!finding.at) {
         return {};
     }
-    std::vector<StoreyMark> marks{{storey_of(report, finding), on_plan(*finding.at)}};
+    std::vector<StoreyMark> marks{{storey_before(report, finding), on_plan(*finding.at)}};
     for (const StoreyMark& mark : ground_marks(report, finding)) {
         if (mark.storey != marks.front().storey) {
             marks.push_back(mark);
