@@ -140,7 +140,7 @@ std::string barrier_text(const scene::Campus& campus, const Barrier& barrier) {
         case BarrierKind::several:
             return several_text(campus, barrier);
         case BarrierKind::solid:
-            return "it is closed off: none of the changes that were tried gets there";
+            return "closed off: none of the changes that were tried gets there";
     }
     return "";
 }

@@ -104,7 +104,7 @@ class Explore(ProgramCase):
         self.write("yard.campus.yaml", YARD.replace("spawns:", tables + box("desk", (-3, 0, 3), (-1, 0.5, 5)) + "spawns:"))
         report = self.report()
         group = self.finding(report, "3 islands of 3.")
-        self.assertRegex(group["subject"], r"^3 islands of 3\.\d to 3\.\d m² on table-\*$")
+        self.assertRegex(group["subject"], r"^3 islands of 3\.\d to 3\.\d m² each on table-\*$")
         self.assertRegex(group["text"], r"^riser of 0\.45 m at table-\d, .*; the avatar steps 0\.30 m; likewise at -?\d")
         of_group = [island for island in report["islands"] if island["finding"] == group["number"]]
         self.assertEqual(["table-0", "table-1", "table-2"], sorted(island["object"] for island in of_group))
@@ -320,7 +320,8 @@ class Explore(ProgramCase):
         self.report("--require", "all", code=1)
         self.report("--fail-on", "traps", code=1)
         self.report("--fail-on", "islands", "--disable", "stage")
-        for arguments, words in ((("--require", "crner"), "no place 'crner'"), (("--from", "strt"), "did you mean 'start'"),
+        for arguments, words in ((("--require", "crner"), "yard.campus.yaml has no place 'crner' (did you mean 'corner'?)"),
+                                 (("--map", ""), "--map:1:1: error bad-value"), (("--write-walks", ""), "--write-walks:1:1: error bad-value"), (("--from", "strt"), "did you mean 'start'"),
                                  (("--disable", "gat*"), "no object 'gat*'"), (("--avatar", "adlt"), "adlt"),
                                  (("--json", "floor.obj/report.json"), "floor.obj")):
             done = self.run_program("explore", "yard.campus.yaml", *arguments)
@@ -383,6 +384,27 @@ class Explore(ProgramCase):
             self.assertEqual(["unreached"] * len(unentered), [f["kind"] for f in found])
             for name, finding in zip(unentered, found):
                 self.assertIn("trigger " + name, finding["subject"])
+
+    def test_distances_have_a_start(self):
+        """The nearer of two spawns; with one of them only, it is named once."""
+        self.write("yard.campus.yaml", YARD.replace("{start: {at: [0, 0, 0]}}", "{start: {at: [0, 0, 0]}, south: {at: [-8, 0, 7]}}")
+                   .replace("places: {", "places: {middle: [1, 0, 0], "))
+        report = self.report()
+        for name, start, distance in (("corner", "south", 1), ("middle", "start", 1)):
+            place = self.subject(report, "place", name)
+            self.assertEqual(start, place["from"])
+            self.assertAlmostEqual(distance, place["distance"], delta=0.3)
+        text = self.run_program("explore", "yard.campus.yaml").out
+        self.assertRegex(text, r"(?m)^way to$\n^  middle +[01]\.\d m from start$\n^  corner +[01]\.\d m from south$")
+        text = self.run_program("explore", "yard.campus.yaml", "--from", "start").out
+        self.assertRegex(text, r"(?m)^way to … from start$\n^  middle +[01]\.\d m$\n^  corner +1\d\.\d m$")
+
+    def test_no_plan_where_nothing_is_reached(self):
+        self.write("yard.campus.yaml", YARD.replace("start: {at: [0, 0, 0]}", "start: {at: [100, 0, 0]}"))
+        done = self.run_program("explore", "yard.campus.yaml", "--map", "plans")
+        if done.code != 2:
+            self.assertEqual(0, done.code, done.err)
+            self.assertRegex(done.out, "(?m)^plans +none: nothing is reached$")
 
     def test_what_an_earlier_run_left(self):
         """What explore wrote itself and nobody has changed since makes way; all else stays."""

@@ -19,6 +19,7 @@
 #include "scene/base/atomic_file.h"
 #include "scene/base/glob.h"
 #include "tools/campuswalk/base/exit_codes.h"
+#include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/status_line.h"
 #include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/commands/commands.h"
@@ -56,8 +57,9 @@ collision::Vec3 spawn_position(const scene::CampusDescription& campus, const std
         }
         names.push_back(spawn.name);
     }
-    throw scene::InputError({kFromOption, 1, 1}, "unknown-name",
-                            "the campus has no spawn '" + name + "'" + scene::did_you_mean(name, names));
+    throw scene::InputError(
+        {kFromOption, 1, 1}, "unknown-name",
+        "the campus " + campus.mark.file + " has no spawn '" + name + "'" + scene::did_you_mean(name, names));
 }
 
 bool has(const std::vector<std::string>& words, const std::string& word) {
@@ -150,19 +152,33 @@ void check_width(const ExploreOptions& options, const engine::AvatarProfile& ava
 }
 
 void check_places(const ExploreOptions& options, const scene::CampusDescription& campus) {
+    std::vector<std::string> names;
+    for (const scene::Place& place : campus.places) {
+        names.push_back(place.name);
+    }
     for (const std::string& name : options.required) {
         const bool known =
             name == "all" ||
             std::ranges::any_of(campus.places, [&](const scene::Place& place) { return place.name == name; });
         if (!known) {
             throw scene::InputError({"--require", 1, 1}, "unknown-name",
-                                    "the campus has no place '" + name + "'");
+                                    "the campus " + campus.mark.file + " has no place '" + name + "'" +
+                                        scene::did_you_mean(name, names));
         }
     }
 }
 
 /// Before an hour is spent on what can't be written or evaluated.
 void check_options(const ExploreOptions& options) {
+    const auto require_name = [](const char* option, const std::optional<std::filesystem::path>& path) {
+        if (path && path->empty()) {  // or it would be the current folder
+            throw scene::InputError({option, 1, 1}, "bad-value", "name where to write it");
+        }
+    };
+    require_name("--json", options.json);
+    require_name("--map", options.map);
+    require_name("--write-walks", options.walks);
+    require_name("--geojson", options.geojson);
     if (options.fail_under && options.covered_by.empty()) {
         throw scene::InputError({"--fail-under", 1, 1}, "missing-key",
                                 "it is about the walks of --walks; name some");
@@ -193,6 +209,9 @@ void write_plans(const scene::Campus& campus, const engine::WalkReport& report,
         draw_storey_plan(plans[i], folder / ("storey-" + std::to_string(i) + ".png"));
     }
     explore::remove_earlier_plans(folder, plans.size());
+    if (plans.empty()) {
+        print_line("plans      none: nothing is reached");
+    }
 }
 
 void write_walks(const ExploreOptions& options, const scene::Campus& walked,

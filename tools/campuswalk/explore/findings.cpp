@@ -202,13 +202,14 @@ void add_popups(const scene::Campus& campus, const WalkReport& report,
     }
 }
 
-/// "4.0 m²", or of several "3.5 to 4.0 m²".
+/// "4.0 m²", or of several "3.5 to 4.0 m² each".
 std::string areas_text(const WalkReport& report, const IslandGroup& group) {
     const auto area = [&](std::size_t i) { return report.islands[i].island.area(report.space.grid); };
     const std::string largest = area_text(area(group.islands.front()));
     const std::string smallest = area_text(area(group.islands.back()));
     const std::size_t unit = smallest.find(' ');
-    return smallest == largest ? largest : smallest.substr(0, unit) + " to " + largest;
+    return (smallest == largest ? largest : smallest.substr(0, unit) + " to " + largest) +
+           (group.islands.size() > 1 ? " each" : "");
 }
 
 /// How much higher than the foot of their riser they lie, where that takes more than this one riser.

@@ -9,6 +9,7 @@
 #include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/explore/building_popups.h"
 #include "tools/campuswalk/explore/island_groups.h"
+#include "tools/campuswalk/explore/start_names.h"
 
 namespace campuswalk::tools::explore {
 
@@ -77,6 +78,7 @@ Json subjects_json(const scene::Campus& campus, const WalkReport& report) {
         }
         if (entry.distance) {
             one["distance"] = rounded(*entry.distance);
+            one["from"] = start_of(campus, report, entry);
         }
         if (subject.island) {
             one["island"] = *subject.island;

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <string>
-#include <utility>
+#include <vector>
 
 #include "engine/events/decimals.h"
 #include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/explore/building_popups.h"
 #include "tools/campuswalk/explore/findings.h"
 #include "tools/campuswalk/explore/island_groups.h"
+#include "tools/campuswalk/explore/start_names.h"
 
 namespace campuswalk::tools::explore {
 
@@ -108,15 +109,27 @@ void print_subjects(const scene::Campus& campus, const WalkReport& report) {
 }
 
 /// How far one walks to each place.
-void print_distances(const WalkReport& report) {
-    bool first = true;
+void print_distances(const scene::Campus& campus, const WalkReport& report) {
+    struct Distance {
+        std::string to;
+        double metres = 0.0;
+        std::string from;
+    };
+    std::vector<Distance> distances;
     for (const engine::SubjectReport& entry : report.subjects) {
         if (entry.subject.kind == SubjectKind::place && entry.distance) {
-            if (std::exchange(first, false)) {
-                print_line("way to");
-            }
-            print_line("  %-28s %8s m", entry.subject.name.c_str(), fixed(*entry.distance, 1).c_str());
+            distances.push_back({entry.subject.name, *entry.distance, start_of(campus, report, entry)});
         }
+    }
+    if (distances.empty()) {
+        return;
+    }
+    const std::string& from = distances.front().from;
+    const bool same = std::ranges::all_of(distances, [&](const Distance& d) { return d.from == from; });
+    print_line("way to%s%s", same ? " … from " : "", same ? from.c_str() : "");
+    for (const Distance& d : distances) {
+        print_line("  %-28s %8s m%s%s", d.to.c_str(), fixed(d.metres, 1).c_str(), same ? "" : " from ",
+                   same ? "" : d.from.c_str());
     }
 }
 
@@ -161,7 +174,7 @@ void print_report(const scene::Campus& campus, const WalkReport& report, const e
                        [](const engine::IslandReport& entry) { return entry.hollow; });
     print_other_ground(report, "roofs and other tops that nobody climbs",
                        [](const engine::IslandReport& entry) { return !entry.hollow && is_top(entry); });
-    print_distances(report);
+    print_distances(campus, report);
 }
 
 void print_coverage(const WalkReport& report, const Coverage& coverage) {
