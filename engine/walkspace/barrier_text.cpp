@@ -32,13 +32,17 @@ Compared compared_degrees(const Barrier& slope) {
     return texts;
 }
 
+std::string coordinates(const collision::Vec3& p) {
+    return fixed(p.x(), 2) + ", " + fixed(p.y(), 2) + ", " + fixed(p.z(), 2);
+}
+
 std::string place_text(const scene::Campus& campus, const Barrier& barrier, const char* before) {
     const collision::Vec3& p = barrier.at;
     std::string text = before;
     if (barrier.object) {
         text += object_text(campus, *barrier.object, p) + ", ";
     }
-    return text + fixed(p.x(), 2) + ", " + fixed(p.y(), 2) + ", " + fixed(p.z(), 2);
+    return text + coordinates(p);
 }
 
 /// Its letters and digits: objects are often called after their nodes, "hedge/hedge-04" after "hedge_04".
@@ -68,9 +72,8 @@ std::string slope_text(const scene::Campus& campus, const Barrier& slope) {
 }
 
 std::string blocking_object_text(const scene::Campus& campus, const Barrier& object, const Barrier* opening) {
-    std::string text = object_text(campus, *object.object, object.at) + " stands in the way at " +
-                       fixed(object.at.x(), 2) + ", " + fixed(object.at.y(), 2) + ", " +
-                       fixed(object.at.z(), 2);
+    std::string text =
+        object_text(campus, *object.object, object.at) + " stands in the way at " + coordinates(object.at);
     if (opening != nullptr) {
         text += "; the opening beside it " + opening_text(*opening);
     }
@@ -105,6 +108,8 @@ const char* name_of(BarrierKind kind) {
             return "several";
         case BarrierKind::solid:
             return "solid";
+        case BarrierKind::gap:
+            return "gap";
     }
     return "";
 }
@@ -139,6 +144,9 @@ std::string barrier_text(const scene::Campus& campus, const Barrier& barrier) {
             return blocking_object_text(campus, barrier, part_of(barrier, BarrierKind::opening));
         case BarrierKind::several:
             return several_text(campus, barrier);
+        case BarrierKind::gap:
+            return "a gap of " + fixed(barrier.measured, 1) + " m from " + coordinates(barrier.from) +
+                   " to " + place_text(campus, barrier, "") + "; there is nothing to walk on between";
         case BarrierKind::solid:
             return "closed off: none of the changes that were tried gets there";
     }

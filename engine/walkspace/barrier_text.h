@@ -8,7 +8,7 @@
 namespace campuswalk::engine {
 
 /// What it is called in files: "riser", "ledge", "slope", "opening", "headroom", "object", "several",
-/// "solid".
+/// "solid", "gap".
 const char* name_of(BarrierKind kind);
 
 /// The object's id and the node at that point that it comes from, if its name says more: "stair (step-1)".

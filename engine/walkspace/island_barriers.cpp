@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "engine/walkspace/ground_gap.h"
 #include "engine/walkspace/hollows.h"
 #include "engine/walkspace/worker_threads.h"
 
@@ -167,21 +168,30 @@ PassageQuery passage_to(const IslandQuestion& q, const std::vector<Approach>& ap
     return query;
 }
 
-/// What keeps the body from the island where nothing of it is near: stairs whose treads are too narrow to
-/// stand on and ramps too steep to stand on are no part of it, nor is a passage without room.
-std::optional<Barrier> barrier_from_afar(const IslandQuestion& q, Changes changes) {
+/// Where a body stands that might get to the island from no farther than kFar: the nearest first.
+std::vector<Approach> approaches_from_afar(const IslandQuestion& q) {
     std::vector<Approach> starts;
     for (const auto& [block, there] : q.rim.all()) {
         for (const GroundState& from : there) {
             const Vec3 nearest = from.foot.cwiseMax(q.island.bounds.min).cwiseMin(q.island.bounds.max);
             const double apart = collision::horizontal_norm(nearest - from.foot);
-            const double drop = from.foot.y() - q.island.bounds.max.y();
-            if (apart <= kFar && drop < (changes == Changes::climbs ? 0.0 : kHighestLedge)) {
+            if (apart <= kFar && from.foot.y() - q.island.bounds.max.y() < kHighestLedge) {
                 starts.push_back({from, nullptr, apart});
             }
         }
     }
     std::ranges::stable_sort(starts, {}, &Approach::apart);
+    return starts;
+}
+
+/// What keeps the body from the island where nothing of it is near: stairs whose treads are too narrow to
+/// stand on and ramps too steep to stand on are no part of it, nor is a passage without room.
+std::optional<Barrier> barrier_from_afar(const IslandQuestion& q, Changes changes) {
+    std::vector<Approach> starts = approaches_from_afar(q);
+    if (changes == Changes::climbs) {
+        std::erase_if(starts,
+                      [&](const Approach& start) { return start.from.foot.y() >= q.island.bounds.max.y(); });
+    }
     thin_out(starts);
     if (starts.empty()) {
         return std::nullopt;
@@ -190,6 +200,14 @@ std::optional<Barrier> barrier_from_afar(const IslandQuestion& q, Changes change
     query.changes = changes;
     query.longest_crossing = changes == Changes::climbs ? kLongestClimb : kFar + kAround;
     return why_not(q.worlds, q.settings, query);
+}
+
+std::optional<Barrier> gap_before(const IslandQuestion& q) {
+    std::vector<GroundState> reached;
+    for (const Approach& approach : approaches_from_afar(q)) {
+        reached.push_back(approach.from);
+    }
+    return find_gap(q.worlds[0], q.settings, q.island, reached);
 }
 
 /// The lowest step up to the island from what is near it.
@@ -266,7 +284,10 @@ std::optional<Barrier> barrier_before(const IslandQuestion& q, bool is_wanted) {
     std::vector<Approach> approaches = approaches_to(q.island, q.rim);
     thin_out(approaches);
     if (approaches.empty()) {
-        return is_wanted ? barrier_from_afar(q, Changes::single) : std::nullopt;
+        const auto barrier = is_wanted ? barrier_from_afar(q, Changes::single) : std::nullopt;
+        const bool is_explained = barrier && !is_closed_off(barrier);
+        const auto gap = is_explained ? std::nullopt : gap_before(q);
+        return gap ? gap : barrier;
     }
     std::optional<Barrier> barrier = barrier_from_nearby(q, approaches, is_wanted);
     if (is_wanted && barrier && barrier->kind == BarrierKind::ledge) {

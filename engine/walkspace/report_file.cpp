@@ -31,7 +31,7 @@ constexpr std::uint32_t kEnd<Bound> = 4;
 template <>
 constexpr std::uint32_t kEnd<SubjectKind> = 6;
 template <>
-constexpr std::uint32_t kEnd<BarrierKind> = 8;
+constexpr std::uint32_t kEnd<BarrierKind> = 9;
 
 class Writer {
 public:

@@ -24,6 +24,7 @@ enum class BarrierKind : std::uint8_t {
     object,    ///< an object, or a node that is part of its mesh, stands in the way
     several,   ///< more than one of these at once: see `parts`
     solid,     ///< nothing that a change of the body would overcome
+    gap,       ///< nothing to walk on lies between: its length from the ground before it, metres
 };
 
 /// A measured reason why the body doesn't get somewhere.

@@ -106,7 +106,8 @@ TEST(MoverFall, EndsOnALedgeRightBelowAnEdgeThatHardlyOverlaps) {
     }
 }
 
-/// However near to it: sweeps leave less of a gap than falls do, and a body that was nearer stood on the wall.
+/// However near to it: sweeps leave less of a gap than falls do, and a body that was nearer stood on the
+/// wall.
 TEST(MoverFall, AlongAPlainWallThatLeansBackEndsOnTheFloor) {
     for (const double lean : {0.001, 0.05, 0.2, 0.34, 0.5, 1.0, 3.0}) {
         for (const double gap : {1e-6, 3e-5, 5e-5, 7e-5, 9.9e-5, 1e-4, 1.01e-4}) {
@@ -149,8 +150,8 @@ TEST(MoverFall, ThroughAFunnelWithAMillimetreOfPlayEndsBelow) {
     }
 }
 
-/// Boxes side by side and one on the other, some of them up to 0.6 mm out of line. A body that walks and jumps
-/// among them is never in the air for long: 5.5 m are the farthest fall.
+/// Boxes side by side and one on the other, some of them up to 0.6 mm out of line. A body that walks and
+/// jumps among them is never in the air for long: 5.5 m are the farthest fall.
 TEST(MoverFall, AmongBoxesThatAreNotQuiteInLineNoneHangsInTheAir) {
     for (int seed = 0; seed < support::repeats(120); ++seed) {
         Dice dice(static_cast<std::uint32_t>(seed));

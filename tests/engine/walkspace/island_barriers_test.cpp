@@ -124,6 +124,28 @@ TEST_P(SteepRamp, ItsSlopeIsMeasuredThoughItsTopIsHigherThanAnyLedgeThatIsClimbe
     EXPECT_THAT(reason_to_go(campus, top), testing::HasSubstr("slope of 52.0 degrees at ramp"));
 }
 
+/// A platform whose edge is 4 m from that of the ground: not a roof, but ground that lies apart.
+TEST(IslandBarriers, GroundThatLiesApartIsBehindAGap) {
+    for (const double height : {-0.5, 0.0, 0.5}) {
+        scene::Campus campus = level_campus(20.0);
+        add_box(campus, "platform", {-5, -1, -40}, {5, height, -24});
+        const Barrier barrier = explored_barrier(campus, {0, height, -30});
+        ASSERT_EQ(barrier.kind, BarrierKind::gap) << height;
+        EXPECT_NEAR(barrier.measured, 4.0, 0.6) << "from cell to cell";
+    }
+}
+
+/// Neither a roof nor what is behind a wall.
+TEST(IslandBarriers, AWallOrAnotherLevelIsNoGap) {
+    scene::Campus campus = level_campus(20.0);
+    add_box(campus, "roof", {-5, 4, -40}, {5, 5, -24});
+    EXPECT_NE(explored_barrier(campus, {0, 5, -30}).kind, BarrierKind::gap);
+    scene::Campus walled = level_campus(20.0);
+    add_box(walled, "platform", {-5, -1, -40}, {5, 0, -24});
+    add_box(walled, "wall", {-20, 0, -22}, {20, 4, -21.8});
+    EXPECT_NE(explored_barrier(walled, {0, 0, -30}).kind, BarrierKind::gap);
+}
+
 /// The way straight to the place leads over the block's front; the stairs are behind it.
 TEST(IslandBarriers, GoToNamesTheSmallestChangeAndNotTheOneNearestToTheStraightLine) {
     scene::Campus campus = level_campus(20.0);

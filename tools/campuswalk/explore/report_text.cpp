@@ -172,8 +172,11 @@ void print_report(const scene::Campus& campus, const WalkReport& report, const e
     }
     print_other_ground(report, "hollows inside solids",
                        [](const engine::IslandReport& entry) { return entry.hollow; });
-    print_other_ground(report, "roofs and other tops that nobody climbs",
-                       [](const engine::IslandReport& entry) { return !entry.hollow && is_top(entry); });
+    print_other_ground(
+        report, "roofs and other tops that nobody climbs",
+        [](const engine::IslandReport& entry) { return !entry.hollow && entry.barrier && is_top(entry); });
+    print_other_ground(report, "ground and roofs that nothing which is reached lies near",
+                       [](const engine::IslandReport& entry) { return !entry.hollow && !entry.barrier; });
     print_distances(campus, report);
 }
 
