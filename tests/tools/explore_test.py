@@ -395,9 +395,9 @@ class Explore(ProgramCase):
             self.assertEqual(start, place["from"])
             self.assertAlmostEqual(distance, place["distance"], delta=0.3)
         text = self.run_program("explore", "yard.campus.yaml").out
-        self.assertRegex(text, r"(?m)^way to$\n^  middle +[01]\.\d m from start$\n^  corner +[01]\.\d m from south$")
+        self.assertRegex(text, r"(?m)^ways$\n^  middle +[01]\.\d m from start$\n^  corner +[01]\.\d m from south$")
         text = self.run_program("explore", "yard.campus.yaml", "--from", "start").out
-        self.assertRegex(text, r"(?m)^way to … from start$\n^  middle +[01]\.\d m$\n^  corner +1\d\.\d m$")
+        self.assertRegex(text, r"(?m)^ways from start$\n^  middle +[01]\.\d m$\n^  corner +1\d\.\d m$")
 
     def test_no_plan_where_nothing_is_reached(self):
         self.write("yard.campus.yaml", YARD.replace("start: {at: [0, 0, 0]}", "start: {at: [100, 0, 0]}"))

@@ -126,11 +126,20 @@ void print_distances(const scene::Campus& campus, const WalkReport& report) {
     }
     const std::string& from = distances.front().from;
     const bool same = std::ranges::all_of(distances, [&](const Distance& d) { return d.from == from; });
-    print_line("way to%s%s", same ? " … from " : "", same ? from.c_str() : "");
+    print_line("ways%s%s", same ? " from " : "", same ? from.c_str() : "");
     for (const Distance& d : distances) {
         print_line("  %-28s %8s m%s%s", d.to.c_str(), fixed(d.metres, 1).c_str(), same ? "" : " from ",
                    same ? "" : d.from.c_str());
     }
+}
+
+/// Where it is, unless its text says so, as what was measured does.
+std::string where_text(const Finding& finding) {
+    const std::string at = finding.at ? place_text(*finding.at) : "";
+    if (finding.text.find(at) != std::string::npos) {
+        return "";
+    }
+    return (finding.islands.size() > 1 ? ", the first at " : " at ") + at;
 }
 
 /// In one line: unreached ground that is no finding.
@@ -165,10 +174,7 @@ void print_report(const scene::Campus& campus, const WalkReport& report, const e
     print_line("findings   %zu", findings.size());
     for (std::size_t i = 0; i < findings.size(); ++i) {
         const Finding& f = findings[i];
-        const std::string at = f.at ? place_text(*f.at) : "";
-        const bool says_where = f.text.find(at) != std::string::npos;  // as what was measured does
-        print_line("%4zu  %s: %s%s", i + 1, f.subject.c_str(), f.text.c_str(),
-                   says_where ? "" : (" (" + at + ")").c_str());
+        print_line("%4zu  %s%s: %s", i + 1, f.subject.c_str(), where_text(f).c_str(), f.text.c_str());
     }
     print_other_ground(report, "hollows inside solids",
                        [](const engine::IslandReport& entry) { return entry.hollow; });
