@@ -23,6 +23,10 @@ std::string fixed(const Eigen::Vector3d& value) {
     return fixed(value.x(), 3) + "," + fixed(value.y(), 3) + "," + fixed(value.z(), 3);
 }
 
+std::string coordinates_text(const Eigen::Vector3d& place) {
+    return fixed(place.x(), 2) + ", " + fixed(place.y(), 2) + ", " + fixed(place.z(), 2);
+}
+
 std::string hexadecimal(std::uint64_t value) {
     std::array<char, 16> digits{};
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, 16).ptr;

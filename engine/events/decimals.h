@@ -12,6 +12,8 @@ namespace campuswalk::engine {
 std::string fixed(double value, int digits);
 /// `x,y,z` with three decimals.
 std::string fixed(const Eigen::Vector3d& value);
+/// `x, y, z` with two decimals, as messages say where something is; logs have `fixed`.
+std::string coordinates_text(const Eigen::Vector3d& place);
 
 /// Sixteen hexadecimal digits.
 std::string hexadecimal(std::uint64_t value);

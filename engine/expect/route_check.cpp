@@ -41,7 +41,7 @@ FoundRoute find_route(const Expected& expected, const EvaluatorContext& context)
 }
 
 std::string at_text(const Vec3& p) {
-    return " at " + fixed(p.x(), 2) + ", " + fixed(p.y(), 2) + ", " + fixed(p.z(), 2);
+    return " at " + coordinates_text(p);
 }
 
 /// The first thing about the route that isn't as expected; empty if all is.

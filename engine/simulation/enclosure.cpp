@@ -30,10 +30,6 @@ constexpr double kFarthestRoom = 10.0;  // metres
 constexpr double kRing = 0.1;           // metres from one to the next
 constexpr int kDirections = 32;
 
-std::string coordinates_text(const Vec3& p) {
-    return fixed(p.x(), 2) + ", " + fixed(p.y(), 2) + ", " + fixed(p.z(), 2);
-}
-
 class Enclosure {
 public:
     Enclosure(const scene::Campus& campus, const StoppedBody& body)

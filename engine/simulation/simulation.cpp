@@ -133,8 +133,8 @@ Stop Simulation::stop_of_fall() const {
     }
     const StopReason why = reason_of_fall(state_.campus, *stood);
     const Eigen::Vector3d ground = why.at.value_or(stood->at.foot);
-    stop.message += (why.text.empty() ? "" : " " + why.text) + "; it last stood at " + fixed(ground.x(), 2) +
-                    ", " + fixed(ground.y(), 2) + ", " + fixed(ground.z(), 2);
+    stop.message +=
+        (why.text.empty() ? "" : " " + why.text) + "; it last stood at " + coordinates_text(ground);
     if (const auto goal = goal_of(steps[step])) {
         stop.message += routes_.describe_route_round(*goal->target, goal->within, ground);
     }

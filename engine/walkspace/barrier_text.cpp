@@ -32,17 +32,13 @@ Compared compared_degrees(const Barrier& slope) {
     return texts;
 }
 
-std::string coordinates(const collision::Vec3& p) {
-    return fixed(p.x(), 2) + ", " + fixed(p.y(), 2) + ", " + fixed(p.z(), 2);
-}
-
 std::string place_text(const scene::Campus& campus, const Barrier& barrier, const char* before) {
     const collision::Vec3& p = barrier.at;
     std::string text = before;
     if (barrier.object) {
         text += object_text(campus, *barrier.object, p) + ", ";
     }
-    return text + coordinates(p);
+    return text + coordinates_text(p);
 }
 
 /// Its letters and digits: objects are often called after their nodes, "hedge/hedge-04" after "hedge_04".
@@ -72,8 +68,8 @@ std::string slope_text(const scene::Campus& campus, const Barrier& slope) {
 }
 
 std::string blocking_object_text(const scene::Campus& campus, const Barrier& object, const Barrier* opening) {
-    std::string text =
-        object_text(campus, *object.object, object.at) + " stands in the way at " + coordinates(object.at);
+    std::string text = object_text(campus, *object.object, object.at) + " stands in the way at " +
+                       coordinates_text(object.at);
     if (opening != nullptr) {
         text += "; the opening beside it " + opening_text(*opening);
     }
@@ -145,7 +141,7 @@ std::string barrier_text(const scene::Campus& campus, const Barrier& barrier) {
         case BarrierKind::several:
             return several_text(campus, barrier);
         case BarrierKind::gap:
-            return "a gap of " + fixed(barrier.measured, 1) + " m from " + coordinates(barrier.from) +
+            return "a gap of " + fixed(barrier.measured, 1) + " m from " + coordinates_text(barrier.from) +
                    " to " + place_text(campus, barrier, "") + "; there is nothing to walk on between";
         case BarrierKind::solid:
             return "closed off: none of the changes that were tried gets there";

@@ -14,8 +14,6 @@ namespace campuswalk::engine {
 
 namespace {
 
-/// What lies less than this above other ground is no storey above it: stairs, furniture. Metres.
-constexpr double kLeastHeight = 1.8;
 /// Neighbours whose heights differ by no more are one level floor, metres.
 constexpr double kFlat = 0.03;
 /// A floor belongs to the highest storey that this share of it reaches.
@@ -37,7 +35,7 @@ std::vector<std::uint8_t> floors_below(const WalkTile& tile) {
         std::ranges::sort(column);
         std::size_t below = 0;
         for (std::size_t i = 0, floor = 0; i < column.size(); ++i) {
-            if (static_cast<double>(column[i].first - column[floor].first) >= kLeastHeight) {
+            if (static_cast<double>(column[i].first - column[floor].first) >= kLeastStoreyHeight) {
                 below = std::min(below + 1, kMostStoreys - 1);
                 floor = i;
             }

@@ -24,6 +24,9 @@ struct Storeys {
     std::size_t of(const WalkNodeId& node) const { return of_nodes[node.tile][node.node]; }
 };
 
+/// What lies less than this above other ground is no storey above it: stairs, furniture. Metres.
+inline constexpr double kLeastStoreyHeight = 1.8;
+
 /// A node's storey is how many floors lie below it. Where a level floor lies only partly above others, all of
 /// it counts.
 Storeys find_storeys(const WalkSpace& space);

@@ -28,8 +28,6 @@ constexpr std::size_t kMostExactPerStorey = 64;
 constexpr double kNotQuite = 0.1;
 /// Bodies with no more difference are as much in it, metres.
 constexpr double kSameCover = 0.05;
-/// What lies so much above other ground is a floor above it, metres: as for storeys.
-constexpr double kStoreyHeight = 1.8;
 /// Neighbours that differ no more in height are level ground, metres.
 constexpr double kLevel = 0.03;
 /// A floor is larger than a tread: m², and metres for the body's middle.
@@ -128,7 +126,7 @@ private:
     /// Whether the trigger goes on beyond the floor above or below, to where more of a body is in it.
     static bool goes_on(const Entry& entry, const Columns& columns) {
         return std::ranges::any_of(columns.at(entry.cell), [&](const Entry* other) {
-            return std::abs(other->y - entry.y) >= kStoreyHeight &&
+            return std::abs(other->y - entry.y) >= kLeastStoreyHeight &&
                    other->covered > entry.covered + kSameCover;
         });
     }
@@ -193,7 +191,8 @@ private:
                 made_for.insert(grounds.root(i));
             }
             const double more = entries[i].covered - entries[most].covered;
-            if (more > kSameCover || (more > -kSameCover && entries[i].y < entries[most].y - kStoreyHeight)) {
+            if (more > kSameCover ||
+                (more > -kSameCover && entries[i].y < entries[most].y - kLeastStoreyHeight)) {
                 most = i;
             }
         }

@@ -25,10 +25,6 @@ constexpr std::size_t kMostGround = 20'000;
 /// Barriers are looked for this far around it, metres.
 constexpr double kAroundGround = 12.0;
 
-std::string coordinates_text(const Vec3& p) {
-    return fixed(p.x(), 2) + ", " + fixed(p.y(), 2) + ", " + fixed(p.z(), 2);
-}
-
 /// What a body at `at` stands on.
 void find_ground(const Strider& strider, UnreachedSpot& spot) {
     const double radius = strider.settings().body.radius;

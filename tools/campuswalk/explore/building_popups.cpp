@@ -1,7 +1,6 @@
 #include "tools/campuswalk/explore/building_popups.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <map>
 #include <string>
 
@@ -9,16 +8,13 @@ namespace campuswalk::tools::explore {
 
 namespace {
 
-/// What a walk does with an object.
-enum class Contact : std::uint8_t { impossible, possible };
-
-/// By the id of the objects that the visitor notices.
-std::map<std::string, Contact> contacts_of(const scene::Campus& campus, const engine::WalkReport& report) {
+/// By the id of the objects that the visitor notices: whether a contact with it is possible.
+std::map<std::string, bool> contacts_of(const scene::Campus& campus, const engine::WalkReport& report) {
     std::map<std::string, std::size_t> numbers;
     for (std::size_t i = 0; i < campus.objects.size(); ++i) {
         numbers.emplace(campus.objects[i].id, i);
     }
-    std::map<std::string, Contact> contacts;
+    std::map<std::string, bool> contacts;
     for (const engine::SubjectReport& entry : report.subjects) {
         const engine::Subject& subject = entry.subject;
         const bool is_solid = subject.kind == engine::SubjectKind::solid;
@@ -27,8 +23,8 @@ std::map<std::string, Contact> contacts_of(const scene::Campus& campus, const en
             continue;
         }
         const bool possible = is_solid ? report.space.touched[numbers.at(subject.name)] : subject.reached;
-        Contact& contact = contacts.emplace(subject.name, Contact::impossible).first->second;
-        contact = possible ? Contact::possible : contact;
+        bool& contact = contacts[subject.name];
+        contact = contact || possible;
     }
     return contacts;
 }
@@ -36,7 +32,7 @@ std::map<std::string, Contact> contacts_of(const scene::Campus& campus, const en
 }  // namespace
 
 std::vector<BuildingPopup> building_popups(const scene::Campus& campus, const engine::WalkReport& report) {
-    const std::map<std::string, Contact> contacts = contacts_of(campus, report);
+    const std::map<std::string, bool> contacts = contacts_of(campus, report);
     std::vector<BuildingPopup> all(campus.description.buildings.size());
     for (std::size_t i = 0; i < campus.objects.size(); ++i) {
         const scene::CampusObject& object = campus.objects[i];
@@ -46,7 +42,7 @@ std::vector<BuildingPopup> building_popups(const scene::Campus& campus, const en
         }
         BuildingPopup& popup = all[*object.building];
         popup.openers.push_back(static_cast<collision::ObjectId>(i));
-        popup.opens = popup.opens || contact->second == Contact::possible;
+        popup.opens = popup.opens || contact->second;
     }
     std::vector<BuildingPopup> popups;
     for (std::size_t i = 0; i < all.size(); ++i) {

@@ -237,8 +237,7 @@ std::string others_text(const WalkReport& report, const IslandGroup& group) {
     std::string text;
     for (std::size_t i = 1; i < count && i <= kMost; ++i) {
         const collision::Vec3& foot = report.islands[group.islands[i]].island.spots.front().at.foot;
-        text += (i == 1 ? "; likewise at " : "; ") + fixed(foot.x(), 2) + ", " + fixed(foot.y(), 2) + ", " +
-                fixed(foot.z(), 2);
+        text += (i == 1 ? "; likewise at " : "; ") + engine::coordinates_text(foot);
     }
     return count <= kMost + 1 ? text : text + " and at " + std::to_string(count - kMost - 1) + " more";
 }

@@ -44,14 +44,18 @@ bool is_top(const engine::IslandReport& island) {
     return !island.barrier || island.barrier->kind == engine::BarrierKind::ledge;
 }
 
+bool is_notable(const engine::WalkReport& report, const engine::IslandReport& island) {
+    return island.island.area(report.space.grid) > engine::kNotableIsland && !is_top(island) &&
+           !island.hollow;
+}
+
 std::vector<IslandGroup> group_islands(const scene::Campus& campus, const engine::WalkReport& report,
                                        const std::set<std::size_t>& told) {
     std::vector<IslandGroup> groups;
     std::map<GroupKey, std::size_t> known;
     for (std::size_t i = 0; i < report.islands.size(); ++i) {
         const engine::IslandReport& entry = report.islands[i];
-        if (entry.island.area(report.space.grid) <= engine::kNotableIsland || is_top(entry) || entry.hollow ||
-            told.contains(i)) {
+        if (!is_notable(report, entry) || told.contains(i)) {
             continue;
         }
         const engine::UnreachedSpot& spot = entry.island.spots.front();

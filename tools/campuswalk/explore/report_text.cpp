@@ -34,10 +34,6 @@ const char* text_of(engine::Bound bound) {
     return "";
 }
 
-std::string place_text(const collision::Vec3& at) {
-    return fixed(at.x(), 2) + ", " + fixed(at.y(), 2) + ", " + fixed(at.z(), 2);
-}
-
 void print_reached(const WalkReport& report) {
     const std::vector<engine::Storey>& storeys = report.storeys.list;
     const std::string area = fixed(report.space.area(), 1) + " m²";
@@ -135,7 +131,7 @@ void print_distances(const scene::Campus& campus, const WalkReport& report) {
 
 /// Where it is, unless its text says so, as what was measured does.
 std::string where_text(const Finding& finding) {
-    const std::string at = finding.at ? place_text(*finding.at) : "";
+    const std::string at = finding.at ? engine::coordinates_text(*finding.at) : "";
     if (finding.text.find(at) != std::string::npos) {
         return "";
     }
@@ -157,7 +153,7 @@ void print_other_ground(const WalkReport& report, const char* what, const IsCoun
     }
     if (count > 0) {
         print_line("%s: %zu, %s m² in all, the largest at %s", what, count, fixed(area, 0).c_str(),
-                   place_text(largest).c_str());
+                   engine::coordinates_text(largest).c_str());
     }
 }
 

@@ -109,7 +109,7 @@ private:
 std::vector<StoreyMark> ground_marks(const WalkReport& report, const Finding& finding) {
     GroundByStorey ground;
     for (const std::size_t island : finding.islands) {
-        if (!is_shown(report, report.islands[island])) {
+        if (!is_notable(report, report.islands[island])) {
             continue;
         }
         const std::vector<engine::UnreachedSpot>& spots = report.islands[island].island.spots;
@@ -144,19 +144,14 @@ std::size_t storey_before(const WalkReport& report, const Finding& finding) {
 
 }  // namespace
 
-bool is_shown(const WalkReport& report, const engine::IslandReport& island) {
-    return island.island.area(report.space.grid) > engine::kNotableIsland && !is_top(island) &&
-           !island.hollow;
-}
-
 std::vector<std::size_t> storeys_of_island(const WalkReport& report, const engine::Island& island) {
-    constexpr double kBeside = 2.0;        // metres
-    constexpr double kStoreyHeight = 1.8;  // metres: what is nearer in height is on one storey
+    constexpr double kBeside = 2.0;  // metres
     std::vector<std::optional<std::size_t>> beside;
     std::map<double, std::size_t> by_height;
     for (const engine::UnreachedSpot& spot : island.spots) {
         auto node = node_near(report, spot.at.foot, kBeside);
-        if (node && std::abs(report.space.position(*node).y() - spot.at.foot.y()) >= kStoreyHeight) {
+        if (node &&
+            std::abs(report.space.position(*node).y() - spot.at.foot.y()) >= engine::kLeastStoreyHeight) {
             node.reset();
         }
         beside.push_back(node ? std::optional(report.storeys.of(*node)) : std::nullopt);
@@ -171,7 +166,7 @@ std::vector<std::size_t> storeys_of_island(const WalkReport& report, const engin
             (above != by_height.begin() && y - std::prev(above)->first < above->first - y)) {
             nearest = above == by_height.begin() ? above : std::prev(above);
         }
-        return nearest != by_height.end() && std::abs(nearest->first - y) < kStoreyHeight
+        return nearest != by_height.end() && std::abs(nearest->first - y) < engine::kLeastStoreyHeight
                    ? nearest->second
                    : storey_at_height(report.storeys.list, y);
     };
@@ -186,7 +181,7 @@ std::size_t storey_of(const WalkReport& report, const engine::Subject& subject) 
     if (subject.node) {
         return report.storeys.of(*subject.node);
     }
-    if (subject.island && is_shown(report, report.islands[*subject.island])) {
+    if (subject.island && is_notable(report, report.islands[*subject.island])) {
         const engine::Island& island = report.islands[*subject.island].island;
         const auto nearest = std::ranges::min_element(
             island.spots, {},

@@ -10,9 +10,6 @@
 
 namespace campuswalk::tools::explore {
 
-/// Unreached ground that plans show: roofs, hollows and what is small are left out.
-bool is_shown(const engine::WalkReport& report, const engine::IslandReport& island);
-
 /// For each spot of an island, the storey whose plan shows it: that of the reached ground beside it, which
 /// may be a little lower or higher; away from that, of what is as high as it.
 std::vector<std::size_t> storeys_of_island(const engine::WalkReport& report, const engine::Island& island);

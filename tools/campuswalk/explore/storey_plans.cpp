@@ -8,6 +8,7 @@
 
 #include "engine/events/decimals.h"
 #include "engine/walkspace/node_numbers.h"
+#include "tools/campuswalk/explore/island_groups.h"
 #include "tools/campuswalk/explore/storey_marks.h"
 
 namespace campuswalk::tools::explore {
@@ -45,7 +46,7 @@ struct Cells {
 std::vector<Cells> cells_by_storey(const engine::WalkReport& report, const GroundWidths& widths) {
     std::vector<Cells> cells(report.storeys.list.size());
     for (const engine::IslandReport& entry : report.islands) {
-        if (!is_shown(report, entry)) {
+        if (!is_notable(report, entry)) {
             continue;
         }
         const std::vector<std::size_t> storeys = storeys_of_island(report, entry.island);

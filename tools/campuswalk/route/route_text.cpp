@@ -16,10 +16,6 @@ using engine::RoutePiece;
 
 namespace {
 
-std::string text_of(const Vec3& p) {
-    return fixed(p.x(), 2) + ", " + fixed(p.y(), 2) + ", " + fixed(p.z(), 2);
-}
-
 double seconds_of(const engine::Route& route) {
     return engine::SimSettings().seconds_at(route.ticks());
 }
@@ -59,17 +55,17 @@ void print_answer(const RouteAnswer& answer) {
                fixed(seconds_of(route), 1).c_str(), fixed(route.climb(), 2).c_str());
     if (const auto& narrowest = answer.facts.narrowest) {
         print_line("narrowest  %s m at %s", fixed(narrowest->value, 2).c_str(),
-                   text_of(narrowest->at).c_str());
+                   engine::coordinates_text(narrowest->at).c_str());
     } else {
         print_line("narrowest  nowhere less than %s m", fixed(engine::RouteFacts::kWidest, 1).c_str());
     }
     const engine::RouteFacts::Spot& steepest = answer.facts.steepest;
     print_line("steepest   %s degrees at %s", fixed(engine::degrees(steepest.value), 1).c_str(),
-               text_of(steepest.at).c_str());
+               engine::coordinates_text(steepest.at).c_str());
     const std::vector<Vec3> points = waypoints(route);
     print_line("waypoints  %zu", points.size());
     for (const Vec3& point : points) {
-        print_line("  %s", text_of(point).c_str());
+        print_line("  %s", engine::coordinates_text(point).c_str());
     }
 }
 
