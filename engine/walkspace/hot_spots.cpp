@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kHotPieces = 300;
 constexpr std::size_t kMostHotSpots = 10;
-constexpr double kApart = 8.0;  // metres
+constexpr double kSpotsApart = 8.0;  // metres
 /// One of so many nodes is looked at.
 constexpr std::size_t kEveryNode = 16;
 
@@ -50,7 +50,9 @@ HotSpot hottest_of(const collision::World& world, const ExploreSettings& setting
 std::vector<HotSpot> hottest_apart(const std::vector<HotSpot>& spots) {
     std::vector<HotSpot> hottest;
     for (const HotSpot& spot : spots) {
-        const auto is_near = [&](const HotSpot& hotter) { return (hotter.foot - spot.foot).norm() < kApart; };
+        const auto is_near = [&](const HotSpot& hotter) {
+            return (hotter.foot - spot.foot).norm() < kSpotsApart;
+        };
         if (hottest.size() < kMostHotSpots && std::ranges::none_of(hottest, is_near)) {
             hottest.push_back(spot);
         }

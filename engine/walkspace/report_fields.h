@@ -39,7 +39,7 @@ void each_field(auto& fields, MaybeConstOf<Storeys> auto& storeys) {
 }
 void each_field(auto& fields, MaybeConstOf<Subject> auto& subject) {
     fields(subject.kind, subject.name, subject.reached, subject.at, subject.node, subject.island,
-           subject.reason);
+           subject.reason, subject.walked_through);
 }
 void each_field(auto& fields, MaybeConstOf<SubjectReport> auto& entry) {
     fields(entry.subject, entry.distance);

@@ -29,7 +29,7 @@ constexpr std::uint32_t kEnd<Gait> = 3;
 template <>
 constexpr std::uint32_t kEnd<Bound> = 4;
 template <>
-constexpr std::uint32_t kEnd<SubjectKind> = 6;
+constexpr std::uint32_t kEnd<SubjectKind> = 7;
 template <>
 constexpr std::uint32_t kEnd<BarrierKind> = 9;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <utility>
 #include <variant>
@@ -13,6 +14,7 @@
 #include "collision/world/overlap_span.h"
 #include "collision/world/placement.h"
 #include "engine/events/decimals.h"
+#include "engine/walkspace/door_subjects.h"
 #include "engine/walkspace/place_check.h"
 #include "engine/walkspace/reach_point.h"
 
@@ -59,6 +61,7 @@ public:
                 add_object(static_cast<ObjectId>(i), first_building);
             }
         }
+        std::ranges::move(find_doors(s_), std::back_inserter(subjects_));
         return std::move(subjects_);
     }
 
@@ -301,8 +304,12 @@ std::vector<Subject> find_subjects(const SubjectSearch& search) {
     return Finder(search).run();
 }
 
+bool is_destination(SubjectKind kind) {
+    return kind != SubjectKind::solid && kind != SubjectKind::door;
+}
+
 const char* name_of(SubjectKind kind) {
-    constexpr std::array kNames{"spawn", "place", "building", "trigger", "ray", "solid"};
+    constexpr std::array kNames{"spawn", "place", "building", "trigger", "ray", "solid", "door"};
     return kNames[static_cast<std::size_t>(kind)];
 }
 

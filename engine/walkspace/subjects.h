@@ -16,7 +16,10 @@
 namespace campuswalk::engine {
 
 /// What of a campus one may want to get to.
-enum class SubjectKind : std::uint8_t { spawn, place, building, trigger, ray, solid };
+enum class SubjectKind : std::uint8_t { spawn, place, building, trigger, ray, solid, door };
+
+/// Whether visitors want to get there, rather than only past it: all but solids and doors.
+bool is_destination(SubjectKind kind);
 
 /// One of them, and whether some walk gets there.
 struct Subject {
@@ -29,6 +32,7 @@ struct Subject {
     std::optional<WalkNodeId> node = {};     ///< reached: the node nearest to it
     std::optional<std::size_t> island = {};  ///< not reached: the unreached ground that it is on
     std::string reason = {};                 ///< not reached, and no island: why
+    bool walked_through = false;             ///< of a door: one can stand where its leaf hangs
 };
 
 /// What the subjects are looked for in.
@@ -42,13 +46,14 @@ struct SubjectSearch {
 };
 
 /// All spawns, places, buildings and objects that the visitor notices (neither disabled nor in a layer that
-/// it ignores), each kind in the campus file's order.
+/// it ignores), each kind in the campus file's order; then the doors.
 ///   spawn, place  reached if one can walk to it from the nearest node, as the step walk_to does
 ///   trigger       if the body is in it at some node; a mesh trigger that isn't closed: touches its surface
 ///   ray           if some node's eyes see it; a sample of nodes and of its points is tried
 ///   solid         if a stride touched it, or a node stands on it
 ///   building      if a stride touched one of its solids, or one of its triggers or rays is reached: whether
 ///                 one gets inside is another question
+///   door          see find_doors
 std::vector<Subject> find_subjects(const SubjectSearch& search);
 
 const char* name_of(SubjectKind kind);

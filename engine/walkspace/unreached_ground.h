@@ -32,6 +32,9 @@ struct Island {
     collision::Vec3 nearest_to(const collision::Vec3& point) const;
 };
 
+/// Islands that are worth a line: of more than 1 m².
+inline constexpr double kNotableIsland = 1.0;
+
 /// Walkable ground that the exploration didn't get to: the middle of each cell on a triangle that isn't too
 /// steep, with room for the body above. Spots in neighbouring cells belong together if their heights differ
 /// by no more than a step, or than the steepest walkable slope. The largest island first; those below

@@ -20,7 +20,7 @@ std::size_t explained(const std::vector<Island>& islands, const std::vector<Subj
         ++count;
     }
     for (const Subject& subject : subjects) {
-        count = std::max(count, subject.island ? *subject.island + 1 : 0);
+        count = std::max(count, subject.island ? *subject.island + 1 : 0);  // a door's counts already
     }
     return count;
 }
@@ -29,7 +29,7 @@ std::size_t explained(const std::vector<Island>& islands, const std::vector<Subj
 std::vector<bool> wanted(const std::vector<Island>& islands, const std::vector<Subject>& subjects) {
     std::vector<bool> is_wanted(islands.size(), false);
     for (const Subject& subject : subjects) {
-        if (subject.island && subject.kind != SubjectKind::solid) {
+        if (subject.island && is_destination(subject.kind)) {
             is_wanted[*subject.island] = true;
         }
     }

@@ -51,9 +51,6 @@ struct WalkReport {
 WalkReport report_walks(const scene::Campus& campus, const AvatarProfile& avatar, const WorkerWorlds& worlds,
                         ExploreSettings settings, double min_width = 0.0);
 
-/// Islands that are worth a line: of more than 1 m².
-inline constexpr double kNotableIsland = 1.0;
-
 /// Of a body of this profile, on a campus from all its spawns.
 ExploreSettings explore_settings(const scene::Campus& campus, const AvatarProfile& avatar,
                                  int ticks_per_second);

@@ -30,6 +30,12 @@ struct CampusObject {
     NodeSelection nodes = {};  ///< that its geometry comes from
 };
 
+/// A node whose triangles were taken out of its model: see remove_open_doors.
+struct RemovedNode {
+    NodeRef node;
+    std::vector<MeshIndex> meshes;
+};
+
 /// A campus that is ready for walks: the user's description, the models to draw, the world to collide with.
 struct Campus {
     CampusDescription description;
@@ -45,6 +51,7 @@ struct Campus {
     std::vector<ContentHash> contents = {};
     /// Textures that are missing or can't be decoded: images don't show the campus as it should look.
     std::vector<Diagnostic> texture_warnings = {};
+    std::vector<RemovedNode> open_doors = {};
 
     /// Index of the layer for collision filters; layers the campus doesn't name share index 0.
     std::uint32_t layer_index(const std::string& layer) const {

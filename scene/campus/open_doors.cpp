@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <iterator>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "scene/campus/node_selection.h"
@@ -49,7 +50,8 @@ void remove_open_doors(Campus& campus) {
         const std::vector<NodeRef> subtree = nodes_of(campus.models, {{door}, {}});
         if (std::ranges::none_of(subtree, [&](const NodeRef& node) { return taken.contains(node); })) {
             for (const NodeRef& node : subtree) {
-                campus.models[node.model].nodes[node.node].meshes.clear();
+                campus.open_doors.push_back(
+                    {node, std::exchange(campus.models[node.model].nodes[node.node].meshes, {})});
             }
         }
     }

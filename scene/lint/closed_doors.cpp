@@ -7,9 +7,9 @@
 
 #include <Eigen/Geometry>
 
-#include "scene/lint/named_parts.h"
 #include "scene/model/line_triangle.h"
 #include "scene/model/name_words.h"
+#include "scene/model/named_parts.h"
 #include "scene/model/upright_box.h"
 #include "scene/model/world_triangles.h"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "scene/lint/closed_doors.h"
-#include "scene/lint/named_parts.h"
 #include "scene/model/name_words.h"
+#include "scene/model/named_parts.h"
 #include "scene/model/upright_box.h"
 #include "scene/model/world_triangles.h"
 

@@ -8,10 +8,10 @@
 
 #include <Eigen/Geometry>
 
-#include "scene/lint/named_parts.h"
 #include "scene/lint/unit_guess.h"
 #include "scene/lint/wording.h"
 #include "scene/model/name_words.h"
+#include "scene/model/named_parts.h"
 #include "scene/model/world_triangles.h"
 
 namespace campuswalk::scene {

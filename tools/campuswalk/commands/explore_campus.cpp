@@ -100,10 +100,9 @@ bool is_accepted(const ExploreOptions& options, const engine::WalkReport& report
                  const std::vector<explore::Finding>& findings) {
     for (const engine::SubjectReport& entry : report.subjects) {
         const engine::Subject& subject = entry.subject;
-        const bool required =
-            subject.kind == engine::SubjectKind::place
-                ? has(options.required, "all") || has(options.required, subject.name)
-                : has(options.required, "all") && subject.kind != engine::SubjectKind::solid;
+        const bool required = subject.kind == engine::SubjectKind::place
+                                  ? has(options.required, "all") || has(options.required, subject.name)
+                                  : has(options.required, "all") && engine::is_destination(subject.kind);
         if (required && !subject.reached) {
             return false;
         }

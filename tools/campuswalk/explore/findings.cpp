@@ -34,11 +34,6 @@ std::string named(const engine::Subject& subject) {
     return std::string(engine::name_of(subject.kind)) + " " + subject.name;
 }
 
-/// Solids are findings only by themselves; where nobody gets, nobody touches them.
-bool is_wanted(const engine::Subject& subject) {
-    return subject.kind != SubjectKind::solid;
-}
-
 /// The middle of the building's first object, if it has any.
 std::optional<collision::Vec3> place_of(const scene::Campus& campus, std::size_t building) {
     const auto first = std::ranges::find(campus.objects, building, &scene::CampusObject::building);
@@ -81,7 +76,7 @@ void add_unreached(const scene::Campus& campus, const WalkReport& report,
     std::map<std::size_t, std::size_t> by_island;
     for (const engine::SubjectReport& entry : report.subjects) {
         const engine::Subject& subject = entry.subject;
-        if (subject.reached || !is_wanted(subject)) {
+        if (subject.reached || !engine::is_destination(subject.kind)) {
             continue;
         }
         if (subject.kind == SubjectKind::building) {

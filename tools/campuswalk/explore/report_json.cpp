@@ -76,6 +76,9 @@ Json subjects_json(const scene::Campus& campus, const WalkReport& report) {
         if (subject.kind == engine::SubjectKind::building && opens.contains(subject.name)) {
             one["popup_opens"] = opens.at(subject.name);
         }
+        if (subject.kind == engine::SubjectKind::door) {
+            one["walked_through"] = subject.walked_through;
+        }
         if (entry.distance) {
             one["distance"] = rounded(*entry.distance);
             one["from"] = start_of(campus, report, entry);

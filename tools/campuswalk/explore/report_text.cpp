@@ -57,18 +57,18 @@ void print_reached(const WalkReport& report) {
     }
 }
 
-/// Solids that no stride touches and that carry no one: the first few.
-void print_untouched(const WalkReport& report) {
+/// The first few of a kind that aren't reached.
+void print_unreached(const WalkReport& report, SubjectKind kind, const char* what) {
     constexpr std::size_t kMost = 8;
     std::string names;
     std::size_t count = 0;
     for (const engine::SubjectReport& entry : report.subjects) {
-        if (entry.subject.kind == SubjectKind::solid && !entry.subject.reached && count++ < kMost) {
+        if (entry.subject.kind == kind && !entry.subject.reached && count++ < kMost) {
             names += (names.empty() ? "" : ", ") + entry.subject.name;
         }
     }
     if (count > 0) {
-        print_line("  nobody touches %s%s", names.c_str(),
+        print_line("  nobody %s %s%s", what, names.c_str(),
                    count > kMost ? (" and " + std::to_string(count - kMost) + " more").c_str() : "");
     }
 }
@@ -82,10 +82,24 @@ void print_popups(const scene::Campus& campus, const WalkReport& report) {
 }
 
 /// How many of each kind are reached.
+/// What being reached means for this kind, if that isn't plain.
+std::string remark(const WalkReport& report, SubjectKind kind) {
+    if (kind == SubjectKind::building) {
+        return " touched or seen, not necessarily entered";
+    }
+    if (kind == SubjectKind::door) {
+        const auto through = std::ranges::count_if(
+            report.subjects, [](const engine::SubjectReport& entry) { return entry.subject.walked_through; });
+        return " that somebody gets to, " + std::to_string(through) + " walked through";
+    }
+    return "";
+}
+
 void print_subjects(const scene::Campus& campus, const WalkReport& report) {
-    constexpr std::array kKinds{SubjectKind::spawn,   SubjectKind::place, SubjectKind::building,
-                                SubjectKind::trigger, SubjectKind::ray,   SubjectKind::solid};
-    constexpr std::array kPlurals{"spawns", "places", "buildings", "triggers", "rays", "solids"};
+    constexpr std::array kKinds{SubjectKind::spawn, SubjectKind::place,   SubjectKind::building,
+                                SubjectKind::door,  SubjectKind::trigger, SubjectKind::ray,
+                                SubjectKind::solid};
+    constexpr std::array kPlurals{"spawns", "places", "buildings", "doors", "triggers", "rays", "solids"};
     for (std::size_t k = 0; k < kKinds.size(); ++k) {
         std::size_t all = 0;
         std::size_t reached = 0;
@@ -94,14 +108,16 @@ void print_subjects(const scene::Campus& campus, const WalkReport& report) {
             reached += entry.subject.kind == kKinds[k] && entry.subject.reached ? 1U : 0U;
         }
         if (all > 0) {
-            print_line("%-10s %zu of %zu%s", kPlurals[k], reached, all,
-                       kKinds[k] == SubjectKind::building ? " touched or seen, not necessarily entered" : "");
+            print_line("%-10s %zu of %zu%s", kPlurals[k], reached, all, remark(report, kKinds[k]).c_str());
         }
         if (all > 0 && kKinds[k] == SubjectKind::building) {
             print_popups(campus, report);
         }
     }
-    print_untouched(report);
+        if (kKinds[k] == SubjectKind::door) {
+            print_unreached(report, kKinds[k], "gets to");
+        }
+    print_unreached(report, SubjectKind::solid, "touches");
 }
 
 /// How far one walks to each place.

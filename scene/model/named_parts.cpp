@@ -1,4 +1,4 @@
-#include "scene/lint/named_parts.h"
+#include "scene/model/named_parts.h"
 
 namespace campuswalk::scene {
 

@@ -1,0 +1,158 @@
+#include "engine/walkspace/door_subjects.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "scene/campus/door_leaves.h"
+
+namespace campuswalk::engine {
+
+using collision::Vec3;
+
+namespace {
+
+/// Who is no farther from a leaf than this can open it, metres.
+constexpr double kWithinReach = 0.5;
+/// In a doorway one stands this near to the leaf's middle plane, as a share of the body's radius: where the
+/// leaf is solid, no nearer than all of that.
+constexpr double kInDoorway = 0.67;
+/// Of the nodes in a doorway, so many states are computed, the nearest to its middle first.
+constexpr std::size_t kMostStates = 16;
+
+class Doorway {
+public:
+    Doorway(const scene::UprightBox& leaf, const collision::MoverSettings& body) : leaf_(leaf), body_(body) {}
+
+    bool is_within_reach(const Vec3& foot) const {
+        const Vec3 local = to_leaf(foot);
+        const Vec3 outside = (local.cwiseAbs() - 0.5 * leaf_.size).cwiseMax(0.0);
+        return is_beside(local) && collision::horizontal_norm(outside) <= body_.radius + kWithinReach;
+    }
+
+    /// By the middle plane of the leaf, which is its thinner side.
+    bool is_in(const Vec3& foot) const {
+        const Vec3 local = to_leaf(foot);
+        const bool is_along = leaf_.size.x() >= leaf_.size.z();
+        const double along = is_along ? local.x() : local.z();
+        const double across = is_along ? local.z() : local.x();
+        return is_beside(local) && std::abs(across) <= kInDoorway * body_.radius &&
+               std::abs(along) <= 0.5 * std::max(leaf_.size.x(), leaf_.size.z());
+    }
+
+    /// What a body that is within reach overlaps.
+    collision::Aabb surroundings() const {
+        const double half = collision::horizontal_norm(0.5 * leaf_.size) + kWithinReach;
+        const Vec3 reach(half, 0.5 * leaf_.size.y(), half);
+        return {leaf_.center - reach, leaf_.center + reach};
+    }
+
+private:
+    /// Along the leaf, +Y, and across it.
+    Vec3 to_leaf(const Vec3& foot) const {
+        const Vec3 from_center = foot - leaf_.center;
+        return {from_center.dot(leaf_.along), from_center.y(), from_center.dot(leaf_.across())};
+    }
+
+    bool is_beside(const Vec3& local) const {
+        return local.y() < 0.5 * leaf_.size.y() && local.y() + body_.height > -0.5 * leaf_.size.y();
+    }
+
+    const scene::UprightBox& leaf_;
+    const collision::MoverSettings& body_;
+};
+
+class DoorFinder {
+public:
+    explicit DoorFinder(const SubjectSearch& search)
+        : s_(search),
+          body_(search.settings.strides.upright_body()),
+          strider_(search.worlds[0], search.settings.strides, search.settings.solids) {}
+
+    Subject find(const scene::DoorLeaf& leaf) {
+        Subject subject{SubjectKind::door,
+                        s_.campus.models[leaf.node.model].nodes[leaf.node.node].name};
+        subject.at = leaf.box.center - 0.5 * leaf.box.size.y() * Vec3::UnitY();
+        const Doorway doorway(leaf.box, body_);
+        const std::vector<WalkNodeId> near = nodes_near(doorway, subject.at);
+        subject.reached = !near.empty();
+        if (subject.reached) {
+            subject.node = near.front();
+            subject.walked_through = is_walked_through(doorway, near);
+        } else {
+            explain(doorway, subject);
+        }
+        return subject;
+    }
+
+private:
+    /// The nearest to the point first.
+    std::vector<WalkNodeId> nodes_near(const Doorway& doorway, const Vec3& point) const {
+        std::vector<std::pair<double, WalkNodeId>> near;
+        for (const WalkNodeId& node : s_.reached.nodes_touching(doorway.surroundings(), body_)) {
+            const Vec3 foot = s_.reached.position(node);
+            if (doorway.is_within_reach(foot)) {
+                near.emplace_back((foot - point).squaredNorm(), node);
+            }
+        }
+        std::ranges::sort(near);
+        std::vector<WalkNodeId> nodes;
+        for (const auto& [distance, node] : near) {
+            nodes.push_back(node);
+        }
+        return nodes;
+    }
+
+    bool is_walked_through(const Doorway& doorway, const std::vector<WalkNodeId>& near) {
+        std::size_t states = 0;
+        for (const WalkNodeId& node : near) {
+            if (states == kMostStates) {
+                return false;
+            }
+            const Vec3 about = s_.reached.position(node);
+            if (!doorway.is_in(about)) {
+                continue;
+            }
+            ++states;
+            if (doorway.is_in(s_.reached.state_at(node, strider_).foot)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    void explain(const Doorway& doorway, Subject& subject) const {
+        for (std::size_t i = 0; i < s_.islands.size(); ++i) {
+            if (s_.islands[i].area(s_.reached.grid) <= kNotableIsland) {
+                break;  // the largest come first
+            }
+            const bool leads_there =
+                std::ranges::any_of(s_.islands[i].spots, [&](const UnreachedSpot& spot) {
+                    return doorway.is_within_reach(spot.at.foot);
+                });
+            if (leads_there) {
+                subject.island = i;
+                return;
+            }
+        }
+        subject.reason = "nothing that is reached lies near it";
+    }
+
+    const SubjectSearch& s_;
+    const collision::MoverSettings body_;
+    Strider strider_;
+};
+
+}  // namespace
+
+std::vector<Subject> find_doors(const SubjectSearch& search) {
+    DoorFinder finder(search);
+    std::vector<Subject> doors;
+    for (const scene::DoorLeaf& leaf : scene::find_door_leaves(search.campus)) {
+        doors.push_back(finder.find(leaf));
+    }
+    return doors;
+}
+
+}  // namespace campuswalk::engine

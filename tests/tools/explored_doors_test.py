@@ -1,0 +1,84 @@
+#!/usr/bin/env python3
+"""`campuswalk explore`: which doors one gets to, and which one walks through."""
+
+import json
+import os
+
+import jsonschema
+
+from program import ProgramCase, main
+
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+with open(os.path.join(ROOT, "config", "schema", "explore.schema.json"), encoding="utf-8") as schema_file:
+    SCHEMA = json.load(schema_file)
+
+
+class Obj:
+    """Boxes as objects of an OBJ file."""
+
+    def __init__(self):
+        self.text = ""
+        self.vertices = 0
+
+    def box(self, name, low, high):
+        self.text += "o %s\n" % name
+        for corner in range(8):
+            self.text += "v %g %g %g\n" % tuple((high if corner >> axis & 1 else low)[axis] for axis in range(3))
+        for face in ("1 3 4 2", "5 6 8 7", "1 2 6 5", "3 7 8 4", "1 5 7 3", "2 4 8 6"):
+            self.text += "f %s\n" % " ".join(str(self.vertices + int(i)) for i in face.split())
+        self.vertices += 8
+
+
+class ExploredDoors(ProgramCase):
+    def setUp(self):
+        """A yard in front of a wall with two doorways; a terrace that is too high, with a door of its own."""
+        super().setUp()
+        model = Obj()
+        model.box("ground", (-10, -1, -10), (10, 0, 10))
+        for name, left, right in (("west", -10, -6), ("middle", -5, 5), ("east", 6, 10)):
+            model.box("wall_" + name, (left, 0, -0.1), (right, 3, 0.1))
+        model.box("front_door", (-6, 0, -0.03), (-5, 2.1, 0.03))
+        model.box("back_door", (5, 0, -0.03), (6, 2.1, 0.03))
+        model.box("terrace", (-4, 0, 6), (4, 1.2, 10))
+        model.box("terrace_door", (0, 1.2, 9), (1, 3.2, 9.06))
+        model.box("attic_door", (0, 8, -0.03), (1, 10, 0.03))
+        self.write("school.obj", model.text)
+
+    def doors(self, left_out, *arguments):
+        self.write("school.campus.yaml",
+                   "scenes: [{file: school.obj}]\n"
+                   "colliders: [{id: school, nodes: '*', except: [%s], shape: mesh, mode: solid}]\n"
+                   "spawns: {start: {at: [0, 0, 3]}}\n" % left_out)
+        self.text = self.passes("explore", "school.campus.yaml", "--json", "report.json", *arguments).out
+        with open(self.path("report.json"), encoding="utf-8") as file:
+            self.json = json.load(file)
+        jsonschema.validate(self.json, SCHEMA)
+        return {door["name"]: door for door in self.json["subjects"] if door["kind"] == "door"}
+
+    def test_open_closed_and_out_of_reach(self):
+        doors = self.doors("front_door", "--require", "all")
+        self.assertEqual({"front_door": True, "back_door": True, "terrace_door": False, "attic_door": False},
+                         {name: door["reached"] for name, door in doors.items()})
+        self.assertEqual(["front_door"], [name for name, door in doors.items() if door["walked_through"]])
+        self.assertEqual("terrace_door", next(name for name, door in doors.items() if "island" in door))
+        island = self.json["islands"][doors["terrace_door"]["island"]]
+        self.assertAlmostEqual(1.2, island["barrier"]["measured"], delta=0.01)
+        self.assertEqual("nothing that is reached lies near it", doors["attic_door"]["reason"])
+        self.assertIn("doors      2 of 4 that somebody gets to, 1 walked through\n"
+                      "  nobody gets to terrace_door, attic_door\n", self.text)
+
+    def test_a_closed_door_parts_the_yard(self):
+        doors = self.doors("")
+        self.assertEqual([], [name for name, door in doors.items() if door["walked_through"]])
+        self.assertTrue(doors["back_door"]["reached"])
+        self.assertAlmostEqual(5.5, doors["back_door"]["at"][0], delta=0.01)
+        self.assertLess(5.0, doors["back_door"]["distance"])
+
+    def test_a_campus_without_doors_says_nothing_of_them(self):
+        self.write("school.obj", "o ground\nv -5 0 -5\nv -5 0 5\nv 5 0 5\nv 5 0 -5\nf 1 2 3 4\n")
+        self.assertEqual({}, self.doors(""))
+        self.assertNotIn("doors", self.text)
+
+
+if __name__ == "__main__":
+    main()
