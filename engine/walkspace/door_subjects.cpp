@@ -71,8 +71,7 @@ public:
           strider_(search.worlds[0], search.settings.strides, search.settings.solids) {}
 
     Subject find(const scene::DoorLeaf& leaf) {
-        Subject subject{SubjectKind::door,
-                        s_.campus.models[leaf.node.model].nodes[leaf.node.node].name};
+        Subject subject{SubjectKind::door, s_.campus.models[leaf.node.model].nodes[leaf.node.node].name};
         subject.at = leaf.box.center - 0.5 * leaf.box.size.y() * Vec3::UnitY();
         const Doorway doorway(leaf.box, body_);
         const std::vector<WalkNodeId> near = nodes_near(doorway, subject.at);
@@ -127,10 +126,9 @@ private:
             if (s_.islands[i].area(s_.reached.grid) <= kNotableIsland) {
                 break;  // the largest come first
             }
-            const bool leads_there =
-                std::ranges::any_of(s_.islands[i].spots, [&](const UnreachedSpot& spot) {
-                    return doorway.is_within_reach(spot.at.foot);
-                });
+            const bool leads_there = std::ranges::any_of(s_.islands[i].spots, [&](const UnreachedSpot& spot) {
+                return doorway.is_within_reach(spot.at.foot);
+            });
             if (leads_there) {
                 subject.island = i;
                 return;

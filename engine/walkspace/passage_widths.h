@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "engine/walkspace/explore.h"
@@ -14,5 +16,22 @@ namespace campuswalk::engine {
 /// least the body's own width, at most `widest`.
 std::vector<float> passage_widths(const WorkerWorlds& worlds, const ExploreSettings& settings,
                                   const WalkSpace& space, double widest);
+
+/// One of the two things that a passage is between.
+struct PassageSide {
+    collision::ObjectId object{};
+    collision::Vec3 at = collision::Vec3::Zero();  ///< where it is nearest to the other one
+};
+
+struct PassageWidth {
+    collision::Vec3 foot = collision::Vec3::Zero();  ///< between the two
+    double width = 0.0;                              ///< metres
+    std::array<PassageSide, 2> sides = {};
+};
+
+/// Where the passage that a body stands in is narrowest, within its radius, and how wide it is there: to a
+/// millimetre. None if there aren't two things beside it less than `widest` apart.
+std::optional<PassageWidth> narrowest_near(const collision::World& world, const ExploreSettings& settings,
+                                           const collision::Vec3& foot, double widest);
 
 }  // namespace campuswalk::engine

@@ -69,6 +69,15 @@ void each_field(auto& fields, MaybeConstOf<Hole> auto& hole) {
 void each_field(auto& fields, MaybeConstOf<NarrowPassage> auto& narrow) {
     fields(narrow.beyond, narrow.passage);
 }
+void each_field(auto& fields, MaybeConstOf<PassageSide> auto& side) {
+    fields(side.object, side.at);
+}
+void each_field(auto& fields, MaybeConstOf<PassageWidth> auto& passage) {
+    fields(passage.foot, passage.width, passage.sides[0], passage.sides[1]);
+}
+void each_field(auto& fields, MaybeConstOf<Bottleneck> auto& bottleneck) {
+    fields(bottleneck.passage, bottleneck.is_only_path);
+}
 void each_field(auto& fields, MaybeConstOf<TriggerOverhang> auto& overhang) {
     fields(overhang.trigger, overhang.storey, overhang.foot, overhang.from_above, overhang.depth,
            overhang.also_in);
@@ -79,7 +88,7 @@ void each_field(auto& fields, MaybeConstOf<HotSpot> auto& spot) {
 /// All but the space.
 void each_field(auto& fields, MaybeConstOf<WalkReport> auto& report) {
     fields(report.storeys, report.subjects, report.islands, report.traps, report.holes, report.narrow,
-           report.overhangs, report.hot_spots);
+           report.bottlenecks, report.overhangs, report.hot_spots);
 }
 
 }  // namespace campuswalk::engine

@@ -124,6 +124,7 @@ WalkReport report_walks(const scene::Campus& campus, const AvatarProfile& avatar
     report.hot_spots = find_hot_spots(worlds, settings, report.space);
     if (min_width > 2.0 * settings.strides.body.radius) {
         report.narrow = find_narrow_passages(worlds, settings, report.space, min_width, &nodes);
+        report.bottlenecks = find_bottlenecks(worlds, settings, report.space, min_width);
     }
     return report;
 }

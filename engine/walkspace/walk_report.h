@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/script/avatar.h"
+#include "engine/walkspace/bottlenecks.h"
 #include "engine/walkspace/explore.h"
 #include "engine/walkspace/hot_spots.h"
 #include "engine/walkspace/narrow_passages.h"
@@ -41,6 +42,7 @@ struct WalkReport {
     std::vector<Trap> traps = {};
     std::vector<Hole> holes = {};
     std::vector<NarrowPassage> narrow = {};
+    std::vector<Bottleneck> bottlenecks = {};
     std::vector<TriggerOverhang> overhangs = {};
     std::vector<HotSpot> hot_spots = {};
 };

@@ -6,6 +6,7 @@
 
 #include "engine/events/decimals.h"
 #include "engine/walkspace/barrier_text.h"
+#include "tools/campuswalk/explore/bottleneck_text.h"
 #include "tools/campuswalk/explore/building_popups.h"
 #include "tools/campuswalk/explore/island_groups.h"
 
@@ -28,6 +29,18 @@ std::string area_text(double area) {
 std::string why(const scene::Campus& campus, const engine::IslandReport& island) {
     return island.barrier ? engine::barrier_text(campus, *island.barrier)
                           : "nothing that is reached lies near it";
+}
+
+/// Where the others of several like things are: the first few.
+std::string likewise_at(const std::vector<collision::Vec3>& places) {
+    constexpr std::size_t kMost = 3;
+    std::string text;
+    for (std::size_t i = 1; i < places.size() && i <= kMost; ++i) {
+        text += (i == 1 ? "; likewise at " : "; ") + engine::coordinates_text(places[i]);
+    }
+    return places.size() <= kMost + 1
+               ? text
+               : text + " and at " + std::to_string(places.size() - kMost - 1) + " more";
 }
 
 std::string named(const engine::Subject& subject) {
@@ -157,6 +170,28 @@ void add_narrow_passages(const scene::Campus& campus, const WalkReport& report,
     }
 }
 
+/// Those that lie behind another narrow passage, and so on; doors of one kind share a finding.
+void add_bottlenecks(const scene::Campus& campus, const WalkReport& report, std::vector<Finding>& findings) {
+    std::vector<std::pair<std::string, std::vector<collision::Vec3>>> like;  // the narrowest first
+    for (const engine::Bottleneck& bottleneck : report.bottlenecks) {
+        if (is_finding(report, bottleneck)) {
+            const std::string text = bottleneck_text(campus, bottleneck);
+            auto known = std::ranges::find(like, text, [](const auto& each) { return each.first; });
+            if (known == like.end()) {
+                known = like.insert(known, {text, {}});
+            }
+            known->second.push_back(bottleneck.passage.foot);
+        }
+    }
+    for (const auto& [text, places] : like) {
+        const std::string count = std::to_string(places.size());
+        findings.push_back({FindingKind::narrow,
+                            places.size() == 1 ? "narrow passage" : count + " narrow passages",
+                            text + likewise_at(places), places.front()});
+        findings.back().count = places.size();
+    }
+}
+
 void add_overhangs(const scene::Campus& campus, const WalkReport& report, std::vector<Finding>& findings) {
     for (const engine::TriggerOverhang& overhang : report.overhangs) {
         std::string text = "it reaches through the floor: on storey " + std::to_string(overhang.storey) +
@@ -225,18 +260,6 @@ std::string rise_text(const WalkReport& report, const IslandGroup& group) {
     return fixed(low, 2) == fixed(high, 2) ? ", " + highest : ", " + fixed(low, 2) + " to " + highest;
 }
 
-/// Where the others of a group are: the first few.
-std::string others_text(const WalkReport& report, const IslandGroup& group) {
-    constexpr std::size_t kMost = 3;
-    const std::size_t count = group.islands.size();
-    std::string text;
-    for (std::size_t i = 1; i < count && i <= kMost; ++i) {
-        const collision::Vec3& foot = report.islands[group.islands[i]].island.spots.front().at.foot;
-        text += (i == 1 ? "; likewise at " : "; ") + engine::coordinates_text(foot);
-    }
-    return count <= kMost + 1 ? text : text + " and at " + std::to_string(count - kMost - 1) + " more";
-}
-
 /// Those that no subject's finding tells of already.
 void add_islands(const scene::Campus& campus, const WalkReport& report, std::vector<Finding>& findings) {
     std::set<std::size_t> told;
@@ -246,12 +269,17 @@ void add_islands(const scene::Campus& campus, const WalkReport& report, std::vec
     for (const IslandGroup& group : group_islands(campus, report, told)) {
         const engine::IslandReport& largest = report.islands[group.islands.front()];
         const std::size_t count = group.islands.size();
+        std::vector<collision::Vec3> places;
+        for (const std::size_t i : group.islands) {
+            places.push_back(report.islands[i].island.spots.front().at.foot);
+        }
         const std::string islands = count == 1 ? "island" : std::to_string(count) + " islands";
         findings.push_back(
             {FindingKind::island,
              islands + " of " + areas_text(report, group) + " on " + group.on + rise_text(report, group),
-             why(campus, largest) + others_text(report, group), largest.island.spots.front().at.foot,
+             why(campus, largest) + likewise_at(places), largest.island.spots.front().at.foot,
              largest.barrier, group.islands});
+        findings.back().count = count;
     }
 }
 
@@ -275,6 +303,7 @@ std::vector<Finding> find_findings(const scene::Campus& campus, const WalkReport
     add_traps(report, findings);
     add_holes(report, findings);
     add_narrow_passages(campus, report, findings);
+    add_bottlenecks(campus, report, findings);
     add_overhangs(campus, report, findings);
     add_popups(campus, report, popups, findings);
     add_islands(campus, report, findings);

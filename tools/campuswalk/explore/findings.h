@@ -22,6 +22,7 @@ struct Finding {
     std::vector<std::size_t> islands = {};  ///< indices into WalkReport::islands; `barrier` is the first's
     std::string trigger = {};               ///< id, of one that reaches through a floor
     std::vector<FindingKind> also = {};     ///< what it is besides: `--fail-on` looks for these, too
+    std::size_t count = 1;                  ///< of like things that share it; `at` is the first's
 };
 
 /// Unreached subjects first, then traps (stuck spots if they are small), holes, narrow passages, triggers

@@ -159,6 +159,24 @@ Json narrow_json(const scene::Campus& campus, const WalkReport& report) {
     return json;
 }
 
+Json bottlenecks_json(const scene::Campus& campus, const WalkReport& report) {
+    Json json = Json::array();
+    for (const engine::Bottleneck& bottleneck : report.bottlenecks) {
+        Json between = Json::array();
+        for (const engine::PassageSide& side : bottleneck.passage.sides) {
+            const scene::CampusObject& object = campus.objects[index_of(side.object)];
+            between.push_back({{"object", object.id},
+                               {"node", scene::node_at(campus, object, side.at)},
+                               {"at", json_of(side.at)}});
+        }
+        json.push_back({{"at", json_of(bottleneck.passage.foot)},
+                        {"width", rounded(bottleneck.passage.width)},
+                        {"between", std::move(between)},
+                        {"only_path", bottleneck.is_only_path}});
+    }
+    return json;
+}
+
 Json overhangs_json(const scene::Campus& campus, const WalkReport& report) {
     Json json = Json::array();
     for (const engine::TriggerOverhang& overhang : report.overhangs) {
@@ -240,6 +258,7 @@ std::string report_json(const scene::Campus& campus, const WalkReport& report,
                  {"traps", traps_json(report)},
                  {"holes", holes_json(report)},
                  {"narrow", narrow_json(campus, report)},
+                 {"bottlenecks", bottlenecks_json(campus, report)},
                  {"overhangs", overhangs_json(campus, report)},
                  {"hot_spots", hot_spots_json(campus, report)},
                  {"findings", Json::array()}};

@@ -7,6 +7,7 @@
 
 #include "engine/events/decimals.h"
 #include "tools/campuswalk/base/print.h"
+#include "tools/campuswalk/explore/bottleneck_text.h"
 #include "tools/campuswalk/explore/building_popups.h"
 #include "tools/campuswalk/explore/findings.h"
 #include "tools/campuswalk/explore/island_groups.h"
@@ -81,7 +82,6 @@ void print_popups(const scene::Campus& campus, const WalkReport& report) {
     }
 }
 
-/// How many of each kind are reached.
 /// What being reached means for this kind, if that isn't plain.
 std::string remark(const WalkReport& report, SubjectKind kind) {
     if (kind == SubjectKind::building) {
@@ -95,6 +95,7 @@ std::string remark(const WalkReport& report, SubjectKind kind) {
     return "";
 }
 
+/// How many of each kind are reached.
 void print_subjects(const scene::Campus& campus, const WalkReport& report) {
     constexpr std::array kKinds{SubjectKind::spawn, SubjectKind::place,   SubjectKind::building,
                                 SubjectKind::door,  SubjectKind::trigger, SubjectKind::ray,
@@ -113,10 +114,10 @@ void print_subjects(const scene::Campus& campus, const WalkReport& report) {
         if (all > 0 && kKinds[k] == SubjectKind::building) {
             print_popups(campus, report);
         }
-    }
         if (kKinds[k] == SubjectKind::door) {
             print_unreached(report, kKinds[k], "gets to");
         }
+    }
     print_unreached(report, SubjectKind::solid, "touches");
 }
 
@@ -151,7 +152,7 @@ std::string where_text(const Finding& finding) {
     if (finding.text.find(at) != std::string::npos) {
         return "";
     }
-    return (finding.islands.size() > 1 ? ", the first at " : " at ") + at;
+    return (finding.count > 1 ? ", the first at " : " at ") + at;
 }
 
 /// In one line: unreached ground that is no finding.
@@ -170,6 +171,22 @@ void print_other_ground(const WalkReport& report, const char* what, const IsCoun
     if (count > 0) {
         print_line("%s: %zu, %s m² in all, the largest at %s", what, count, fixed(area, 0).c_str(),
                    engine::coordinates_text(largest).c_str());
+    }
+}
+
+/// Narrow passages that are no findings, as there is a wider way.
+void print_bypassed(const scene::Campus& campus, const WalkReport& report) {
+    std::size_t count = 0;
+    const engine::Bottleneck* narrowest = nullptr;
+    for (const engine::Bottleneck& bottleneck : report.bottlenecks) {  // the narrowest first
+        if (!bottleneck.is_only_path && count++ == 0) {
+            narrowest = &bottleneck;
+        }
+    }
+    if (narrowest != nullptr) {
+        print_line("narrow passages that one may go round by a wider way: %zu, the narrowest %s, at %s",
+                   count, bottleneck_text(campus, *narrowest).c_str(),
+                   engine::coordinates_text(narrowest->passage.foot).c_str());
     }
 }
 
@@ -195,6 +212,7 @@ void print_report(const scene::Campus& campus, const WalkReport& report, const e
         [](const engine::IslandReport& entry) { return !entry.hollow && entry.barrier && is_top(entry); });
     print_other_ground(report, "ground and roofs that nothing which is reached lies near",
                        [](const engine::IslandReport& entry) { return !entry.hollow && !entry.barrier; });
+    print_bypassed(campus, report);
     print_distances(campus, report);
 }
 
