@@ -197,6 +197,12 @@ PlannedRoute stored_or_planned(const ContentHash& route, const RouteCache& cache
     if (std::optional<PlannedRoute> stored = stored_route(key, *cache.folder)) {
         return std::move(*stored);
     }
+    // Walking everywhere takes long: workers that ask for the same at once wait for the first. If it stores
+    // nothing, as it guessed the route or was killed, those that waited go on all at once.
+    const std::optional<scene::CacheClaim> claim = cache.folder->claim(key);
+    if (std::optional<PlannedRoute> stored = stored_route(key, *cache.folder)) {
+        return std::move(*stored);
+    }
     PlannedRoute planned = plan();
     if (planned.route.searched || !planned.why_not.empty()) {
         const std::vector<std::byte> bytes = archive_route(planned);

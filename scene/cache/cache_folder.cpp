@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::string_view kSuffix = ".campuswalk";
 constexpr std::size_t kHashDigits = 64;
+constexpr std::string_view kClaims = "claims.campuswalk";
 
 struct Entry {
     timespec used{};
@@ -80,10 +81,8 @@ void CacheFolder::store(const ContentHash& key, const Kind& kind,
     if (bytes > max_bytes_) {
         return;
     }
+    make_folder();
     std::error_code error;
-    if (fs::create_directories(folder_, error)) {
-        fs::permissions(folder_, fs::perms::owner_all, error);  // models may be confidential
-    }
     if (fs::is_directory(folder_, error) && !is_own_folder(folder_)) {
         report("'" + folder_.string() + "' isn't used: another user owns it or may write to it (chmod go-w)");
         return;
@@ -98,6 +97,18 @@ void CacheFolder::store(const ContentHash& key, const Kind& kind,
         report(failure.what());
     }
     evict();
+}
+
+std::optional<CacheClaim> CacheFolder::claim(const ContentHash& key) const {
+    make_folder();
+    return is_own_folder(folder_) ? CacheClaim::wait_or_take(folder_ / kClaims, key) : CacheClaim();
+}
+
+void CacheFolder::make_folder() const {
+    std::error_code error;
+    if (fs::create_directories(folder_, error)) {
+        fs::permissions(folder_, fs::perms::owner_all, error);  // models may be confidential
+    }
 }
 
 void CacheFolder::report(const std::string& error) const {

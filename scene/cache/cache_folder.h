@@ -5,17 +5,19 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
+#include "scene/cache/cache_claim.h"
 #include "scene/cache/content_hash.h"
 #include "scene/cache/file_contents.h"
 
 namespace campuswalk::scene {
 
 /// A content-addressed cache: files named by the hash of their inputs, in a folder that several processes may
-/// use at once. Files are written atomically and never changed, so there is no lock: two processes that write
-/// the same file write the same contents.
+/// use at once. Files are written atomically and never changed, so they need no lock: two processes that
+/// write the same file write the same contents. What takes long can be claimed, so that only one makes it.
 ///
 /// The contents are untrusted: callers validate them. Read and write errors never fail the caller: they count
 /// as cache misses. So does everything in a folder that another user owns or may write to: files there could
@@ -41,7 +43,12 @@ public:
     void store(const ContentHash& key, const Kind& kind,
                std::span<const std::span<const std::byte>> buffers) const;
 
+    /// The claim to make the file; see CacheClaim::wait_or_take. In a folder that can't be used everybody
+    /// gets it.
+    std::optional<CacheClaim> claim(const ContentHash& key) const;
+
 private:
+    void make_folder() const;
     std::filesystem::path path_of(const ContentHash& key, const Kind& kind) const;
     void report(const std::string& error) const;
     void evict() const;

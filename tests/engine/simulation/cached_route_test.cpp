@@ -2,10 +2,15 @@
 
 #include "engine/simulation/cached_route.h"
 
+#include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <future>
+#include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -36,6 +41,47 @@ protected:
             ++plans_;
             return planned;
         });
+    }
+
+    /// One thread, with a memory of its own as a worker has it, asks for what this one plans; this one goes
+    /// on once that has had time to plan it as well. What each got, or what was thrown.
+    std::pair<PlannedRoute, PlannedRoute> asked_at_once(const std::function<PlannedRoute()>& first,
+                                                        const std::function<PlannedRoute()>& second) {
+        const auto ask = [this](const std::function<PlannedRoute()>& plan) {
+            RouteMemory memory;
+            memory.cache = cache_;
+            return cached_route({step_, state_, settings_}, memory, plan);
+        };
+        std::promise<void> first_plans;
+        std::promise<void> second_plans;
+        auto other = std::async(std::launch::async, [&] {
+            first_plans.get_future().wait();
+            return ask([&] {
+                second_plans.set_value();
+                return second();
+            });
+        });
+        PlannedRoute own;
+        try {
+            own = ask([&] {
+                first_plans.set_value();
+                second_plans.get_future().wait_for(std::chrono::milliseconds(300));
+                return first();
+            });
+        } catch (const std::runtime_error& error) {
+            own.why_not = error.what();
+        }
+        return {own, other.get()};
+    }
+
+    std::vector<std::filesystem::path> route_files() const {
+        std::vector<std::filesystem::path> files;
+        for (const auto& entry : std::filesystem::directory_iterator(home_.path())) {
+            if (entry.path().filename().string().ends_with(".route.campuswalk")) {
+                files.push_back(entry.path());
+            }
+        }
+        return files;
     }
 
     support::TemporaryFolder home_;
@@ -117,8 +163,8 @@ TEST_F(CachedRoute, IsAnswerableWithoutItsFileOnceItIsKnown) {
     RouteMemory memory;
     memory.cache = cache_;
     answer(searched(), memory);
-    for (const auto& entry : std::filesystem::directory_iterator(home_.path())) {
-        std::filesystem::remove(entry.path());
+    for (const std::filesystem::path& file : route_files()) {
+        std::filesystem::remove(file);
     }
     expect_same(answer(no_route(), memory), searched());
     EXPECT_EQ(plans_, 1);
@@ -136,7 +182,37 @@ TEST_F(CachedRoute, IsNotWorthAFileIfItWasGuessed) {
     answer(guessed);
     answer(guessed);
     EXPECT_EQ(plans_, 2);
-    EXPECT_TRUE(std::filesystem::is_empty(home_.path()));
+    EXPECT_TRUE(route_files().empty());
+}
+
+TEST_F(CachedRoute, IsPlannedOnceForWorkersThatAskAtOnce) {
+    std::atomic<int> plans = 0;
+    const auto counted = [&](const PlannedRoute& planned) {
+        return [&plans, planned] {
+            ++plans;
+            return planned;
+        };
+    };
+    const auto [own, other] = asked_at_once(counted(no_route()), counted(searched()));
+    EXPECT_EQ(plans, 1);
+    expect_same(own, no_route());
+    expect_same(other, no_route());
+}
+
+TEST_F(CachedRoute, IsPlannedByTheNextIfThatFails) {
+    const auto fails = []() -> PlannedRoute { throw std::runtime_error("out of memory"); };
+    const auto [own, other] = asked_at_once(fails, searched);
+    EXPECT_EQ(own.why_not, "out of memory");
+    expect_same(other, searched());
+}
+
+TEST_F(CachedRoute, ThatWasGuessedIsGuessedByEachWorker) {
+    PlannedRoute guessed = searched();
+    guessed.route.searched = false;
+    const auto guess = [&] { return guessed; };
+    const auto [own, other] = asked_at_once(guess, guess);
+    expect_same(own, guessed);
+    expect_same(other, guessed);
 }
 
 TEST_F(CachedRoute, IsOnlyForTheVerySame) {
@@ -191,9 +267,9 @@ TEST_F(CachedRoute, IsOnlyForTheVerySame) {
 
 TEST_F(CachedRoute, IsPlannedAnewIfItsFileIsDamaged) {
     answer(no_route());
-    for (const auto& entry : std::filesystem::directory_iterator(home_.path())) {
-        std::filesystem::resize_file(entry.path(), std::filesystem::file_size(entry.path()) - 1);
-    }
+    ASSERT_EQ(route_files().size(), 1U);
+    const std::filesystem::path file = route_files().front();
+    std::filesystem::resize_file(file, std::filesystem::file_size(file) - 1);
     EXPECT_FALSE(answer(searched()).route.pieces.empty());
     EXPECT_EQ(plans_, 2);
 }

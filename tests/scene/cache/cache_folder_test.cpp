@@ -2,9 +2,12 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <fstream>
+#include <future>
 #include <iterator>
 #include <string>
 #include <vector>
@@ -127,6 +130,46 @@ TEST_F(CacheFolderTest, FoundBytesStayTheSameWhenTheFileIsRewrittenOrTruncated) 
     fs::resize_file(file_of(kA), 100);
     EXPECT_EQ(found->bytes()[0], std::byte{7});
     EXPECT_EQ(found->bytes()[4999], std::byte{7});
+}
+
+TEST_F(CacheFolderTest, ClaimsAreOfOneKeyEach) {
+    const CacheFolder cache = reporting_cache(where_);
+    const auto a = cache.claim(kA);
+    const auto b = cache.claim(kB);
+    EXPECT_TRUE(a);
+    EXPECT_TRUE(b);
+}
+
+TEST_F(CacheFolderTest, WhoComesTooLateForAClaimWaitsForItsEnd) {
+    const CacheFolder cache = reporting_cache(where_);
+    auto claim = cache.claim(kA);
+    auto other = std::async(std::launch::async, [&] { return CacheFolder(where_).claim(kA).has_value(); });
+    EXPECT_EQ(other.wait_for(std::chrono::milliseconds(100)), std::future_status::timeout);
+    claim.reset();
+    EXPECT_FALSE(other.get());
+    EXPECT_TRUE(cache.claim(kA)) << "who waited has none";
+}
+
+TEST_F(CacheFolderTest, AClaimEndsWithItsProcess) {
+    const CacheFolder cache = reporting_cache(where_);
+    const pid_t child = fork();
+    if (child == 0) {
+        const auto claim = cache.claim(kA);
+        _exit(claim ? 0 : 1);
+    }
+    int status = 0;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    EXPECT_EQ(status, 0);
+    EXPECT_TRUE(cache.claim(kA));
+}
+
+TEST_F(CacheFolderTest, EverybodyHasTheClaimWhereNothingCanBeStored) {
+    folder_.write("file", "not a folder");
+    const CacheFolder cache = reporting_cache(folder_.path() / "file" / "cache");
+    const auto claim = cache.claim(kA);
+    EXPECT_TRUE(claim);
+    EXPECT_TRUE(cache.claim(kA));
+    EXPECT_TRUE(diagnostics_.empty());
 }
 
 TEST_F(CacheFolderTest, RefusesWhatOthersMayWriteTo) {
