@@ -60,6 +60,7 @@ PlannedRoute BodyRoutes::plan(const GoToStep& step, double speed) {
 }
 
 PlannedRoute BodyRoutes::plan_anew(const GoToStep& step, RouteSettings settings) const {
+    settings.avoided = step.avoid;
     settings.keep_out = keep_out_of(campus_, step.avoid, settings.strides.body);
     if (step.prefer == RoutePreference::wide) {
         settings.is_tight = tight_places(campus_.world, settings.solids, settings.strides.body);

@@ -20,7 +20,7 @@ namespace {
 
 const scene::CacheFolder::Kind kRouteKind = "route";
 /// Increment the version whenever the layout changes, or how routes are planned and walked.
-constexpr scene::FileKind kRouteFile = {{'c', 'w', ' ', 'r', 'o', 'u', 't', 'e'}, 8};
+constexpr scene::FileKind kRouteFile = {{'c', 'w', ' ', 'r', 'o', 'u', 't', 'e'}, 9};
 
 /// So many are remembered of a campus at most, without those of more pieces, about 10 kB: some 20 MB in all.
 constexpr std::size_t kMostRoutes = 2'000;
@@ -70,7 +70,7 @@ public:
         add(state.fall_from);
         add(state.support_y);
     }
-    /// The step says what `keep_out` and `is_tight` are; `ground` makes no difference.
+    /// The step says what `keep_out`, `avoided` and `is_tight` are; `ground` makes no difference.
     void add(const RouteSettings& settings) {
         const StrideSettings& strides = settings.strides;
         const collision::MoverSettings& body = strides.body;

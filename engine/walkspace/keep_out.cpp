@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "collision/world/overlap_span.h"
+#include "engine/events/decimals.h"
 #include "engine/script/avatar_body.h"
 #include "engine/script/travel.h"
 #include "scene/base/glob.h"
@@ -16,6 +17,12 @@ using collision::ObjectId;
 using collision::Vec3;
 
 namespace {
+
+/// What is named in a message, the first.
+constexpr std::size_t kMostNamed = 3;
+/// It is tried to do without so many at most, and on so much ground: 12,500 m² with cells of 0.25 m.
+constexpr std::size_t kMostTried = 8;
+constexpr std::size_t kMostNodesForTry = 200'000;
 
 std::vector<ObjectId> objects_matching(const scene::Campus& campus, const std::string& glob) {
     std::vector<ObjectId> ids;
@@ -31,6 +38,33 @@ bool is_around(const Avoided& avoided, const Vec3& foot) {
     const Vec3 apart = foot - avoided.center.point;
     return flat(apart).norm() <= avoided.radius &&
            (!avoided.center.has_height || std::abs(apart.y()) <= std::max(avoided.radius, kTargetLevel));
+}
+
+std::string name_of_avoided(const Avoided& avoided) {
+    if (avoided.objects) {
+        const bool is_pattern = avoided.objects->glob.find_first_of("*?[") != std::string::npos;
+        return (is_pattern ? "objects '" : "object '") + avoided.objects->glob + "'";
+    }
+    return "the circle of " + fixed(avoided.radius, 2) + " m around " + avoided.center.label;
+}
+
+/// As few of those that close every way as do so, too: none of them can be left out.
+std::vector<Avoided> blocking_all(const scene::Campus& campus, RouteSettings settings,
+                                  const RouteRequest& request) {
+    settings.max_nodes = std::min(settings.max_nodes, kMostNodesForTry);
+    std::vector<Avoided> closing = settings.avoided;
+    std::size_t tried = 0;
+    for (std::size_t i = closing.size(); i-- > 0 && closing.size() > 1 && tried < kMostTried; ++tried) {
+        std::vector<Avoided> others = closing;
+        others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+        settings.keep_out = keep_out_of(campus, others, settings.strides.body);
+        const auto found = plan_route(campus.world, settings, request);
+        const auto* none = std::get_if<NoRoute>(&found);
+        if (none != nullptr && !none->incomplete) {
+            closing = std::move(others);
+        }
+    }
+    return closing;
 }
 
 }  // namespace
@@ -60,6 +94,19 @@ std::function<bool(const Vec3& foot)> keep_out_of(const scene::Campus& campus,
         return std::ranges::any_of(areas, [&](const Avoided& area) { return is_around(area, foot); }) ||
                std::ranges::any_of(objects, touches);
     };
+}
+
+std::string why_avoided(const scene::Campus& campus, const RouteSettings& settings,
+                        const RouteRequest& request) {
+    const std::vector<Avoided> closing = blocking_all(campus, settings, request);
+    std::string text = "every way leads through what is to be avoided: ";
+    for (std::size_t i = 0; i < closing.size() && i < kMostNamed; ++i) {
+        const bool is_last = i + 1 == closing.size();
+        text += (i == 0 ? "" : is_last ? " or " : ", ") + name_of_avoided(closing[i]);
+    }
+    return closing.size() <= kMostNamed
+               ? text
+               : text + " or " + std::to_string(closing.size() - kMostNamed) + " more";
 }
 
 }  // namespace campuswalk::engine

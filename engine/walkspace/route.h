@@ -8,6 +8,7 @@
 #include "collision/mover/mover.h"
 #include "collision/world/world.h"
 #include "engine/script/route.h"
+#include "engine/script/step.h"
 #include "engine/walkspace/explore.h"
 #include "engine/walkspace/ground_map.h"
 #include "engine/walkspace/walk_space.h"
@@ -20,6 +21,8 @@ struct RouteSettings {
     collision::QueryFilter solids;  ///< what it points to must outlive the call
     /// Where the body must not be, by its feet. May be empty.
     std::function<bool(const collision::Vec3& foot)> keep_out = {};
+    /// What that is about, for messages.
+    std::vector<Avoided> avoided = {};
     /// Where it had rather not be: a way through such places counts kTightFactor times. May be empty.
     std::function<bool(const collision::Vec3& foot)> is_tight = {};
     std::size_t max_nodes = 60'000'000;

@@ -9,6 +9,7 @@
 #include "engine/script/travel.h"
 #include "engine/walkspace/barrier_text.h"
 #include "engine/walkspace/island_barriers.h"
+#include "engine/walkspace/keep_out.h"
 #include "engine/walkspace/node_numbers.h"
 #include "engine/walkspace/opposing_contact.h"
 #include "engine/walkspace/place_check.h"
@@ -128,7 +129,7 @@ UnreachableReason why_target_is_unreachable(const scene::Campus& campus, const R
         RouteSettings anywhere = settings;
         anywhere.keep_out = {};
         if (std::holds_alternative<Route>(plan_route(campus.world, anywhere, request))) {
-            return {"every way leads where it is to be avoided"};
+            return {why_avoided(campus, settings, request)};
         }
     }
     Vec3 point = none.target.point;

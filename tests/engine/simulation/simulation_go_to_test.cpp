@@ -170,8 +170,30 @@ TEST(GoTo, KeepsAwayFromWhatItAvoids) {
     step.avoid.push_back({std::nullopt, {"goal", {0, 0, -6}, true}, 1.0});
     const RecordedRun none = run(campus, walk_of({spawn_at({0, 0, 6}), step}));
     ASSERT_EQ(none.summary.failures.size(), 1U);
+    EXPECT_THAT(
+        none.summary.failures.front().message,
+        testing::EndsWith("every way leads through what is to be avoided: the circle of 1.00 m around "
+                          "goal"))
+        << "and not through the lawn";
+}
+
+TEST(GoTo, NamesTheAvoidedThatCloseEveryPath) {
+    scene::Campus campus = level_campus(10.0);
+    const ObjectTraits trigger{collision::Detection::trigger, "", true, ""};
+    add_box(campus, "lawn/west", {-10, 0, -1}, {1, 0.3, 1}, trigger);
+    add_box(campus, "lawn/pond", {7, 0, 5}, {8, 0.3, 6}, trigger);
+    add_box(campus, "street", {-1, 0, -1}, {10, 0.3, 1}, trigger);
+    GoToStep step = go_to(0, -6);
+    for (const char* glob : {"street", "lawn/pond", "lawn/*"}) {
+        step.avoid.push_back({NamePattern{{}, glob}, {}, 0.0});
+    }
+    const RecordedRun none = run(campus, walk_of({spawn_at({0, 0, 6}), step}));
+    ASSERT_EQ(none.summary.failures.size(), 1U);
     EXPECT_THAT(none.summary.failures.front().message,
-                testing::HasSubstr("every way leads where it is to be avoided"));
+                testing::EndsWith(
+                    "every way leads through what is to be avoided: object 'street' or objects 'lawn/*'"));
+    step.avoid.pop_back();
+    EXPECT_TRUE(run(campus, walk_of({spawn_at({0, 0, 6}), step})).summary.passed);
 }
 
 TEST(GoTo, ToAvoidAnObjectThatIsNotThereIsAnError) {
