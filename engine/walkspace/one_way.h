@@ -5,6 +5,7 @@
 
 #include "engine/walkspace/explore.h"
 #include "engine/walkspace/walk_space.h"
+#include "engine/walkspace/why_not.h"
 #include "engine/walkspace/worker_worlds.h"
 
 namespace campuswalk::engine {
@@ -15,6 +16,9 @@ struct Trap {
     WalkNodeId entrance;   ///< the first of its nodes that was reached
     collision::Vec3 edge;  ///< where the body stood before it, feet
     double drop = 0.0;     ///< from there down into it, metres; negative: up
+    /// The smallest change that would let one out. If none is found, the edge if it is a ledge, or nothing.
+    /// See find_trap_barriers.
+    std::optional<Barrier> out = {};
 };
 
 /// Where one falls out of the world, along a connected edge.

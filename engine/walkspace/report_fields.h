@@ -58,7 +58,7 @@ void each_field(auto& fields, MaybeConstOf<IslandReport> auto& entry) {
     fields(entry.island, entry.barrier, entry.hollow);
 }
 void each_field(auto& fields, MaybeConstOf<Trap> auto& trap) {
-    fields(trap.nodes, trap.entrance, trap.edge, trap.drop);
+    fields(trap.nodes, trap.entrance, trap.edge, trap.drop, trap.out);
 }
 void each_field(auto& fields, MaybeConstOf<Hole::Edge> auto& edge) {
     fields(edge.node, edge.stride, edge.at);

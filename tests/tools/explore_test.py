@@ -95,6 +95,9 @@ class Explore(ProgramCase):
         trap, = report["traps"]
         self.assertAlmostEqual(1.0, trap["drop"], delta=0.02)
         self.assertAlmostEqual((2 - 0.6) * (3 - 0.6), trap["area"], delta=1.0)  # the pen's floor, for the body's middle
+        self.assertEqual(("ledge", 1.0), (trap["out"]["kind"], round(trap["out"]["measured"], 2)))
+        self.assertRegex(self.finding(report, "trap of ")["text"],
+                         r"^one gets in over an edge of 1\.00 m and not out again: ledge of 1\.00 m at ")
         hole, = report["holes"]
         self.assertAlmostEqual(2 - 0.6, hole["length"], delta=0.6)
         self.assertAlmostEqual(-9.8, hole["edge"][0], delta=0.5)

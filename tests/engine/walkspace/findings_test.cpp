@@ -225,6 +225,63 @@ TEST_F(Findings, APitThatOneCantClimbOutOfIsATrap) {
                 (2 - 0.6) * (3 - 0.6), 1.0);
 }
 
+/// A yard with a deck of `height` that steps of 0.25 m lead up to, and a hole in it of 2 m x 3 m, whose floor
+/// is the yard's but for a bench in it of `bench`. A gate of the same height may close a way out of it.
+scene::Campus yard_with_pit(double height, double bench, bool has_gate = false) {
+    scene::Campus campus = walled_yard();
+    for (int i = 1; 0.25 * i <= height; ++i) {
+        add_box(campus, "tread-" + std::to_string(i), {-2, -0.1, 2 - 0.5 * i},
+                {2, height - 0.25 * (i - 1), 2});
+    }
+    add_box(campus, "pit/south", {-2, -0.1, 2}, {2, height, 3});
+    add_box(campus, "pit/west", {-2, -0.1, 2}, {-1, height, has_gate ? 3.5 : 6});
+    if (has_gate) {
+        add_box(campus, "pit/north-west", {-2, -0.1, 4.5}, {-1, height, 6});
+        add_box(campus, "pit/gate", {-1.6, 0, 3.5}, {-1.4, height + 0.5, 4.5});
+    }
+    add_box(campus, "pit/east", {1, -0.1, 2}, {2, height, 6});
+    add_box(campus, "pit/bench", {-1, -0.1, 5}, {1, bench, 6});
+    return campus;
+}
+
+/// What keeps one in the only pit of the campus.
+std::optional<Barrier> barrier_of_pit(const scene::Campus& campus) {
+    const WorkerWorlds worlds(campus.world, 1, {});
+    ExploreSettings settings = explore_settings(campus, AvatarProfile(), 60);
+    settings.starts = {{4, 0, -4}};
+    const WalkReport report = report_walks(campus, AvatarProfile(), worlds, settings);
+    EXPECT_EQ(report.traps.size(), 1U);
+    return report.traps.empty() ? std::nullopt : report.traps.front().out;
+}
+
+TEST_F(Findings, ATrapSaysWhichRiserKeepsOneIn) {
+    const scene::Campus campus = yard_with_pit(0.75, 0.25);
+    const auto out = barrier_of_pit(campus);
+    ASSERT_TRUE(out);
+    EXPECT_EQ(out->kind, BarrierKind::riser);
+    EXPECT_NEAR(out->measured, 0.5, 0.002) << "from the bench, and not from the floor";
+    ASSERT_TRUE(out->object);
+    EXPECT_TRUE(campus.objects[index_of(*out->object)].id.starts_with("pit/"));
+    EXPECT_GT(out->at.z(), 4.5) << "beside the bench";
+}
+
+TEST_F(Findings, ATrapSaysHowHighItsLedgeIs) {
+    for (const double height : {1.25, 3.25}) {
+        const auto out = barrier_of_pit(yard_with_pit(height, 0.0));
+        ASSERT_TRUE(out);
+        EXPECT_EQ(out->kind, BarrierKind::ledge);
+        EXPECT_NEAR(out->measured, height, 0.05);
+    }
+}
+
+TEST_F(Findings, ATrapSaysWhichObjectKeepsOneIn) {
+    const scene::Campus campus = yard_with_pit(1.5, 0.0, true);
+    const auto out = barrier_of_pit(campus);
+    ASSERT_TRUE(out && out->object);
+    EXPECT_EQ(out->kind, BarrierKind::object);
+    EXPECT_EQ(campus.objects[index_of(*out->object)].id, "pit/gate");
+}
+
 /// From the gallery over three balconies down to the ground, one jump after the other, and no way back up.
 TEST_F(Findings, WhatIsLeftOverSeveralLedgesIsNoTrap) {
     scene::Campus campus = yard_with_gallery();

@@ -118,14 +118,15 @@ void add_unreached(const scene::Campus& campus, const WalkReport& report,
     }
 }
 
-void add_traps(const WalkReport& report, std::vector<Finding>& findings) {
+void add_traps(const scene::Campus& campus, const WalkReport& report, std::vector<Finding>& findings) {
     const double cell = report.space.grid.cell * report.space.grid.cell;
     for (const engine::Trap& trap : report.traps) {
         const double area = static_cast<double>(trap.nodes.size()) * cell;
         const bool small = area < kStuckArea;
         findings.push_back({small ? FindingKind::stuck : FindingKind::trap,
                             (small ? "stuck spot of " : "trap of ") + area_text(area),
-                            "one gets in over an edge of " + fixed(trap.drop, 2) + " m and not out again",
+                            "one gets in over an edge of " + fixed(trap.drop, 2) + " m and not out again" +
+                                (trap.out ? ": " + engine::barrier_text(campus, *trap.out) : ""),
                             trap.edge});
     }
 }
@@ -300,7 +301,7 @@ std::vector<Finding> find_findings(const scene::Campus& campus, const WalkReport
     std::vector<Finding> findings;
     const std::vector<BuildingPopup> popups = building_popups(campus, report);
     add_unreached(campus, report, popups, findings);
-    add_traps(report, findings);
+    add_traps(campus, report, findings);
     add_holes(report, findings);
     add_narrow_passages(campus, report, findings);
     add_bottlenecks(campus, report, findings);

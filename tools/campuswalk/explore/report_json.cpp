@@ -128,14 +128,16 @@ Json islands_json(const scene::Campus& campus, const WalkReport& report,
     return json;
 }
 
-Json traps_json(const WalkReport& report) {
+Json traps_json(const scene::Campus& campus, const WalkReport& report) {
     Json json = Json::array();
     for (const engine::Trap& trap : report.traps) {
         const double cell = report.space.grid.cell;
-        json.push_back({{"area", rounded(static_cast<double>(trap.nodes.size()) * cell * cell)},
-                        {"edge", json_of(trap.edge)},
-                        {"at", json_of(report.space.position(trap.entrance))},
-                        {"drop", rounded(trap.drop)}});
+        Json one = {{"area", rounded(static_cast<double>(trap.nodes.size()) * cell * cell)},
+                    {"edge", json_of(trap.edge)},
+                    {"at", json_of(report.space.position(trap.entrance))},
+                    {"drop", rounded(trap.drop)}};
+        one["out"] = trap.out ? json_of(campus, *trap.out) : Json();
+        json.push_back(std::move(one));
     }
     return json;
 }
@@ -255,7 +257,7 @@ std::string report_json(const scene::Campus& campus, const WalkReport& report,
                  {"storeys", storeys_json(report)},
                  {"subjects", subjects_json(campus, report)},
                  {"islands", islands_json(campus, report, findings)},
-                 {"traps", traps_json(report)},
+                 {"traps", traps_json(campus, report)},
                  {"holes", holes_json(report)},
                  {"narrow", narrow_json(campus, report)},
                  {"bottlenecks", bottlenecks_json(campus, report)},

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/walkspace/explore.h"
+#include "engine/walkspace/one_way.h"
+#include "engine/walkspace/walk_space.h"
+#include "engine/walkspace/worker_worlds.h"
+
+namespace campuswalk::engine {
+
+/// Finds `Trap::out` of the first traps, the largest of a space, of which these are all. They share the
+/// workers.
+void find_trap_barriers(const WorkerWorlds& worlds, const ExploreSettings& settings, const WalkSpace& space,
+                        std::vector<Trap>& traps);
+
+}  // namespace campuswalk::engine
