@@ -61,10 +61,19 @@ std::string opening_text(const Barrier& opening) {
     return "is " + measured + " wide, the body needs " + allowed;
 }
 
-std::string slope_text(const scene::Campus& campus, const Barrier& slope) {
-    const auto [measured, allowed] = compared_degrees(slope);
-    return "slope of " + measured + " degrees" + place_text(campus, slope, " at ") +
-           "; the avatar walks up " + allowed;
+/// What it is, of those whose sentence goes on with what the body manages or needs.
+std::string measure_text(const scene::Campus& campus, const Barrier& barrier) {
+    switch (barrier.kind) {
+        case BarrierKind::riser:
+            return "riser of " + compared(barrier).measured + place_text(campus, barrier, " at ");
+        case BarrierKind::slope:
+            return "slope of " + compared_degrees(barrier).measured + " degrees" +
+                   place_text(campus, barrier, " at ");
+        case BarrierKind::headroom:
+            return "headroom of " + compared(barrier).measured + place_text(campus, barrier, " under ");
+        default:
+            return "";
+    }
 }
 
 std::string blocking_object_text(const scene::Campus& campus, const Barrier& object, const Barrier* opening) {
@@ -80,6 +89,21 @@ std::string several_text(const scene::Campus& campus, const Barrier& barrier) {
     std::string text;
     for (const Barrier& part : barrier.parts) {
         text += (text.empty() ? "" : ", and ") + barrier_text(campus, part);
+    }
+    return text;
+}
+
+/// In order; what the body manages is said once of barriers of one kind.
+std::string sequence_text(const scene::Campus& campus, const Barrier& barrier) {
+    std::string text;
+    for (std::size_t i = 0; i < barrier.parts.size(); ++i) {
+        const Barrier& part = barrier.parts[i];
+        const bool goes_on = i + 1 < barrier.parts.size() && barrier.parts[i + 1].kind == part.kind;
+        const std::string measure = goes_on ? measure_text(campus, part) : "";
+        text += measure.empty() ? barrier_text(campus, part) : measure;
+        if (i + 1 < barrier.parts.size()) {
+            text += measure.empty() ? "; then " : ", then ";
+        }
     }
     return text;
 }
@@ -106,6 +130,8 @@ const char* name_of(BarrierKind kind) {
             return "solid";
         case BarrierKind::gap:
             return "gap";
+        case BarrierKind::sequence:
+            return "sequence";
     }
     return "";
 }
@@ -121,25 +147,26 @@ std::string object_text(const scene::Campus& campus, collision::ObjectId object,
 std::string barrier_text(const scene::Campus& campus, const Barrier& barrier) {
     switch (barrier.kind) {
         case BarrierKind::riser:
-            return "riser of " + compared(barrier).measured + place_text(campus, barrier, " at ") +
-                   "; the avatar steps " + compared(barrier).allowed;
+            return measure_text(campus, barrier) + "; the avatar steps " + compared(barrier).allowed;
         case BarrierKind::ledge:
             return "ledge of " + fixed(barrier.measured, 2) + " m" + place_text(campus, barrier, " at ") +
                    "; no way up";
         case BarrierKind::slope:
-            return slope_text(campus, barrier);
+            return measure_text(campus, barrier) + "; the avatar walks up " +
+                   compared_degrees(barrier).allowed;
         case BarrierKind::opening:
             if (const Barrier* object = part_of(barrier, BarrierKind::object)) {
                 return blocking_object_text(campus, *object, &barrier);
             }
             return place_text(campus, barrier, "the opening at ") + " " + opening_text(barrier);
         case BarrierKind::headroom:
-            return "headroom of " + compared(barrier).measured + place_text(campus, barrier, " under ") +
-                   "; the body needs " + compared(barrier).allowed;
+            return measure_text(campus, barrier) + "; the body needs " + compared(barrier).allowed;
         case BarrierKind::object:
             return blocking_object_text(campus, barrier, part_of(barrier, BarrierKind::opening));
         case BarrierKind::several:
             return several_text(campus, barrier);
+        case BarrierKind::sequence:
+            return sequence_text(campus, barrier);
         case BarrierKind::gap:
             return "a gap of " + fixed(barrier.measured, 1) + " m from " + coordinates_text(barrier.from) +
                    " to " + place_text(campus, barrier, "") + "; there is nothing to walk on between";

@@ -346,8 +346,7 @@ private:
     void arrive(std::uint32_t tile, const Pending& from, const Stride& stride, const StrideEnd& end,
                 StrideWorker& worker) {
         const GridCell cell = space_.grid.cell_at(end.at.foot);
-        if (is_out(end.at.foot) ||
-            (settings_.known != nullptr && settings_.known->find(cell, end.at.foot.y()))) {
+        if (is_out(end.at.foot) || settings_.knows(cell, end.at.foot.y())) {
             return;
         }
         const bool hangs = worker.strider().hangs(end.at);

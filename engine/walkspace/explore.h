@@ -27,6 +27,7 @@ struct ExploreSettings {
     collision::Aabb within = {};
     /// Cells that this space has reached already aren't explored again. May be null.
     const WalkSpace* known = nullptr;
+    const WalkSpace* also_known = nullptr;  ///< likewise, besides `known`; of cells of the same size
     bool steer_falls = true;  ///< also where that may lead to other ground; else Bound::steering
     bool keep_rim = false;    ///< fill WalkTile::rim
     std::size_t max_nodes = 60'000'000;
@@ -50,6 +51,12 @@ struct ExploreSettings {
     std::function<bool(const collision::Vec3& foot)> keep_out = {};
     /// Where it had rather not be: strides that end there count kTightFactor times. May be empty.
     std::function<bool(const collision::Vec3& foot)> is_tight = {};
+
+    /// Whether what is known has reached that cell at this height.
+    bool knows(const GridCell& there, double y, double tolerance = WalkNode::kLevel) const {
+        return (known != nullptr && known->find(there, y, tolerance)) ||
+               (also_known != nullptr && also_known->find(there, y, tolerance));
+    }
 };
 
 /// Walks everywhere: from each node to the cells around it that have none at its height, until nothing new is

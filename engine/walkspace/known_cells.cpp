@@ -18,7 +18,7 @@ KnownCells::KnownCells(const ExploreSettings& settings, const WalkSpace& space,
       most_rise_(settings.strides.body.steepest_rise() * space.grid.cell / kDiagonal) {}
 
 bool KnownCells::has(const GridCell& cell, double y, bool hangs, std::uint32_t tile) const {
-    if (settings_.known != nullptr && settings_.known->find(cell, y)) {
+    if (settings_.knows(cell, y)) {
         return true;
     }
     const WalkTile& own = space_.tiles[tile];

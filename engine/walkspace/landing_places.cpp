@@ -72,7 +72,7 @@ void LandingPlaces::add(const Vec3& at) {
 bool LandingPlaces::is_explored_elsewhere(const Vec3& at) const {
     return (!settings_.within.empty() && !settings_.within.overlaps({at, at})) ||
            (settings_.known != nullptr &&
-            settings_.known->find(settings_.known->grid.cell_at(at), at.y(), kSameLevel));
+            settings_.knows(settings_.known->grid.cell_at(at), at.y(), kSameLevel));
 }
 
 /// Even if the body has no room to stand there: on a narrow ledge it may hang over the edge.

@@ -31,7 +31,7 @@ constexpr std::uint32_t kEnd<Bound> = 4;
 template <>
 constexpr std::uint32_t kEnd<SubjectKind> = 7;
 template <>
-constexpr std::uint32_t kEnd<BarrierKind> = 9;
+constexpr std::uint32_t kEnd<BarrierKind> = 10;
 
 class Writer {
 public:

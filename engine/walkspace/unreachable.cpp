@@ -1,7 +1,9 @@
 #include "engine/walkspace/unreachable.h"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "collision/world/obstacle.h"
@@ -13,6 +15,7 @@
 #include "engine/walkspace/node_numbers.h"
 #include "engine/walkspace/opposing_contact.h"
 #include "engine/walkspace/place_check.h"
+#include "engine/walkspace/unreached_ground.h"
 #include "engine/walkspace/worker_worlds.h"
 
 namespace campuswalk::engine {
@@ -25,6 +28,8 @@ namespace {
 constexpr std::size_t kMostGround = 20'000;
 /// Barriers are looked for this far around it, metres.
 constexpr double kAroundGround = 12.0;
+/// Islands around the target's that one might have to pass: the largest.
+constexpr std::size_t kMostBetween = 12;
 
 /// What a body at `at` stands on.
 void find_ground(const Strider& strider, UnreachedSpot& spot) {
@@ -71,6 +76,59 @@ Island ground_of(const WorkerWorlds& worlds, ExploreSettings settings, const Gro
         }
     });
     return island;
+}
+
+/// The islands around, the target's first: as explore finds them, or `ground` if that finds none there.
+std::vector<Island> islands_around(const WorkerWorlds& worlds, ExploreSettings settings,
+                                   const GroundState& target, const WalkSpace& reached,
+                                   const Island& ground) {
+    constexpr double kSameSpot = 0.5;  // metres
+    settings.within = ground.bounds.grown(kAroundGround);
+    std::vector<Island> islands = find_unreached_ground(worlds, settings, reached, 0.0);
+    const auto apart = [&](const Island& island) {
+        return (island.nearest_to(target.foot) - target.foot).norm();
+    };
+    const auto own = std::ranges::min_element(islands, {}, apart);
+    if (own == islands.end() || apart(*own) > kSameSpot) {
+        return {ground};
+    }
+    std::rotate(islands.begin(), own, own + 1);
+    return islands;
+}
+
+/// Whether the barrier before the first of the islands may be on the far side of another one.
+bool may_be_farther_off(const Barrier& barrier, const Island& first, std::span<const Island> others) {
+    constexpr double kAtBarrier = 1.0;  // metres
+    constexpr double kBeside = 2.0;
+    const auto apart = [&](const Island& island) {
+        return (island.nearest_to(barrier.at) - barrier.at).norm();
+    };
+    return !is_one_change(barrier.kind) || apart(first) > kBeside ||
+           std::ranges::any_of(others, [&](const Island& other) { return apart(other) <= kAtBarrier; });
+}
+
+/// Why one doesn't get to the target and the ground around it, which may be that of several islands. Where
+/// others lie on the path to its own, these are asked about too: each takes as long as the first.
+std::optional<Barrier> barrier_before_target(const WorkerWorlds& worlds, const ExploreSettings& settings,
+                                             const GroundState& target, const WalkSpace& reached,
+                                             const Island& ground, const scene::NodeTriangles& nodes) {
+    const auto barrier = find_island_barriers(worlds, settings, reached, {ground}, 1, &nodes, {true}).front();
+    if (ground.spots.empty()) {
+        return barrier;
+    }
+    const std::vector<Island> islands = islands_around(worlds, settings, target, reached, ground);
+    const auto end = std::find_if(islands.begin() + 1, islands.end(), [&](const Island& island) {
+        return island.area(reached.grid) <= kNotableIsland;
+    });
+    const std::span<const Island> others(islands.begin() + 1, end);
+    if (others.empty() || (barrier && !may_be_farther_off(*barrier, islands.front(), others))) {
+        return barrier;
+    }
+    const std::size_t count = 1 + std::min(others.size(), kMostBetween);
+    const auto again =
+        find_island_barriers(worlds, settings, reached, islands, count, &nodes, {true}).front();
+    const bool leads_there = again && (is_one_change(again->kind) || again->kind == BarrierKind::sequence);
+    return leads_there ? again : barrier;
 }
 
 /// How near one gets from the nearest node straight on, and what is in the way then.
@@ -144,10 +202,10 @@ UnreachableReason why_target_is_unreachable(const scene::Campus& campus, const R
     ExploreSettings exploration;
     exploration.strides = settings.strides;
     exploration.solids = settings.solids;
-    const std::vector<Island> islands{ground_of(worlds, exploration, *place.ground, none.reached, strider)};
-    const scene::NodeTriangles nodes(campus, islands.front().bounds.grown(kAroundGround));
+    const Island ground = ground_of(worlds, exploration, *place.ground, none.reached, strider);
+    const scene::NodeTriangles nodes(campus, ground.bounds.grown(kAroundGround));
     const auto barrier =
-        find_island_barriers(worlds, exploration, none.reached, islands, 1, &nodes, {true}).front();
+        barrier_before_target(worlds, exploration, *place.ground, none.reached, ground, nodes);
     return barrier ? UnreachableReason{barrier_text(campus, *barrier), barrier->at}
                    : nearest_reason(campus, none.reached, none.target, strider);
 }

@@ -47,17 +47,21 @@ bool surrounds(const collision::Aabb& shell, const Island& island) {
            shell.min.z() <= inside.min.z() && shell.max.z() >= inside.max.z();
 }
 
-/// Whether its barrier may be the shell of a hollow: nothing helps, or only to take away all of an object
+/// Whether the barrier may be the shell of a hollow: nothing helps, or only to take away all of an object
 /// that surrounds the island. A room whose door stands in the way is none.
-bool may_be_hollow(const collision::World& world, const IslandReport& entry) {
-    const std::optional<Barrier>& barrier = entry.barrier;
-    if (!barrier || barrier->kind == BarrierKind::solid || barrier->kind == BarrierKind::ledge) {
-        return true;
+bool may_be_shell(const collision::World& world, const Barrier& barrier, const Island& island) {
+    switch (barrier.kind) {
+        case BarrierKind::solid:
+        case BarrierKind::ledge:
+            return true;
+        case BarrierKind::object:
+            return !barrier.is_node && surrounds(world.bounds(*barrier.object), island);
+        case BarrierKind::sequence:
+            return std::ranges::any_of(
+                barrier.parts, [&](const Barrier& part) { return may_be_shell(world, part, island); });
+        default:
+            return false;
     }
-    if (barrier->kind != BarrierKind::object || barrier->is_node) {
-        return false;
-    }
-    return surrounds(world.bounds(*barrier->object), entry.island);
 }
 
 /// By object: what is disabled, and all that may be a door's leaf or stand in a doorway. Objects that
@@ -77,7 +81,7 @@ std::vector<bool> disabled_or_door(const collision::World& world, const ExploreS
 /// A room is no hollow though its door has two leaves, or leads to another room that is closed.
 bool is_hollow(const collision::World& world, ExploreSettings settings, const WalkSpace& reached,
                const IslandReport& entry) {
-    if (!may_be_hollow(world, entry)) {
+    if (entry.barrier && !may_be_shell(world, *entry.barrier, entry.island)) {
         return false;
     }
     const std::vector<bool> disabled = disabled_or_door(world, settings, entry.island);

@@ -52,33 +52,41 @@ public:
         settings_.starts.clear();
         settings_.within = query.within;
         settings_.known = query.known;
+        settings_.also_known = query.also_known;
         settings_.is_goal = query.is_beyond;
         settings_.max_nodes = std::min(settings.max_nodes, kMostNodes);
         settings_.max_ticks = static_cast<std::uint32_t>(
             query.longest_crossing / settings.strides.walk_speed / settings.strides.seconds);
         settings_.keep_cell = true;  // the query speaks of these cells
         settings_.keep_rim = false;
-        settings_.steer_falls = false;  // that would be no barrier
         settings_.progress = {};
         settings_.solids.disabled = &disabled_;
     }
 
     std::optional<Barrier> run() {
         const collision::MoverSettings& body = settings_.strides.body;
+        settings_.steer_falls = query_.steer_falls;
         if (find_path(body, query_.from)) {
             return std::nullopt;
         }
+        settings_.steer_falls = false;  // by a changed body, that would be no barrier
         if (query_.changes == Changes::climbs) {
-            return try_climbs(body);
+            return try_body(body, {climbs_of(body)});
+        }
+        if (query_.changes == Changes::body) {
+            const auto barrier = try_body(body, {climbs_of(body), sizes_of(body)});
+            return barrier ? barrier : closed_off();
         }
         const std::vector<ObjectId> touched = touched_;
         const std::vector<Ability> abilities = abilities_of(body);
         std::vector<Change> found;
+        // As slim and as low as can be: where there is another way and that doesn't get there, neither is
+        // tried by itself. It might be enough, as a slim body falls into gaps that others walk over.
         std::optional<bool> fits_nowhere;
         for (const Ability& ability : abilities) {
             if (is_about_size(ability) && !found.empty()) {
                 if (!fits_nowhere) {
-                    fits_nowhere = !is_exhausted() && !find_path(slimmest_of(abilities), query_.from);
+                    fits_nowhere = !is_exhausted() && !find_path(easiest_of(sizes_of(body)), query_.from);
                 }
                 if (*fits_nowhere) {
                     continue;
@@ -193,18 +201,38 @@ private:
         return measured(ability, passes, body, *path);
     }
 
-    std::optional<Barrier> try_climbs(const collision::MoverSettings& body) {
-        std::vector<Change> found;
+    /// Steps up to kHighestRiser, and slopes.
+    static std::vector<Ability> climbs_of(const collision::MoverSettings& body) {
         std::vector<Ability> abilities = abilities_of(body);
         for (Ability& ability : abilities) {
             if (ability.kind == BarrierKind::riser) {
                 std::erase_if(ability.easier, [](double height) { return height > kHighestRiser; });
             }
-            if (is_about_size(ability) || ability.easier.empty()) {
+        }
+        std::erase_if(abilities, [](const Ability& ability) {
+            return is_about_size(ability) || ability.easier.empty();
+        });
+        return abilities;
+    }
+
+    static std::vector<Ability> sizes_of(const collision::MoverSettings& body) {
+        std::vector<Ability> abilities = abilities_of(body);
+        std::erase_if(abilities, [](const Ability& ability) { return !is_about_size(ability); });
+        return abilities;
+    }
+
+    /// None if nothing helps. Of those of one kind, none is tried by itself if they don't help together.
+    std::optional<Barrier> try_body(const collision::MoverSettings& body,
+                                    const std::vector<std::vector<Ability>>& kinds) {
+        std::vector<Change> found;
+        for (const std::vector<Ability>& abilities : kinds) {
+            if (!find_path(easiest_of(abilities), query_.from)) {
                 continue;
             }
-            if (auto barrier = try_ability(ability, body)) {
-                found.push_back({std::move(*barrier)});
+            for (const Ability& ability : abilities) {
+                if (auto barrier = try_ability(ability, body)) {
+                    found.push_back({std::move(*barrier)});
+                }
             }
         }
         return found.empty() ? std::nullopt : std::optional(smallest_of(std::move(found)));
@@ -362,13 +390,6 @@ private:
         return easiest;
     }
 
-    /// As slim and as low as can be: where there is another way and that doesn't get there, neither is tried
-    /// by itself. It might be enough, as a slim body falls into gaps that others walk over.
-    collision::MoverSettings slimmest_of(std::vector<Ability> abilities) const {
-        std::erase_if(abilities, [](const Ability& ability) { return !is_about_size(ability); });
-        return easiest_of(abilities);
-    }
-
     Barrier closed_off() const {
         Barrier barrier;
         barrier.from = query_.from.empty() ? Vec3(Vec3::Zero()) : query_.from.front().foot;
@@ -444,6 +465,19 @@ private:
 };
 
 }  // namespace
+
+bool is_one_change(BarrierKind kind) {
+    switch (kind) {
+        case BarrierKind::riser:
+        case BarrierKind::slope:
+        case BarrierKind::opening:
+        case BarrierKind::headroom:
+        case BarrierKind::object:
+            return true;
+        default:
+            return false;
+    }
+}
 
 std::optional<Barrier> why_not(const WorkerWorlds& worlds, const ExploreSettings& settings,
                                const PassageQuery& query) {

@@ -25,6 +25,7 @@ enum class BarrierKind : std::uint8_t {
     several,   ///< more than one of these at once: see `parts`
     solid,     ///< nothing that a change of the body would overcome
     gap,       ///< nothing to walk on lies between: its length from the ground before it, metres
+    sequence,  ///< one behind the other, with ground between: see `parts`
 };
 
 /// A measured reason why the body doesn't get somewhere.
@@ -37,14 +38,19 @@ struct Barrier {
     std::optional<collision::ObjectId> object;       ///< what it touched there, or what stands in the way
     std::uint32_t triangle = 0;                      ///< of the object's mesh
     bool is_node = false;  ///< of kind `object`: only the node that has the triangle, not all of the object
-    /// Other changes, each of which would do as well, the smaller first; of `several`, all that it takes.
+    /// Other changes, each of which would do as well, the smaller first; of `several`, all that it takes; of
+    /// `sequence` too, in the order in which a visitor comes upon them. Its place is that of the first.
     std::vector<Barrier> parts = {};
 };
+
+/// Whether it names one change that lets the body through: where it leads to, one could be led on from.
+bool is_one_change(BarrierKind kind);
 
 /// Which changes are tried.
 enum class Changes : std::uint8_t {
     any,
     single,  ///< not several at once, which is slow
+    body,    ///< only one of the body, with steps up to kHighestRiser: quick where nothing helps
     climbs,  ///< only a step up to kHighestRiser, or a slope
 };
 
@@ -56,6 +62,7 @@ struct PassageQuery {
     std::optional<collision::Vec3> middle = {};   ///< of what is beyond: of like objects, the one on the way
     collision::Aabb within;                       ///< where to look for ways, horizontally and vertically
     const WalkSpace* known = nullptr;             ///< where the body got to; may be null
+    const WalkSpace* also_known = nullptr;        ///< see ExploreSettings; may be null
     const scene::NodeTriangles* nodes = nullptr;  ///< what meshes consist of; may be null
     /// Whether solids surround what is beyond, so that no body gets there: asked only where no single change
     /// helps. May be empty.
@@ -64,6 +71,7 @@ struct PassageQuery {
     std::optional<double> likely_riser = {};
     Changes changes = Changes::any;
     double longest_crossing = 6.0;  ///< a way across the barrier is no longer than this, metres
+    bool steer_falls = false;       ///< see ExploreSettings: of the body as it is
 };
 
 /// The smallest change that would let the body through: of its step, its slope, its width or its height, or

@@ -36,6 +36,21 @@ class ExploreModels(ProgramCase):
             else:
                 self.assertIn("places     1 of 1", text)
 
+    def test_a_landing_behind_a_riser_and_another_one(self):
+        text, report = self.explore("ufaz/before128/ufaz-floor.obj", [0, 0.1, 0], 0.4)
+        self.assertRegex(text, r"riser of 0\.45 m at floor \(platform_0\), [^;]*, "
+                               r"then riser of 0\.50 m at floor \(platform_14\), [^;]*; the avatar steps 0\.40 m")
+        barriers = [island["barrier"] for island in report["islands"] if island["barrier"]]
+        parts = next(barrier["parts"] for barrier in barriers if barrier["kind"] == "sequence")
+        self.assertEqual(["riser", "riser"], [part["kind"] for part in parts])
+
+    def test_a_ring_below_an_island_is_reached_with_it(self):
+        """Over an island that is a slope too steep; down from there one falls onto the ring."""
+        _, report = self.explore("recast/dungeon.obj", [40, 10.1, 0], 0.4)
+        ring = next(island for island in report["islands"] if 185 < island["area"] < 195 and not island["top"])
+        self.assertEqual("slope", ring["barrier"]["kind"])
+        self.assertAlmostEqual(48.9, ring["barrier"]["measured_deg"], delta=0.2)
+
     def test_a_dungeon_is_joined_from_its_cellar_to_its_upper_hall(self):
         _, report = self.explore("recast/dungeon.obj", [40, 10.1, 0], 0.4)
         self.assertLess(report["storeys"][0]["low"], 0.15)

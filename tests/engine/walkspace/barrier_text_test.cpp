@@ -39,5 +39,27 @@ TEST(BarrierText, NumbersThatAreEqualToATenthOfAMillimetreStayReadable) {
     EXPECT_THAT(text_of(BarrierKind::riser, 0.30000001, 0.3), HasSubstr("riser of 0.3000 m"));
 }
 
+Barrier barrier_at(BarrierKind kind, double measured, double allowed, double x) {
+    Barrier barrier;
+    barrier.kind = kind;
+    barrier.measured = measured;
+    barrier.allowed = allowed;
+    barrier.at = {x, 0, 0};
+    return barrier;
+}
+
+TEST(BarrierText, OfASequenceWhatTheBodyManagesIsSaidOnceForEachKind) {
+    const scene::Campus campus{{}, {}, {}, collision::World(std::make_unique<collision::LinearBroadPhase>())};
+    Barrier all;
+    all.kind = BarrierKind::sequence;
+    all.parts = {barrier_at(BarrierKind::riser, 0.45, 0.3, 1), barrier_at(BarrierKind::riser, 0.5, 0.3, 2)};
+    EXPECT_EQ(barrier_text(campus, all),
+              "riser of 0.45 m at 1.00, 0.00, 0.00, then riser of 0.50 m at 2.00, 0.00, 0.00; "
+              "the avatar steps 0.30 m");
+    all.parts.push_back(barrier_at(BarrierKind::opening, 0.55, 0.6, 3));
+    EXPECT_THAT(barrier_text(campus, all),
+                HasSubstr("the avatar steps 0.30 m; then the opening at 3.00, 0.00, 0.00 is 0.55 m wide"));
+}
+
 }  // namespace
 }  // namespace campuswalk::engine

@@ -11,9 +11,8 @@
 #include <gtest/gtest.h>
 
 #include "collision/mesh/mesh_collider.h"
-#include "engine/walkspace/walk_report.h"
-#include "tests/engine/short_walk.h"
 #include "tests/engine/small_campus.h"
+#include "tests/engine/walkspace/explored_barrier.h"
 #include "tests/support/mesh_pieces.h"
 
 namespace campuswalk::engine {
@@ -50,33 +49,6 @@ scene::Campus block_with_ramp(double height, double degrees) {
     add_object(campus, "ramp", std::make_shared<const collision::MeshCollider>(std::move(ramp)),
                Vec3::Zero());
     return campus;
-}
-
-/// As explore says it, of a place there.
-Barrier explored_barrier(scene::Campus& campus, const Vec3& place) {
-    scene::Place& goal = campus.description.places.emplace_back();
-    goal.name = "goal";
-    goal.position = place;
-    goal.has_height = true;
-    const WorkerWorlds worlds(campus.world, 1, WorkerWorlds::MakeBroadPhase());
-    ExploreSettings settings = explore_settings(campus, AvatarProfile(), 60);
-    settings.starts = {{0, 0, 5}};
-    const WalkReport report = report_walks(campus, AvatarProfile(), worlds, settings);
-    for (const SubjectReport& entry : report.subjects) {
-        if (entry.subject.kind == SubjectKind::place && entry.subject.island) {
-            return report.islands[*entry.subject.island].barrier.value_or(Barrier());
-        }
-    }
-    ADD_FAILURE() << "the place is on no island";
-    return {};
-}
-
-/// As go_to says it.
-std::string reason_to_go(const scene::Campus& campus, const Vec3& place) {
-    GoToStep step;
-    step.target = {"goal", place, true};
-    const RecordedRun result = run(campus, walk_of({spawn_at({0, 0, 5}), step}));
-    return result.summary.failures.empty() ? "" : result.summary.failures.front().message;
 }
 
 class ThickWall : public testing::TestWithParam<double> {

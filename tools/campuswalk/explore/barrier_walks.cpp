@@ -1,5 +1,6 @@
 #include "tools/campuswalk/explore/barrier_walks.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -17,36 +18,51 @@ using engine::BarrierKind;
 
 namespace {
 
-/// The visitor for whom the barrier is none, or who goes where it isn't: as on the campus once it is mended.
-/// None if no single change does that.
-std::optional<DraftPlayer> unhindered(const DraftPlayer& player, const engine::Barrier& barrier) {
+/// A visitor, and what isn't in the way.
+struct Mended {
+    engine::AvatarProfile avatar;
+    std::vector<std::string> disabled;
+};
+
+/// Changes it so that the barrier is none. False if no single change does that.
+bool mend(const scene::Campus& campus, const engine::Barrier& barrier, Mended& mended) {
     constexpr double kSlack = 0.02;       // metres
     constexpr double kSlopeSlack = 0.01;  // radians
-    engine::AvatarProfile avatar = player.avatar();
-    std::vector<std::string> disabled = player.disabled();
+    engine::AvatarProfile& avatar = mended.avatar;
     switch (barrier.kind) {
         case BarrierKind::riser:
-            avatar.step_height = barrier.measured + kSlack;
-            break;
+            avatar.step_height = std::max(avatar.step_height, barrier.measured + kSlack);
+            return true;
         case BarrierKind::slope:
-            avatar.max_slope = barrier.measured + kSlopeSlack;
-            break;
+            avatar.max_slope = std::max(avatar.max_slope, barrier.measured + kSlopeSlack);
+            return true;
         case BarrierKind::opening:
-            avatar.radius = 0.5 * (barrier.measured - kSlack);
-            break;
+            avatar.radius = std::min(avatar.radius, 0.5 * (barrier.measured - kSlack));
+            return true;
         case BarrierKind::headroom:
-            avatar.height = barrier.measured - kSlack;
-            break;
+            avatar.height = std::min(avatar.height, barrier.measured - kSlack);
+            return true;
         case BarrierKind::object:
             if (!barrier.object || barrier.is_node) {
-                return std::nullopt;
+                return false;
             }
-            disabled.push_back(scene::glob_for(player.campus().objects[index_of(*barrier.object)].id));
-            break;
+            mended.disabled.push_back(scene::glob_for(campus.objects[index_of(*barrier.object)].id));
+            return true;
+        case BarrierKind::sequence:
+            return std::ranges::all_of(
+                barrier.parts, [&](const engine::Barrier& part) { return mend(campus, part, mended); });
         default:
-            return std::nullopt;
+            return false;
     }
-    return DraftPlayer(player.campus(), std::move(avatar), std::move(disabled));
+}
+
+/// The visitor for whom the barrier is none, or who goes where it isn't: as on the campus once it is mended.
+std::optional<DraftPlayer> unhindered(const DraftPlayer& player, const engine::Barrier& barrier) {
+    Mended mended{player.avatar(), player.disabled()};
+    if (!mend(player.campus(), barrier, mended)) {
+        return std::nullopt;
+    }
+    return DraftPlayer(player.campus(), std::move(mended.avatar), std::move(mended.disabled));
 }
 
 /// No way that is longer mends anything.

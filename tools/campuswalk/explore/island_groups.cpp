@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include "engine/walkspace/barrier_text.h"
 
@@ -27,15 +28,29 @@ std::string family_of(const std::string& name) {
     return family;
 }
 
+/// A barrier's kind, its number, and what it is, if that matters.
+using BarrierKey = std::tuple<engine::BarrierKind, long, std::string>;
 /// What islands of one group have in common.
-using GroupKey = std::tuple<std::string, engine::BarrierKind, long, std::string>;
+using GroupKey = std::pair<std::string, std::vector<BarrierKey>>;
 
-GroupKey key_of(const scene::Campus& campus, const engine::Barrier& barrier, const std::string& on) {
+BarrierKey key_of(const scene::Campus& campus, const engine::Barrier& barrier) {
     const bool is_about_object = barrier.object && barrier.kind != engine::BarrierKind::riser &&
                                  barrier.kind != engine::BarrierKind::slope &&
                                  barrier.kind != engine::BarrierKind::several;
-    return {family_of(on), barrier.kind, std::lround(barrier.measured / kSameNumber),
+    return {barrier.kind, std::lround(barrier.measured / kSameNumber),
             is_about_object ? family_of(engine::object_text(campus, *barrier.object, barrier.at)) : ""};
+}
+
+GroupKey key_of(const scene::Campus& campus, const engine::Barrier& barrier, const std::string& on) {
+    GroupKey key{family_of(on), {}};
+    if (barrier.kind != engine::BarrierKind::sequence) {
+        key.second.push_back(key_of(campus, barrier));
+        return key;
+    }
+    for (const engine::Barrier& part : barrier.parts) {
+        key.second.push_back(key_of(campus, part));
+    }
+    return key;
 }
 
 }  // namespace

@@ -26,12 +26,17 @@ Json json_of(const collision::Vec3& p) {
     return {rounded(p.x()), rounded(p.y()), rounded(p.z())};
 }
 
+/// Of one barrier, not of several.
+bool has_measure(engine::BarrierKind kind) {
+    return kind != engine::BarrierKind::object && kind != engine::BarrierKind::several &&
+           kind != engine::BarrierKind::sequence && kind != engine::BarrierKind::solid;
+}
+
 Json json_of(const scene::Campus& campus, const engine::Barrier& barrier) {
     const bool is_slope = barrier.kind == engine::BarrierKind::slope;
     const auto number = [&](double value) { return rounded(is_slope ? engine::degrees(value) : value); };
     Json json = {{"kind", engine::name_of(barrier.kind)}};
-    if (barrier.kind != engine::BarrierKind::object && barrier.kind != engine::BarrierKind::several &&
-        barrier.kind != engine::BarrierKind::solid) {
+    if (has_measure(barrier.kind)) {
         json[is_slope ? "measured_deg" : "measured"] = number(barrier.measured);
         json[is_slope ? "allowed_deg" : "allowed"] = number(barrier.allowed);
     }
