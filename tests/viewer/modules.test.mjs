@@ -228,6 +228,14 @@ describe('a reason', () => {
     assert.deepEqual(measure('ledge of 2.00 m at a, 1.00, 2.00, 3.00; no way up'), ['ledge', 2, null]);
     assert.equal(modules.measureIn('closed off'), null);
   });
+  test('of several barriers has the place and the measure of the first', () => {
+    const text =
+      'go_to x: slope of 61.0 degrees at fountain, 1.00, 2.00, 3.00; the avatar walks up 50.0; ' +
+      'then riser of 0.45 m at 4.00, 5.00, 6.00; the avatar steps 0.30 m';
+    const { at, measure } = modules.reasonOf(failure(text), [], ids);
+    assert.deepEqual(at, [1, 2, 3]);
+    assert.deepEqual(measure, { kind: 'slope', unit: '°', measured: 61, allowed: 50 });
+  });
   test('comes from the last obstacle where the message has none', () => {
     const log = modules.parseLog([
       '000009 0.15 avatar.blocked desk pos=0,0,0 by=fountain why="riser of 0.52 m at fountain, 0.00, 0.36, 13.26; the avatar steps 0.30 m"',

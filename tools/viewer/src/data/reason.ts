@@ -33,14 +33,18 @@ const measures: [kind: string, unit: Measure['unit'], pattern: RegExp][] = [
   ['opening', 'm', new RegExp(`opening .*?is ${number} m wide, the body needs ${number} m`)],
 ];
 
+/** The first that the text names, as placeIn: of barriers one behind the other, the one that stopped the visitor. */
 export function measureIn(text: string): Measure | null {
+  let first: Measure | null = null;
+  let least = Infinity;
   for (const [kind, unit, pattern] of measures) {
     const match = pattern.exec(text);
-    if (match) {
-      return { kind, unit, measured: Number(match[1]), allowed: match[2] === undefined ? null : Number(match[2]) };
+    if (match && match.index < least) {
+      least = match.index;
+      first = { kind, unit, measured: Number(match[1]), allowed: match[2] === undefined ? null : Number(match[2]) };
     }
   }
-  return null;
+  return first;
 }
 
 /** Where a fall began. Older runs wrote it without spaces. */
