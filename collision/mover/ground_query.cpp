@@ -181,12 +181,14 @@ private:
 };
 
 /// Is the piece higher than `height` where the body would touch it? A face that slants down beside a stair
-/// may be tall elsewhere.
-bool rises_above(const MoverSettings& body, const Obstacle& obstacle, const Vec3& foot, double height) {
+/// may be tall elsewhere. One that leans back is touched lower than where the body comes nearest to it.
+bool rises_above(const MoverSettings& body, const Obstacle& obstacle, const Separation& s, const Vec3& foot,
+                 double height) {
     if (obstacle.top <= height) {
         return false;
     }
-    const double bottom = std::max(foot.y() + body.radius, height + kHeightSlack);
+    const double lower = std::max(0.0, s.distance * s.normal.y());
+    const double bottom = std::max(foot.y() + body.radius, height + kHeightSlack + lower);
     const double top = std::max(bottom, foot.y() + body.height - body.radius);
     const Segment upper{{foot.x(), bottom, foot.z()}, {foot.x(), top, foot.z()}};
     return closest_upright(upper, obstacle).on_shape.y() > height;
@@ -203,7 +205,7 @@ PieceKind kind_of(MoveContext& context, const Piece& piece, const Separation& s,
     const bool may_be_crest = piece.walkable && s.normal.y() > 0.0;
     const double highest = highest_edge(body, stand);
     if (!walkable_touch && !may_be_crest &&
-        (s.on_piece.y() > highest || rises_above(body, piece.obstacle, foot, highest))) {
+        (s.on_piece.y() > highest || rises_above(body, piece.obstacle, s, foot, highest))) {
         return PieceKind::wall;
     }
     const double flat = horizontal_norm(s.normal);

@@ -174,6 +174,37 @@ TEST(MoverPromises, SlidingAlongAWallKeepsTheTangentialSpeed) {
     }
 }
 
+/// Also where it leans back, so that the body touches it below the height of a step, and in bands.
+TEST(MoverPromises, SlidingAlongALeaningWallKeepsTheTangentialSpeed) {
+    for (const double radius : {0.2, 0.3, 0.5}) {
+        for (const double lean : {-1.0, 0.1, 0.2, 0.25, 0.5, 1.0, 1.9, 5.0}) {
+            for (const int bands : {1, 7}) {
+                World world(std::make_unique<LinearBroadPhase>());
+                TriangleMesh mesh;
+                add_floor(mesh, 40.0, 0.0, 3.3);
+                const auto at = [&](double x, int band) {
+                    const double height = 4.0 * band / bands;
+                    return Vec3(x, height, -height * std::tan(radians(lean)));
+                };
+                for (int band = 0; band < bands; ++band) {
+                    add_quad(mesh, at(-30, band), at(30, band), at(30, band + 1), at(-30, band + 1));
+                }
+                add_object(world, mesh);
+                MoverSettings settings;
+                settings.radius = radius;
+                AuditedBody body(world, settings);
+                body.stand({0, 0.05, radius + 0.3});
+                body.walk({1, 0, -1}, 1.0);
+                const double start = body.foot().x();
+                body.walk({1, 0, -1}, 2.0);
+                EXPECT_NEAR(body.foot().x() - start, 2.0, 1e-5)
+                    << "radius " << radius << ", leans by " << lean << " degrees, " << bands << " bands";
+                EXPECT_EQ(body.ticks_in_air(), 0);
+            }
+        }
+    }
+}
+
 /// A faceted dome and dish: followed within the facets' sagitta, at full horizontal speed, never in the air.
 TEST(MoverPromises, CurvedGroundIsFollowed) {
     for (const double bend : {-1.0, 1.0}) {
