@@ -51,7 +51,7 @@ public:
         rim_ = {};
         for (const std::size_t i : last) {
             for (const UnreachedSpot& spot : islands[i].spots) {
-                if (is_at_edge(spot.at.foot)) {
+                if (has(spot.at.foot) && is_at_edge(spot.at.foot)) {
                     rim_.add(spot.at.foot, spot.at);
                 }
             }
@@ -82,6 +82,9 @@ private:
             island_of_.emplace(WalkNodeId{number, tile.add(node)}, island);
         }
     }
+
+    /// Not if its tile was full.
+    bool has(const Vec3& foot) const { return space_.find(space_.grid.cell_at(foot), foot.y()).has_value(); }
 
     bool is_at_edge(const Vec3& foot) const {
         const GridCell cell = space_.grid.cell_at(foot);
