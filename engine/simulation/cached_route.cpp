@@ -22,9 +22,10 @@ const scene::CacheFolder::Kind kRouteKind = "route";
 /// Increment the version whenever the layout changes, or how routes are planned and walked.
 constexpr scene::FileKind kRouteFile = {{'c', 'w', ' ', 'r', 'o', 'u', 't', 'e'}, 9};
 
-/// So many are remembered of a campus at most, without those of more pieces, about 10 kB: some 20 MB in all.
-constexpr std::size_t kMostRoutes = 2'000;
-constexpr std::size_t kMostPieces = 100;
+/// What is remembered of a campus has so many pieces of about 100 bytes at most: some 20 MB in all. A route
+/// takes about as much as ten more.
+constexpr std::size_t kMostPieces = 200'000;
+constexpr std::size_t kPiecesOfRoute = 10;
 
 // ---- what it depends on -------------------------------------------------------------------------------
 
@@ -222,12 +223,13 @@ PlannedRoute cached_route(const RouteInputs& inputs, RouteMemory& memory,
     }
     PlannedRoute planned = memory.cache ? stored_or_planned(key, *memory.cache, plan) : plan();
     planned.route.path = {};  // far larger than the rest
-    if (planned.route.pieces.size() <= kMostPieces) {
-        if (memory.planned.size() >= kMostRoutes) {
-            memory.planned.clear();
-        }
-        memory.planned.emplace(key.bytes, planned);
+    const std::size_t pieces = planned.route.pieces.size() + kPiecesOfRoute;
+    if (memory.pieces + pieces > kMostPieces) {
+        memory.planned.clear();
+        memory.pieces = 0;
     }
+    memory.planned.emplace(key.bytes, planned);
+    memory.pieces += pieces;
     return planned;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -25,6 +26,7 @@ struct RouteMemory {
     std::optional<RouteCache> cache = {};
     /// By the hash of what each depends on.
     std::map<std::array<std::uint8_t, 32>, PlannedRoute> planned = {};
+    std::size_t pieces = 0;  ///< of these routes, and some for each: see cached_route
 };
 
 }  // namespace campuswalk::engine

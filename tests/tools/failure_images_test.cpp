@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -142,7 +143,12 @@ TEST_F(DrawnFailures, TakeRoutesFromTheMemoryOfThePlayedWalk) {
     failures_ = engine::run_walk(campus_, walk_, {}, &memory).failures;
     ASSERT_EQ(failures_.size(), 1U);
     EXPECT_EQ(failures_[0].code, "unreachable");
-    const auto stored = [&] { return std::distance(fs::directory_iterator(folder_.path() / "routes"), {}); };
+    const auto stored = [&] {
+        return std::ranges::count_if(
+            fs::directory_iterator(folder_.path() / "routes"),
+            [](const std::string& name) { return name.ends_with(".route.campuswalk"); },
+            [](const fs::directory_entry& entry) { return entry.path().filename().string(); });
+    };
     ASSERT_EQ(stored(), 1) << "the reason";
     // Whoever plans it anew stores it anew.
     fs::remove_all(folder_.path() / "routes");
