@@ -45,7 +45,6 @@ public:
         return before;
     }
     friend bool operator==(const ReportingIterator& a, const ReportingIterator& b) { return a.at_ == b.at_; }
-    friend bool operator!=(const ReportingIterator& a, const ReportingIterator& b) { return a.at_ != b.at_; }
 
 private:
     const char* at_;
