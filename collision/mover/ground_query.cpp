@@ -187,8 +187,11 @@ bool rises_above(const MoverSettings& body, const Obstacle& obstacle, const Sepa
     if (obstacle.top <= height) {
         return false;
     }
-    const double lower = std::max(0.0, s.distance * s.normal.y());
-    const double bottom = std::max(foot.y() + body.radius, height + kHeightSlack + lower);
+    // From here up, the plane that it touches would be nearest above `height`.
+    const double lean = std::max(0.0, s.normal.y());
+    const double center = foot.y() + body.radius;
+    const double above = (height + kHeightSlack + lean * (s.distance - lean * center)) / (1.0 - lean * lean);
+    const double bottom = std::max(center, above);
     const double top = std::max(bottom, foot.y() + body.height - body.radius);
     const Segment upper{{foot.x(), bottom, foot.z()}, {foot.x(), top, foot.z()}};
     return closest_upright(upper, obstacle).on_shape.y() > height;
