@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <optional>
 
@@ -17,8 +18,9 @@ public:
     CacheClaim() = default;
     /// `file` is for nothing but claims, and is made if need be; its folder must be nobody else's. While
     /// somebody else has the claim, waits until it ends, and returns nullopt: what belongs to the key may be
-    /// there now.
-    static std::optional<CacheClaim> wait_or_take(const std::filesystem::path& file, const ContentHash& key);
+    /// there now. Waits no longer than `longest`, nor if a signal comes: then the claim is given to both.
+    static std::optional<CacheClaim> wait_or_take(const std::filesystem::path& file, const ContentHash& key,
+                                                  std::chrono::nanoseconds longest = std::chrono::minutes(1));
 
     ~CacheClaim();
     CacheClaim(CacheClaim&& other) noexcept;

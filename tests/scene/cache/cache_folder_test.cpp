@@ -138,6 +138,7 @@ TEST_F(CacheFolderTest, ClaimsAreOfOneKeyEach) {
     const auto b = cache.claim(kB);
     EXPECT_TRUE(a);
     EXPECT_TRUE(b);
+    EXPECT_TRUE(fs::exists(where_ / "claims.campuswalk"));
 }
 
 TEST_F(CacheFolderTest, WhoComesTooLateForAClaimWaitsForItsEnd) {
@@ -148,6 +149,14 @@ TEST_F(CacheFolderTest, WhoComesTooLateForAClaimWaitsForItsEnd) {
     claim.reset();
     EXPECT_FALSE(other.get());
     EXPECT_TRUE(cache.claim(kA)) << "who waited has none";
+}
+
+/// As if whoever has it were stopped in a debugger.
+TEST_F(CacheFolderTest, NobodyWaitsForEverForAClaim) {
+    const CacheFolder cache = reporting_cache(where_);
+    const auto claim = cache.claim(kA);
+    EXPECT_TRUE(CacheClaim::wait_or_take(where_ / "claims.campuswalk", kA, std::chrono::milliseconds(50)));
+    EXPECT_TRUE(CacheClaim::wait_or_take(where_ / "claims.campuswalk", kB, std::chrono::hours(1)));
 }
 
 TEST_F(CacheFolderTest, AClaimEndsWithItsProcess) {
