@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "engine/walkspace/why_not.h"
 #include "scene/campus/door_leaves.h"
 
 namespace campuswalk::engine {
@@ -15,15 +16,21 @@ namespace {
 
 /// Who is no farther from a leaf than this can open it, metres.
 constexpr double kWithinReach = 0.5;
-/// In a doorway one stands this near to the leaf's middle plane, as a share of the body's radius: where the
-/// leaf is solid, no nearer than all of that.
-constexpr double kInDoorway = 0.67;
+/// Who stands lower than this below a leaf has stairs to climb first, metres.
+constexpr double kBelowLeaf = kHighestRiser;
 /// Of the nodes in a doorway, so many states are computed, the nearest to its middle first.
 constexpr std::size_t kMostStates = 16;
 
+/// In a doorway a body's axis gets this near to the leaf's middle plane: at least the nodes on one side do.
+/// Where the leaf is solid, no nearer than the radius.
+double nearest_in_doorway(double radius, double cell) {
+    return std::max(0.67 * radius, std::min(0.9 * radius, 0.51 * cell + 0.02));
+}
+
 class Doorway {
 public:
-    Doorway(const scene::UprightBox& leaf, const collision::MoverSettings& body) : leaf_(leaf), body_(body) {}
+    Doorway(const scene::UprightBox& leaf, const collision::MoverSettings& body, double cell)
+        : leaf_(leaf), body_(body), nearest_(nearest_in_doorway(body.radius, cell)) {}
 
     bool is_within_reach(const Vec3& foot) const {
         const Vec3 local = to_leaf(foot);
@@ -35,10 +42,10 @@ public:
     bool is_in(const Vec3& foot) const {
         const Vec3 local = to_leaf(foot);
         const bool is_along = leaf_.size.x() >= leaf_.size.z();
-        const double along = is_along ? local.x() : local.z();
+        const double half = 0.5 * std::max(leaf_.size.x(), leaf_.size.z());
+        const double along = std::max(0.0, std::abs(is_along ? local.x() : local.z()) - half);
         const double across = is_along ? local.z() : local.x();
-        return is_beside(local) && std::abs(across) <= kInDoorway * body_.radius &&
-               std::abs(along) <= 0.5 * std::max(leaf_.size.x(), leaf_.size.z());
+        return is_beside(local) && collision::horizontal_norm({along, 0.0, across}) <= nearest_;
     }
 
     /// What a body that is within reach overlaps.
@@ -56,11 +63,12 @@ private:
     }
 
     bool is_beside(const Vec3& local) const {
-        return local.y() < 0.5 * leaf_.size.y() && local.y() + body_.height > -0.5 * leaf_.size.y();
+        return local.y() < 0.5 * leaf_.size.y() && local.y() + kBelowLeaf > -0.5 * leaf_.size.y();
     }
 
     const scene::UprightBox& leaf_;
     const collision::MoverSettings& body_;
+    double nearest_;
 };
 
 class DoorFinder {
@@ -73,7 +81,7 @@ public:
     Subject find(const scene::DoorLeaf& leaf) {
         Subject subject{SubjectKind::door, s_.campus.models[leaf.node.model].nodes[leaf.node.node].name};
         subject.at = leaf.box.center - 0.5 * leaf.box.size.y() * Vec3::UnitY();
-        const Doorway doorway(leaf.box, body_);
+        const Doorway doorway(leaf.box, body_, s_.reached.grid.cell);
         const std::vector<WalkNodeId> near = nodes_near(doorway, subject.at);
         subject.reached = !near.empty();
         if (subject.reached) {

@@ -31,7 +31,7 @@ class Obj:
 
 class ExploredDoors(ProgramCase):
     def setUp(self):
-        """A yard in front of a wall with two doorways; a terrace that is too high, with a door of its own."""
+        """A yard in front of a wall with two doorways, and an entrance whose stairs are missing; a terrace that is too high."""
         super().setUp()
         model = Obj()
         model.box("ground", (-10, -1, -10), (10, 0, 10))
@@ -41,6 +41,7 @@ class ExploredDoors(ProgramCase):
         model.box("back_door", (5, 0, -0.03), (6, 2.1, 0.03))
         model.box("terrace", (-4, 0, 6), (4, 1.2, 10))
         model.box("terrace_door", (0, 1.2, 9), (1, 3.2, 9.06))
+        model.box("entrance_door", (8, 1.2, 0.1), (9, 3.2, 0.16))
         model.box("attic_door", (0, 8, -0.03), (1, 10, 0.03))
         self.write("school.obj", model.text)
 
@@ -57,15 +58,23 @@ class ExploredDoors(ProgramCase):
 
     def test_open_closed_and_out_of_reach(self):
         doors = self.doors("front_door", "--require", "all")
-        self.assertEqual({"front_door": True, "back_door": True, "terrace_door": False, "attic_door": False},
+        self.assertEqual({"front_door": True, "back_door": True, "terrace_door": False,
+                          "entrance_door": False, "attic_door": False},
                          {name: door["reached"] for name, door in doors.items()})
         self.assertEqual(["front_door"], [name for name, door in doors.items() if door["walked_through"]])
         self.assertEqual("terrace_door", next(name for name, door in doors.items() if "island" in door))
         island = self.json["islands"][doors["terrace_door"]["island"]]
         self.assertAlmostEqual(1.2, island["barrier"]["measured"], delta=0.01)
         self.assertEqual("nothing that is reached lies near it", doors["attic_door"]["reason"])
-        self.assertIn("doors      2 of 4 that somebody gets to, 1 walked through\n"
-                      "  nobody gets to terrace_door, attic_door\n", self.text)
+        self.assertIn("doors      2 of 5 that somebody gets to, 1 walked through\n"
+                      "  nobody gets to terrace_door, entrance_door, attic_door\n", self.text)
+
+    def test_bodies_of_any_width_walk_through_open_doors(self):
+        for radius in (0.12, 0.15, 0.18, 0.3, 0.45):
+            body = "{profile: adult, radius: %g, step_height: %g}" % (radius, min(radius, 0.3))
+            doors = self.doors("front_door, back_door", "--avatar", body)
+            self.assertTrue(doors["front_door"]["walked_through"] and doors["back_door"]["walked_through"], radius)
+            self.assertFalse(self.doors("front_door", "--avatar", body)["back_door"]["walked_through"], radius)
 
     def test_a_closed_door_parts_the_yard(self):
         doors = self.doors("")
