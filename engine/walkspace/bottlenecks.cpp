@@ -12,13 +12,17 @@
 #include "collision/geometry/disjoint_sets.h"
 #include "engine/walkspace/neighbour_joiner.h"
 #include "engine/walkspace/node_numbers.h"
+#include "engine/walkspace/worker_threads.h"
 
 namespace campuswalk::engine {
 
 namespace {
 
-/// Passages that differ by less may count as one, metres.
+/// Passages that differ by less may count as one, metres; with so many steps at most.
 constexpr double kWidthStep = 0.1;
+constexpr double kMostSteps = 20.0;
+/// So much wider a passage may seem from nodes before or behind a thin wall, metres.
+constexpr double kSeemsWider = 0.1;
 /// What is narrower by less than this is as wide as asked for, metres.
 constexpr double kAsWide = 0.005;
 constexpr double kLeastSide = 1.0;  // m² on each side of what is the only way
@@ -177,23 +181,54 @@ std::vector<Narrows> innermost(const std::vector<std::vector<Narrows>>& by_level
     return inner;
 }
 
+/// Where it is narrowest around the node, if it isn't as wide as asked for.
+std::optional<PassageWidth> passage_at(const collision::World& world, const ExploreSettings& settings,
+                                       const WalkSpace& space, const WalkNodeId& id, double width) {
+    constexpr double kSeemsWiderFromFoot = 0.3;  // metres: from anywhere in the cell
+    Strider strider(world, settings.strides, settings.solids);
+    const auto passage =
+        narrowest_near(world, settings, space.state_at(id, strider).foot, width + kSeemsWiderFromFoot);
+    return passage && passage->width < width - kAsWide ? passage : std::nullopt;
+}
+
+/// By node, as passage_widths; of those that are hardly wide enough, where it is narrowest around them.
+std::vector<float> widths_around(const WorkerWorlds& worlds, const ExploreSettings& settings,
+                                 const WalkSpace& space, double width) {
+    const double widest = width + kSeemsWider;
+    std::vector<float> widths = passage_widths(worlds, settings, space, widest);
+    const NodeNumbers numbers(space);
+    for_each_item(space.tiles.size(), worlds.size(), [&](std::size_t worker, std::size_t tile) {
+        for (std::size_t n = 0; n < space.tiles[tile].nodes.size(); ++n) {
+            const WalkNodeId id{static_cast<std::uint32_t>(tile), static_cast<std::uint16_t>(n)};
+            float& own = widths[numbers(id)];
+            if (own < static_cast<float>(width - kAsWide) || own >= static_cast<float>(widest)) {
+                continue;
+            }
+            if (const auto passage = passage_at(worlds[worker], settings, space, id, width)) {
+                own = static_cast<float>(passage->width);
+            }
+        }
+    });
+    return widths;
+}
+
 }  // namespace
 
 std::vector<Bottleneck> find_bottlenecks(const WorkerWorlds& worlds, const ExploreSettings& settings,
                                          const WalkSpace& space, double width) {
     const collision::MoverSettings& body = settings.strides.body;
-    const std::vector<float> widths = passage_widths(worlds, settings, space, width);
+    const std::vector<float> widths = widths_around(worlds, settings, space, width);
     const double step = body.step_height + collision::kHeightSlack + WalkNode::kLevel;
     NarrowsSearch search(space, widths, step);
     std::vector<std::vector<Narrows>> by_level;
-    for (double level = width - kAsWide; level > 2.0 * body.radius; level -= kWidthStep) {
+    const double below = std::max(kWidthStep, (width - 2.0 * body.radius) / kMostSteps);
+    for (double level = width - kAsWide; level > 2.0 * body.radius; level -= below) {
         by_level.push_back(search.at_level(level));
     }
-    Strider strider(worlds[0], settings.strides, settings.solids);
     std::vector<Bottleneck> bottlenecks;
     for (const Narrows& narrows : innermost(by_level)) {
-        const collision::Vec3 foot = space.state_at(search.id_of(narrows.narrowest), strider).foot;
-        if (const auto passage = narrowest_near(worlds[0], settings, foot, width)) {
+        const WalkNodeId& id = search.id_of(narrows.narrowest);
+        if (const auto passage = passage_at(worlds[0], settings, space, id, width)) {
             bottlenecks.push_back({*passage, narrows.is_only_path});
         }
     }

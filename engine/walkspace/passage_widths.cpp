@@ -19,6 +19,8 @@ constexpr double kHowLevelBeside = 0.5;
 /// Two things are on both sides if the angle between them is at least 120 degrees: a corner isn't a passage,
 /// but a doorway in a thin wall is one, though nodes lie half a cell before and behind the wall.
 constexpr double kOpposed = -0.5;
+/// The middle of a body's cell is no nearer to what is on one side than this share of its radius.
+constexpr double kNearestSide = 0.4;
 /// From where a body stands, a share of its radius that leads into no wall.
 constexpr double kStaysOutside = 0.8;
 
@@ -66,7 +68,8 @@ private:
         // It ends at the middle of the head, where the body is still as wide as elsewhere.
         const collision::Segment spine{foot + Vec3(0, 0.5 * body.height, 0),
                                        foot + Vec3(0, body.height - body.radius, 0)};
-        collision::gather_obstacles(world_, settings_.solids, spine, widest_ - body.radius, near_);
+        const double farthest = widest_ - kNearestSide * body.radius;
+        collision::gather_obstacles(world_, settings_.solids, spine, farthest, near_);
         gaps_.clear();
         for (const collision::Obstacle& piece : near_) {
             const collision::Closest closest = collision::closest(spine, piece);

@@ -74,6 +74,23 @@ TEST_F(Bottlenecks, LieBehindOneAnother) {
     EXPECT_EQ(find(0.8).size(), 1);
 }
 
+/// Nodes may be half a cell before or behind a thin wall, and beside the middle of the door.
+TEST_F(Bottlenecks, AreFoundWhereverTheyLieInTheirCells) {
+    for (const double width : {0.9, 1.2}) {
+        for (const double x : {0.0, 0.03, 0.07, 0.11, 0.125, 0.16, 0.2}) {
+            for (const double z : {0.0, 0.04, 0.09, 0.125, 0.17}) {
+                campus_ = walled_yard();
+                const double gap = width - 0.03;
+                add_wall(campus_, "wall", x, {{z - 0.5 * gap, z + 0.5 * gap}});
+                const std::vector<Bottleneck> found = find(width);
+                ASSERT_EQ(found.size(), 1) << width << " at " << x << ", " << z;
+                EXPECT_NEAR(found[0].passage.width, gap, 2e-3);
+                EXPECT_TRUE(found[0].is_only_path);
+            }
+        }
+    }
+}
+
 TEST_F(Bottlenecks, LieBesideWiderPassages) {
     add_wall(campus_, "wall", 0.0, {{-4.0, -3.2}, {2.0, 4.0}});
     const std::vector<Bottleneck> found = find(1.2);
