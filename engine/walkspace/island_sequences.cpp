@@ -161,15 +161,15 @@ private:
         if (is_top(i)) {
             return is_wanted(i) || area > kLargeTop;
         }
-        const BarrierKind kind = barriers_[i]->kind;
-        return (is_wanted(i) || area > kNotableIsland) &&
-               (kind == BarrierKind::solid || kind == BarrierKind::several);
+        const bool says_nothing = !barriers_[i] || barriers_[i]->kind == BarrierKind::solid ||
+                                  barriers_[i]->kind == BarrierKind::several;
+        return (is_wanted(i) || area > kNotableIsland) && says_nothing;
     }
 
     bool is_wanted(std::size_t i) const { return i < all_.wanted.size() && all_.wanted[i]; }
 
-    /// Of what nobody climbs, or nothing that is reached lies near.
-    bool is_top(std::size_t i) const { return !barriers_[i] || barriers_[i]->kind == BarrierKind::ledge; }
+    /// Of what nobody climbs.
+    bool is_top(std::size_t i) const { return barriers_[i] && barriers_[i]->kind == BarrierKind::ledge; }
 
     /// Whether the change that leads to the island was measured before another one on the way, for which less
     /// is enough: its number is that of a barrier farther on.
@@ -203,17 +203,19 @@ private:
         const IslandQuestion q = question(i, worlds);
         const std::vector<Approach> approaches = approaches_to(q);
         if (!approaches.empty() && lowest_of(approaches).rise() <= kHighestLedge) {
-            if (auto link = link_by(i, q, passage_nearby(q, approaches))) {
+            // To a top that nobody wants, no more is tried than is quick: most are what they seem.
+            const bool is_high = !barriers_[i] && lowest_of(approaches).rise() > kHighestRiser;
+            const bool is_quick = !is_wanted(i) && (is_top(i) || is_high);
+            if (auto link = link_by(i, q, passage_nearby(q, approaches), is_quick)) {
                 return link;
             }
         }
         const auto afar = is_wanted(i) ? passage_from_afar(q, Changes::single) : std::nullopt;
-        return afar ? link_by(i, q, *afar) : std::nullopt;
+        return afar ? link_by(i, q, *afar, false) : std::nullopt;
     }
 
-    /// To a top that nobody wants, no more is tried than is quick: most are what they seem.
-    std::optional<Link> link_by(std::size_t i, const IslandQuestion& q, PassageQuery passage) const {
-        const bool is_quick = is_top(i) && !is_wanted(i);
+    std::optional<Link> link_by(std::size_t i, const IslandQuestion& q, PassageQuery passage,
+                                bool is_quick) const {
         passage.steer_falls = !is_quick;
         passage.changes = is_quick ? Changes::body : Changes::single;
         auto barrier = why_not(q.worlds, q.settings, passage);

@@ -187,8 +187,8 @@ private:
         ledge.kind = BarrierKind::ledge;
         ledge.measured = trap.drop;
         ledge.allowed = settings_.strides.body.step_height;
-        ledge.at = space_.position(trap.entrance);
-        ledge.from = ledge.at;
+        ledge.at = trap.edge;
+        ledge.from = space_.position(trap.entrance);
         return ledge;
     }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -14,6 +16,7 @@
 #include "collision/mesh/mesh_collider.h"
 #include "tests/engine/small_campus.h"
 #include "tests/engine/walkspace/explored_barrier.h"
+#include "tests/engine/walkspace/explored_ground.h"
 #include "tests/support/mesh_pieces.h"
 
 namespace campuswalk::engine {
@@ -69,6 +72,39 @@ TEST(IslandSequences, EachRiserOfTerracesIsNamedWithItsHeight) {
     EXPECT_THAT(heights_of_parts(explored_barrier(campus, place)), ElementsAre(0.45, 0.5));
     EXPECT_THAT(reason_to_go(campus, place), HasSubstr("riser of 0.45 m at terrace-1"));
     EXPECT_THAT(reason_to_go(campus, place), HasSubstr(", then riser of 0.50 m at terrace-2"));
+}
+
+/// A hall of four rooms, the doors between which are closed. Its walls are of one mesh with the ground.
+scene::Campus closed_rooms() {
+    collision::TriangleMesh mesh;
+    support::add_quad(mesh, {-30, 0, 30}, {30, 0, 30}, {30, 0, -30}, {-30, 0, -30});
+    support::add_box(mesh, {-16, 0, -3.2}, {0, 4, -3});
+    support::add_box(mesh, {-16, 0, 3}, {0, 4, 3.2});
+    support::add_box(mesh, {-16.2, 0, -3.2}, {-16, 4, 3.2});
+    for (const double x : {0.0, -4.0, -8.0, -12.0}) {
+        support::add_box(mesh, {x - 0.1, 0, -3}, {x + 0.1, 4, -0.5});
+        support::add_box(mesh, {x - 0.1, 0, 0.5}, {x + 0.1, 4, 3});
+    }
+    scene::Campus campus = campus_of(std::move(mesh));
+    for (int i = 0; i < 4; ++i) {
+        const double x = -4.0 * i;
+        add_box(campus, "door-" + std::to_string(i + 1), {x - 0.05, 0, -0.5}, {x + 0.05, 4, 0.5});
+    }
+    return campus;
+}
+
+TEST(IslandSequences, DoorsOneBehindTheOther) {
+    scene::Campus campus = closed_rooms();
+    const Vec3 place(-14.0, 0.0, 0.0);
+    const Barrier barrier = explored_barrier(campus, place);
+    ASSERT_EQ(barrier.kind, BarrierKind::sequence);
+    std::vector<std::string> doors;
+    for (const Barrier& part : barrier.parts) {
+        EXPECT_EQ(part.kind, BarrierKind::object);
+        doors.push_back(campus.objects[index_of(*part.object)].id);
+    }
+    EXPECT_THAT(doors, ElementsAre("door-1", "door-2", "door-3", "door-4"));
+    EXPECT_THAT(reason_to_go(campus, place), HasSubstr("; then door-4 stands in the way"));
 }
 
 TEST(IslandSequences, ThreeInARow) {
