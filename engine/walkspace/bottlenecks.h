@@ -20,7 +20,7 @@ struct Bottleneck {
 /// Passages of the reached ground, through which the body fits, that are narrower than `width` (metres, more
 /// than the body's own), the narrowest (by the millimetre) first: also those that lie behind one another, or
 /// beside a wider one. What is narrow all along counts once, where it is the narrowest; niches that lead
-/// nowhere don't count. By passage_widths: what is lower than half the body makes nothing narrow.
+/// nowhere don't count. By passage_widths: what is much lower than half the body makes nothing narrow.
 std::vector<Bottleneck> find_bottlenecks(const WorkerWorlds& worlds, const ExploreSettings& settings,
                                          const WalkSpace& space, double width);
 
