@@ -31,6 +31,10 @@ const Barrier& last_of(const Barrier& barrier) {
     return barrier.kind == BarrierKind::sequence ? barrier.parts.back() : barrier;
 }
 
+bool is_ledge(const Barrier& barrier) {
+    return barrier.kind == BarrierKind::ledge;
+}
+
 /// How much harder than what the body manages.
 double excess(const Barrier& barrier) {
     return std::abs(barrier.measured - barrier.allowed);
@@ -148,7 +152,7 @@ private:
         for (std::size_t k = 0; k < asked.size(); ++k) {
             if (links[k]) {
                 barriers_[asked[k]] = in_sequence(*barriers_[links[k]->from], links[k]->barrier);
-                if (k >= known) {
+                if (k >= known && !is_ledge(last_of(*barriers_[asked[k]]))) {
                     found.push_back(asked[k]);
                 }
             }
@@ -169,7 +173,7 @@ private:
     bool is_wanted(std::size_t i) const { return i < all_.wanted.size() && all_.wanted[i]; }
 
     /// Of what nobody climbs.
-    bool is_top(std::size_t i) const { return barriers_[i] && barriers_[i]->kind == BarrierKind::ledge; }
+    bool is_top(std::size_t i) const { return barriers_[i] && is_ledge(*barriers_[i]); }
 
     /// Whether the change that leads to the island was measured before another one on the way, for which less
     /// is enough: its number is that of a barrier farther on.
@@ -222,19 +226,23 @@ private:
         if (!barrier) {
             return Link{start_of_passage(q, passage), std::nullopt};
         }
-        const bool is_better = is_one_change(barrier->kind) && says_more(*barrier, i);
+        const bool is_said = is_one_change(barrier->kind) || (is_wanted(i) && is_ledge(*barrier));
+        const bool is_better = is_said && says_more(*barrier, i);
         return is_better ? std::optional(Link{island_near(barrier->from, passage), std::move(barrier)})
                          : std::nullopt;
     }
 
-    /// Than the barrier that is known: of those that are measured at another, no more than the same number.
+    /// Than the barrier that is known: of those that are measured at another, and of ledges, no more than the
+    /// same number.
     bool says_more(const Barrier& link, std::size_t i) const {
         if (!barriers_[i]) {
             return true;
         }
         const Barrier& known = last_of(*barriers_[i]);
-        return !is_one_change(known.kind) ||
-               (link.kind == known.kind && excess(link) <= excess(known) + kSameMeasure);
+        if (!is_one_change(known.kind) && !(is_ledge(known) && is_ledge(link))) {
+            return true;
+        }
+        return link.kind == known.kind && excess(link) <= excess(known) + kSameMeasure;
     }
 
     /// The island from which the body gets there as it is, the nearest if there are several.

@@ -107,6 +107,20 @@ TEST(IslandSequences, DoorsOneBehindTheOther) {
     EXPECT_THAT(reason_to_go(campus, place), HasSubstr("; then door-4 stands in the way"));
 }
 
+TEST(IslandSequences, ALedgeMayBeTheLast) {
+    const std::vector<double> risers{0.45, 0.9};
+    scene::Campus campus = terraces(risers);
+    const Vec3 place = on_last_of(risers);
+    const Barrier barrier = explored_barrier(campus, place);
+    ASSERT_EQ(barrier.kind, BarrierKind::sequence);
+    ASSERT_EQ(barrier.parts.size(), 2);
+    EXPECT_EQ(barrier.parts[0].kind, BarrierKind::riser);
+    EXPECT_NEAR(barrier.parts[0].measured, 0.45, 0.01);
+    EXPECT_EQ(barrier.parts[1].kind, BarrierKind::ledge);
+    EXPECT_NEAR(barrier.parts[1].measured, 0.9, 0.01);
+    EXPECT_THAT(reason_to_go(campus, place), HasSubstr("; then ledge of 0.90 m at terrace-2"));
+}
+
 TEST(IslandSequences, ThreeInARow) {
     const std::vector<double> risers{0.4, 0.45, 0.5};
     scene::Campus campus = terraces(risers);

@@ -56,7 +56,12 @@ GroupKey key_of(const scene::Campus& campus, const engine::Barrier& barrier, con
 }  // namespace
 
 bool is_top(const engine::IslandReport& island) {
-    return !island.barrier || island.barrier->kind == engine::BarrierKind::ledge;
+    if (!island.barrier) {
+        return true;
+    }
+    const engine::Barrier& barrier = *island.barrier;
+    const bool is_sequence = barrier.kind == engine::BarrierKind::sequence;
+    return (is_sequence ? barrier.parts.back() : barrier).kind == engine::BarrierKind::ledge;
 }
 
 bool is_notable(const engine::WalkReport& report, const engine::IslandReport& island) {
