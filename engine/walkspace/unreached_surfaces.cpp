@@ -32,13 +32,13 @@ constexpr double kFarthest = 1e8;
 /// Of a cell's edge: points at which surfaces that stick out from under others are looked for.
 constexpr double kCloser = 3.0;
 
-/// By cell from low to high.
-bool in_order(const Surface& a, const Surface& b) {
+/// By cell from low to high. An object, so that it is inlined where surfaces are sorted.
+constexpr auto kInOrder = [](const Surface& a, const Surface& b) {
     if (a.cell != b.cell) {
         return a.cell < b.cell;
     }
     return std::tie(a.y, a.object, a.triangle) < std::tie(b.y, b.object, b.triangle);
-}
+};
 
 /// Finds the surfaces of one triangle after another.
 class SurfaceCollector {
@@ -128,37 +128,53 @@ bool is_covered(std::span<const Surface> surfaces, std::size_t i, double room) {
            surfaces[i + 1].y - surfaces[i].y < room;
 }
 
-/// Tells which surfaces of a square no body touches.
+/// Tells which surfaces of a square no body touches. They are in order, and asked about in that order.
 class Covers {
 public:
-    Covers(const collision::World& world, const ExploreSettings& settings, const WalkGrid& grid)
-        : world_(world),
-          settings_(settings),
-          grid_(grid),
-          room_(settings.strides.body.height - 2.0 * settings.strides.body.radius) {}
+    Covers(const collision::World& world, const ExploreSettings& settings, const WalkGrid& grid,
+           std::span<const Surface> surfaces)
+        : world_(world), settings_(settings), grid_(grid), surfaces_(surfaces) {}
 
-    double room() const { return room_; }
+    static double room(const ExploreSettings& settings) {
+        return settings.strides.body.height - 2.0 * settings.strides.body.radius;
+    }
 
     /// Whether the surface is covered, and doesn't stick out from under what covers it beside its cell's
     /// middle.
-    bool is_untouchable(std::span<const Surface> surfaces, std::size_t i) const {
-        if (!is_covered(surfaces, i, room_)) {
+    bool is_untouchable(std::size_t i) {
+        if (!is_covered(surfaces_, i, room_)) {
             return false;
         }
-        const Surface& surface = surfaces[i];
-        const auto has_cover = [&](const GridDirection& side) {
-            const GridCell beside{surface.cell.x + side.x, surface.cell.z + side.z};
-            auto above = std::ranges::lower_bound(surfaces, beside, {}, &Surface::cell);
-            while (above != surfaces.end() && above->cell == beside && above->y <= surface.y + kOneSurface) {
-                ++above;
-            }
-            return above != surfaces.end() && above->cell == beside && above->y < surface.y + room_;
+        const auto is_covered_beside = [&](const GridDirection& side) {
+            return has_cover_beside(surfaces_[i], side);
         };
-        return std::all_of(grid_directions().begin(), grid_directions().end(), has_cover) ||
-               !sticks_out(surface);
+        return std::all_of(grid_directions().begin(), grid_directions().end(), is_covered_beside) ||
+               !sticks_out(surfaces_[i]);
     }
 
 private:
+    bool has_cover_beside(const Surface& surface, const GridDirection& side) {
+        const GridCell beside{surface.cell.x + side.x, surface.cell.z + side.z};
+        std::size_t above = first_in_row(surface.cell, side.x);
+        while (above < surfaces_.size() &&
+               (surfaces_[above].cell < beside ||
+                (surfaces_[above].cell == beside && surfaces_[above].y <= surface.y + kOneSurface))) {
+            ++above;
+        }
+        return above < surfaces_.size() && surfaces_[above].cell == beside &&
+               surfaces_[above].y < surface.y + room_;
+    }
+
+    /// The first surface in the row beside the cell, or in its own, that is at most one cell before it.
+    std::size_t first_in_row(const GridCell& cell, int side) {
+        std::size_t& first = first_in_row_[static_cast<std::size_t>(side + 1)];
+        const GridCell lowest{cell.x + side, cell.z - 1};
+        while (first < surfaces_.size() && surfaces_[first].cell < lowest) {
+            ++first;
+        }
+        return first;
+    }
+
     /// At closer points in and around its cell.
     bool sticks_out(const Surface& surface) const {
         const WalkGrid finer{grid_.cell / kCloser};
@@ -184,24 +200,26 @@ private:
     const collision::World& world_;
     const ExploreSettings& settings_;
     const WalkGrid& grid_;
-    double room_;
+    std::span<const Surface> surfaces_;
+    double room_ = room(settings_);
+    std::array<std::size_t, 3> first_in_row_{};  ///< for the last cell asked about: earlier ones are behind
 };
 
 /// Of the square of `side` x `side` cells with this one first, as far as it lies in the region.
 std::vector<Surface> unreached_in_square(const collision::World& world, const ExploreSettings& settings,
                                          const WalkSpace& reached, const collision::Aabb& region,
                                          const GridCell& square, int side) {
-    const Covers covers(world, settings, reached.grid);
     const double cell = reached.grid.cell;
     const Vec3 low(square.x * cell, region.min.y(), square.z * cell);
     const Vec3 high = low + side * cell * Vec3::Ones();
     collision::Aabb part{low.cwiseMax(region.min), high.cwiseMin(region.max)};
-    part.max.y() = region.max.y() + covers.room();
+    part.max.y() = region.max.y() + Covers::room(settings);
     const std::vector<Surface> all = walkable_surfaces(world, settings, reached.grid, part);
+    Covers covers(world, settings, reached.grid, all);
     std::vector<Surface> unreached;
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (first_of_square(all[i].cell, side) == square && all[i].y <= region.max.y() &&
-            !reached.find(all[i].cell, all[i].y, kSameGround) && !covers.is_untouchable(all, i)) {
+            !reached.find(all[i].cell, all[i].y, kSameGround) && !covers.is_untouchable(i)) {
             unreached.push_back(all[i]);
         }
     }
@@ -219,7 +237,7 @@ std::vector<Surface> walkable_surfaces(const collision::World& world, const Expl
     for (const ObjectId id : solids) {
         collect(collector, world, id, region);
     }
-    std::ranges::sort(surfaces, in_order);
+    std::ranges::sort(surfaces, kInOrder);
     const auto same = [](const Surface& a, const Surface& b) {
         return a.cell == b.cell && std::abs(a.y - b.y) <= kOneSurface;
     };
@@ -251,7 +269,7 @@ std::vector<Surface> unreached_surfaces(const WorkerWorlds& worlds, const Explor
     for (const std::vector<Surface>& surfaces : found) {
         unreached.insert(unreached.end(), surfaces.begin(), surfaces.end());
     }
-    std::ranges::sort(unreached, in_order);
+    std::ranges::sort(unreached, kInOrder);
     return unreached;
 }
 
