@@ -32,15 +32,7 @@ void keep_nearest(std::vector<RemovableNode>& nodes, const RemovableNode& node) 
 
 /// The diagonal of its bounds.
 double size_of(const collision::World& world, const RemovableNode& node) {
-    const auto& shape = world.object(node.object).shape;
-    const auto& mesh = std::get<std::shared_ptr<const collision::MeshCollider>>(shape)->mesh();
-    collision::Aabb bounds;
-    for (std::uint32_t t = node.triangles.first; t < node.triangles.end; ++t) {
-        const collision::Triangle triangle = collision::vertices(mesh, t);
-        bounds.extend(triangle.a);
-        bounds.extend(triangle.b);
-        bounds.extend(triangle.c);
-    }
+    const collision::Aabb bounds = bounds_of(world, node.object, node.triangles);
     return (bounds.max - bounds.min).norm();
 }
 
@@ -74,6 +66,20 @@ std::vector<RemovableNode> removable_nodes(const collision::World& world,
     found.resize(std::min(found.size(), kMostRemovable));
     std::ranges::stable_sort(found, {}, [&](const RemovableNode& node) { return size_of(world, node); });
     return found;
+}
+
+collision::Aabb bounds_of(const collision::World& world, collision::ObjectId object,
+                          const scene::TriangleRange& triangles) {
+    const collision::Object& whole = world.object(object);
+    const auto& mesh = std::get<std::shared_ptr<const collision::MeshCollider>>(whole.shape)->mesh();
+    collision::Aabb bounds;
+    for (std::uint32_t t = triangles.first; t < triangles.end; ++t) {
+        const collision::Triangle triangle = collision::vertices(mesh, t);
+        for (const collision::Vec3& vertex : {triangle.a, triangle.b, triangle.c}) {
+            bounds.extend(whole.X_world_shape * vertex);
+        }
+    }
+    return bounds;
 }
 
 bool carries(const GroundState& at, const collision::Closest& c, double radius) {

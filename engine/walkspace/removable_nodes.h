@@ -27,6 +27,10 @@ std::vector<RemovableNode> removable_nodes(const collision::World& world,
                                            const scene::NodeTriangles& nodes,
                                            std::span<const GroundState> bodies);
 
+/// Of the object's triangles in the world.
+collision::Aabb bounds_of(const collision::World& world, collision::ObjectId object,
+                          const scene::TriangleRange& triangles);
+
 /// Whether a body of this radius that stands there is carried by what it is nearest to in `c`.
 bool carries(const GroundState& at, const collision::Closest& c, double radius);
 

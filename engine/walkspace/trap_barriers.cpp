@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/walkspace/node_numbers.h"
+#include "engine/walkspace/removable_nodes.h"
 #include "engine/walkspace/worker_threads.h"
 
 namespace campuswalk::engine {
@@ -57,8 +58,13 @@ struct RimPlace {
 
 class TrapExits {
 public:
-    TrapExits(const ExploreSettings& settings, const WalkSpace& space, const std::vector<Trap>& traps)
-        : settings_(settings), space_(space), numbers_(space), is_trapped_(numbers_.count(), false) {
+    TrapExits(const ExploreSettings& settings, const WalkSpace& space, const scene::NodeTriangles& nodes,
+              const std::vector<Trap>& traps)
+        : settings_(settings),
+          space_(space),
+          nodes_(nodes),
+          numbers_(space),
+          is_trapped_(numbers_.count(), false) {
         for (const Trap& trap : traps) {
             for (const WalkNodeId& id : trap.nodes) {
                 is_trapped_[numbers_(id)] = true;
@@ -101,6 +107,7 @@ private:
             return node && !is_trapped_[numbers_(*node)];
         };
         query.known = &own;
+        query.nodes = &nodes_;
         query.changes = Changes::single;
         query.longest_crossing = kLongestExit;
         return query;
@@ -162,7 +169,7 @@ private:
         std::vector<Barrier> changes = std::exchange(smallest.parts, {});
         changes.insert(changes.begin(), std::move(smallest));
         std::erase_if(changes, [&](const Barrier& change) {
-            return change.kind == BarrierKind::object && carries_ground(world.bounds(*change.object));
+            return change.kind == BarrierKind::object && carries_ground(bounds_of_change(change, world));
         });
         if (changes.empty()) {
             return {};
@@ -173,10 +180,17 @@ private:
         return other;
     }
 
-    bool carries_ground(const collision::Aabb& object) const {
-        collision::Aabb top = object;
-        top.min.y() = object.max.y() - kOnTop;
-        top.max.y() = object.max.y() + kOnTop;
+    /// Of the object or the node that it takes away.
+    collision::Aabb bounds_of_change(const Barrier& change, const collision::World& world) const {
+        const auto node =
+            change.is_node ? nodes_.of_same_node(*change.object, change.triangle) : std::nullopt;
+        return node ? bounds_of(world, *change.object, *node) : world.bounds(*change.object);
+    }
+
+    bool carries_ground(const collision::Aabb& solid) const {
+        collision::Aabb top = solid;
+        top.min.y() = solid.max.y() - kOnTop;
+        top.max.y() = solid.max.y() + kOnTop;
         return std::ranges::any_of(space_.nodes_in(top),
                                    [&](const WalkNodeId& id) { return !is_trapped_[numbers_(id)]; });
     }
@@ -194,6 +208,7 @@ private:
 
     const ExploreSettings& settings_;
     const WalkSpace& space_;
+    const scene::NodeTriangles& nodes_;
     NodeNumbers numbers_;
     std::vector<bool> is_trapped_;  ///< by node
 };
@@ -201,8 +216,8 @@ private:
 }  // namespace
 
 void find_trap_barriers(const WorkerWorlds& worlds, const ExploreSettings& settings, const WalkSpace& space,
-                        std::vector<Trap>& traps) {
-    const TrapExits exits(settings, space, traps);
+                        const scene::NodeTriangles& nodes, std::vector<Trap>& traps) {
+    const TrapExits exits(settings, space, nodes, traps);
     for_each_item(std::min(traps.size(), kMostTraps), worlds.size(), [&](std::size_t worker, std::size_t i) {
         traps[i].out = exits.barrier_of(traps[i], worlds[worker]);
     });

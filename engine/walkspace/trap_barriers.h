@@ -6,12 +6,13 @@
 #include "engine/walkspace/one_way.h"
 #include "engine/walkspace/walk_space.h"
 #include "engine/walkspace/worker_worlds.h"
+#include "scene/campus/node_triangles.h"
 
 namespace campuswalk::engine {
 
 /// Finds `Trap::out` of the first traps, the largest of a space, of which these are all. They share the
-/// workers.
+/// workers. `nodes`: what the meshes consist of.
 void find_trap_barriers(const WorkerWorlds& worlds, const ExploreSettings& settings, const WalkSpace& space,
-                        std::vector<Trap>& traps);
+                        const scene::NodeTriangles& nodes, std::vector<Trap>& traps);
 
 }  // namespace campuswalk::engine

@@ -124,7 +124,7 @@ WalkReport report_walks(const scene::Campus& campus, const AvatarProfile& avatar
              has_path ? std::optional(length_of(report.space.chain(*subject.node, strider))) : std::nullopt});
     }
     report.traps = find_traps(worlds, settings, report.space);
-    find_trap_barriers(worlds, settings, report.space, report.traps);
+    find_trap_barriers(worlds, settings, report.space, nodes, report.traps);
     report.holes = find_holes(report.space);
     report.overhangs = find_trigger_overhangs(campus, worlds, settings, report.space, report.storeys);
     report.hot_spots = find_hot_spots(worlds, settings, report.space);

@@ -76,6 +76,23 @@ class ExploredDoors(ProgramCase):
             self.assertTrue(doors["front_door"]["walked_through"] and doors["back_door"]["walked_through"], radius)
             self.assertFalse(self.doors("front_door", "--avatar", body)["back_door"]["walked_through"], radius)
 
+    def test_a_gate_keeps_visitors_in_a_pit(self):
+        """From a deck one falls into it. What one stands on outside is no gate, however small it is."""
+        for gate, out in ((((-1.6, 0, 8.5), (-1.4, 2, 9.5)), ("object", "pit_gate")),
+                          (((-2, -0.1, 8.5), (-1, 1.5, 9.5)), ("ledge", "deck_north"))):
+            model = Obj()
+            model.box("ground", (-10, -1, -10), (10, 0, 14))
+            for i in range(1, 6):
+                model.box("tread_%d" % i, (-2, -0.1, 7 - 0.5 * i), (2, 1.5 - 0.25 * i, 7.5 - 0.5 * i))
+            for name, low, high in (("south", (-2, 7), (2, 8)), ("south_west", (-2, 8), (-1, 8.5)),
+                                    ("north_west", (-2, 9.5), (-1, 11)), ("east", (1, 8), (2, 11)), ("north", (-1, 10.5), (1, 11))):
+                model.box("deck_" + name, (low[0], -0.1, low[1]), (high[0], 1.5, high[1]))
+            model.box("pit_gate", *gate)
+            self.write("school.obj", model.text)
+            self.doors("")
+            trap, = self.json["traps"]
+            self.assertEqual(out, (trap["out"]["kind"], trap["out"].get("node")))
+
     def test_a_closed_door_parts_the_yard(self):
         doors = self.doors("")
         self.assertEqual([], [name for name, door in doors.items() if door["walked_through"]])
