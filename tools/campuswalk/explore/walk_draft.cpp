@@ -136,7 +136,7 @@ DraftEnd DraftPlayer::play(const WalkDraft& draft) const {
         engine::EnableStep disable;
         disable.enabled = false;
         for (const std::string& glob : disabled_) {
-            disable.objects.push_back({{}, glob});
+            disable.objects.emplace_back().glob = glob;
         }
         walk.steps.emplace_back(disable);
     }

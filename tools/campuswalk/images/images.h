@@ -27,7 +27,7 @@ struct StoreyPlan;
 namespace campuswalk::tools {
 
 // What the program needs of rendering. In a build without it (CAMPUSWALK_RENDER=OFF) can_draw() and
-// can_make_videos() return false and the other functions are never called.
+// can_make_videos() return false, files_of() names no files, and the functions that draw are never called.
 
 bool can_draw();
 

@@ -30,8 +30,8 @@ SnapshotTaker make_snapshot_taker(const scene::Campus&, const std::filesystem::p
     return {};
 }
 
+/// Those that this build writes.
 std::vector<std::string> files_of(const engine::SnapshotStep&) {
-    assert(false);
     return {};
 }
 
