@@ -157,10 +157,11 @@ class ProgramCase(unittest.TestCase):
         return found
 
     def run_program(self, *arguments, **options):
+        longest = 600  # seconds: under sanitizers the import of a quarter of a town takes three minutes
         options.setdefault("cwd", self.folder)
         options.setdefault("stdout", subprocess.PIPE)
         done = subprocess.run([self.program, *arguments], stdin=subprocess.DEVNULL, stderr=subprocess.PIPE,
-                              check=False, timeout=120, **options)
+                              check=False, timeout=longest, **options)
         done.stdout = done.stdout or b""
         return Outcome(done)
 
