@@ -87,6 +87,7 @@ class ExploredDoors(ProgramCase):
             for name, low, high in (("south", (-2, 7), (2, 8)), ("south_west", (-2, 8), (-1, 8.5)),
                                     ("north_west", (-2, 9.5), (-1, 11)), ("east", (1, 8), (2, 11)), ("north", (-1, 10.5), (1, 11))):
                 model.box("deck_" + name, (low[0], -0.1, low[1]), (high[0], 1.5, high[1]))
+            model.box("mast", (8, 0, 0), (8.2, 4, 0.2))  # higher than all that one stands on, in the same mesh
             model.box("pit_gate", *gate)
             self.write("school.obj", model.text)
             self.doors("")
