@@ -4,7 +4,7 @@
 
 #include "engine/events/decimals.h"
 #include "scene/campus/node_at.h"
-#include "scene/lint/model_report.h"
+#include "scene/model/name_words.h"
 
 namespace campuswalk::engine {
 

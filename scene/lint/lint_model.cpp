@@ -12,6 +12,7 @@
 #include "scene/lint/named_sizes.h"
 #include "scene/lint/unit_guess.h"
 #include "scene/lint/wording.h"
+#include "scene/model/name_words.h"
 #include "scene/model/world_triangles.h"
 
 namespace campuswalk::scene {
@@ -174,11 +175,6 @@ ModelLint solid_doors(std::vector<ModelLint::Place> doors) {
                                 doors.front().node +
                                 "'; open them or exclude their nodes from solid colliders";
     return {"solid-door", message, std::move(doors)};
-}
-
-bool is_generated_name(const std::string& name) {
-    return name.empty() || name.starts_with("nodes[") || name.starts_with("$ColladaAutoName$") ||
-           name.starts_with("<") || name == "defaultobject";
 }
 
 std::vector<ModelLint> find_lints(const Model& model, const ModelReport& report) {

@@ -93,9 +93,6 @@ bool has_wrong_frame(const ModelReport& report);
 /// The lint `solid-door`; `doors` is not empty.
 ModelLint solid_doors(std::vector<ModelLint::Place> doors);
 
-/// Whether an importer generated the name because the file has none. Such names change with the file.
-bool is_generated_name(const std::string& name);
-
 /// Indices of the nodes that stretch the bounds along some axis to four times the extent of 99 % of the
 /// triangles.
 std::vector<std::size_t> outlier_nodes(const Model& model);

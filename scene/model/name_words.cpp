@@ -183,6 +183,11 @@ bool is_building_part_name(std::string_view name) {
            std::ranges::any_of(words, [](const std::string& w) { return is_one_of(w, kBuildingParts); });
 }
 
+bool is_generated_name(std::string_view name) {
+    return name.empty() || name.starts_with("nodes[") || name.starts_with("$ColladaAutoName$") ||
+           name.starts_with("<") || name == "defaultobject";
+}
+
 bool is_default_name(std::string_view name) {
     const std::vector<std::string> words = words_of(name);
     return std::ranges::all_of(

@@ -26,6 +26,9 @@ bool is_surroundings_name(std::string_view name);
 /// Whether it means a part of a building: walls, floors, storeys, rooms, roofs, windows, doors, columns.
 bool is_building_part_name(std::string_view name);
 
+/// Whether an importer generated the name because the file has none. Such names change with the file.
+bool is_generated_name(std::string_view name);
+
 /// Whether it says only how something was modelled: `Cube.012`, `Mesh_4`, `Group 7`.
 bool is_default_name(std::string_view name);
 

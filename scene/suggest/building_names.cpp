@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "scene/base/glob.h"
-#include "scene/lint/model_report.h"
 #include "scene/model/name_words.h"
 
 namespace campuswalk::scene {

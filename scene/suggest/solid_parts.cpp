@@ -4,7 +4,6 @@
 #include <map>
 
 #include "scene/base/glob.h"
-#include "scene/lint/model_report.h"
 #include "scene/model/name_words.h"
 
 namespace campuswalk::scene {

@@ -72,5 +72,13 @@ TEST(NameWords, RecognizesNamesThatSayNothing) {
     EXPECT_FALSE(is_default_name("Library mesh"));
 }
 
+TEST(NameWords, RecognizesNamesThatImportersGenerate) {
+    for (const char* name : {"", "nodes[12]", "$ColladaAutoName$_3", "<MD2Root>", "defaultobject"}) {
+        EXPECT_TRUE(is_generated_name(name)) << name;
+    }
+    EXPECT_FALSE(is_generated_name("nodes"));
+    EXPECT_FALSE(is_generated_name("Library"));
+}
+
 }  // namespace
 }  // namespace campuswalk::scene
