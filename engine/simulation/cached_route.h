@@ -16,10 +16,8 @@ struct RouteInputs {
     const RouteSettings& settings;
 };
 
-/// The route that `plan` returned before for the same, to this process or another; else what it returns.
-/// Between processes, only routes are shared that took walking everywhere, and reasons why there is none; if
-/// another plans the same right now, this waits for it. What `plan` throws is thrown, and the next plans
-/// anew. Leaves out `Route::path`.
+/// The route that `plan` returned before for the same, to this process or to another with the same store;
+/// else what it returns. What it throws is thrown. Leaves out `Route::path`.
 PlannedRoute cached_route(const RouteInputs& inputs, RouteMemory& memory,
                           const std::function<PlannedRoute()>& plan);
 

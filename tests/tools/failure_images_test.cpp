@@ -2,11 +2,13 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <span>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "engine/simulation/route_folder.h"
 #include "engine/simulation/run_walk.h"
 #include "tests/engine/render/small_scenes.h"
 #include "tests/engine/short_walk.h"
@@ -139,7 +141,8 @@ TEST_F(DrawnFailures, TakeRoutesFromTheMemoryOfThePlayedWalk) {
     walk_ = engine::walk_of({engine::spawn_at({0, 0, 0}), go_to});
     const scene::CacheFolder routes(folder_.path() / "routes");
     engine::RouteMemory memory;
-    memory.cache = engine::RouteCache{&routes, scene::hash_of(std::as_bytes(std::span("campus")))};
+    memory.store =
+        std::make_shared<engine::RouteFolder>(routes, scene::hash_of(std::as_bytes(std::span("campus"))));
     failures_ = engine::run_walk(campus_, walk_, {}, &memory).failures;
     ASSERT_EQ(failures_.size(), 1U);
     EXPECT_EQ(failures_[0].code, "unreachable");

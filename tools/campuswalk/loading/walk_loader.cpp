@@ -1,11 +1,13 @@
 #include "tools/campuswalk/loading/walk_loader.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "collision/world/bullet_broad_phase.h"
 #include "engine/simulation/check_go_to.h"
 #include "engine/simulation/check_walk.h"
+#include "engine/simulation/route_folder.h"
 #include "scene/base/installation.h"
 #include "tools/campuswalk/loading/cache_choice.h"
 #include "tools/campuswalk/loading/campus_hash.h"
@@ -124,7 +126,7 @@ const WalkLoader::BuiltCampus& WalkLoader::build(const fs::path& file,
                                    model_importer(at_once), model_cache(), at_once, tree));
             if (const scene::CacheFolder* cache = model_cache()) {
                 if (const auto contents = hash_of_campus(*built.campus, file, *cache)) {
-                    built.routes->cache = engine::RouteCache{cache, *contents};
+                    built.routes->store = std::make_shared<engine::RouteFolder>(*cache, *contents);
                 }
             }
         } catch (const scene::InputError& error) {
