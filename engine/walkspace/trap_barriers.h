@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "engine/walkspace/explore.h"
-#include "engine/walkspace/one_way.h"
+#include "engine/walkspace/traps.h"
 #include "engine/walkspace/walk_space.h"
 #include "engine/walkspace/worker_worlds.h"
 #include "scene/campus/node_triangles.h"

@@ -6,10 +6,11 @@
 #include <gtest/gtest.h>
 
 #include "collision/mesh/mesh_collider.h"
+#include "engine/walkspace/holes.h"
 #include "engine/walkspace/hot_spots.h"
 #include "engine/walkspace/island_barriers.h"
-#include "engine/walkspace/one_way.h"
 #include "engine/walkspace/storeys.h"
+#include "engine/walkspace/traps.h"
 #include "engine/walkspace/trigger_overhangs.h"
 #include "engine/walkspace/unreached_ground.h"
 #include "engine/walkspace/walk_report.h"

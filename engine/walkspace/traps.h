@@ -21,23 +21,9 @@ struct Trap {
     std::optional<Barrier> out = {};
 };
 
-/// Where one falls out of the world, along a connected edge.
-struct Hole {
-    struct Edge {
-        WalkNodeId node;  ///< that the stride over the edge starts from
-        Stride stride;
-        collision::Vec3 at;  ///< where the body last stood, feet
-    };
-    std::vector<Edge> edges;  ///< one for each cell of the edge; the first reached first
-    double length = 0.0;      ///< along the edge, roughly, metres
-};
-
 /// The largest first. Each node's strides were tried in every direction, and walks of two legs from some of
 /// them, and none leads away.
 std::vector<Trap> find_traps(const WorkerWorlds& worlds, const ExploreSettings& settings,
                              const WalkSpace& space);
-
-/// The longest first.
-std::vector<Hole> find_holes(const WalkSpace& space);
 
 }  // namespace campuswalk::engine
