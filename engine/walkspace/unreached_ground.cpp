@@ -1,6 +1,7 @@
 #include "engine/walkspace/unreached_ground.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -72,11 +73,13 @@ class SpotJoiner {
 public:
     SpotJoiner(const WorkerWorlds& worlds, const ExploreSettings& settings, const WalkGrid& grid,
                const std::vector<UnreachedSpot>& spots)
-        : grid_(grid),
-          spots_(spots),
+        : spots_(spots),
           sets_(spots.size()),
           strider_(worlds[0], settings.strides, settings.solids),
           step_(settings.strides.body.step_height + collision::kHeightSlack) {
+        for (const UnreachedSpot& spot : spots) {
+            cells_.push_back(grid.cell_at(spot.at.foot));
+        }
         slope_ = std::max(step_, settings.strides.body.steepest_rise() * grid.cell);
         join_neighbours();
         join_by_steps();
@@ -85,39 +88,54 @@ public:
     collision::DisjointSets& sets() { return sets_; }
 
 private:
-    GridCell cell_of(const UnreachedSpot& spot) const { return grid_.cell_at(spot.at.foot); }
+    double height(std::size_t spot) const { return spots_[spot].at.foot.y(); }
 
-    /// Calls `visit` for the number of each spot in the cell, up to so far above or below.
-    template <typename Visit>
-    void visit_spots(const GridCell& cell, double y, double apart, const Visit& visit) const {
-        const auto own_cell = [&](const UnreachedSpot& spot) { return cell_of(spot); };
-        auto spot = std::ranges::lower_bound(spots_, cell, {}, own_cell);
-        for (; spot != spots_.end() && cell_of(*spot) == cell; ++spot) {
-            if (std::abs(spot->at.foot.y() - y) <= apart) {
-                visit(static_cast<std::size_t>(spot - spots_.begin()));
+    /// Calls `visit(spot, near)` for each spot and those at most `kFar` cells from it along both axes.
+    template <int kFar, typename Visit>
+    void for_each_near(const Visit& visit) const {
+        std::array<std::size_t, std::size_t{2} * kFar + 1> first{};  // in each column: what is near enough
+        for (std::size_t spot = 0; spot < spots_.size(); ++spot) {
+            const GridCell cell = cells_[spot];
+            const bool is_new_column = spot == 0 || cells_[spot - 1].x != cell.x;
+            for (int x = -kFar; x <= kFar; ++x) {
+                const GridCell from{cell.x + x, cell.z - kFar};
+                std::size_t& near = first[static_cast<std::size_t>(x + kFar)];
+                if (is_new_column) {
+                    near = static_cast<std::size_t>(std::ranges::lower_bound(cells_, from) - cells_.begin());
+                }
+                while (near < cells_.size() && cells_[near] < from) {
+                    ++near;
+                }
+            }
+            auto next = first;
+            for (int z = -kFar; z <= kFar; ++z) {
+                for (int x = -kFar; x <= kFar; ++x) {
+                    std::size_t& near = next[static_cast<std::size_t>(x + kFar)];
+                    for (; near < cells_.size() && cells_[near] == GridCell{cell.x + x, cell.z + z}; ++near) {
+                        visit(spot, near);
+                    }
+                }
             }
         }
     }
 
     void join_neighbours() {
-        for (std::size_t i = 0; i < spots_.size(); ++i) {
-            const GridCell cell = cell_of(spots_[i]);
-            for (const GridCell& beside : {GridCell{cell.x + 1, cell.z}, GridCell{cell.x, cell.z + 1}}) {
-                visit_spots(beside, spots_[i].at.foot.y(), slope_,
-                            [&](std::size_t other) { sets_.join(i, other); });
+        for_each_near<1>([&](std::size_t spot, std::size_t near) {
+            const bool side_by_side =
+                (cells_[spot].x == cells_[near].x) != (cells_[spot].z == cells_[near].z);
+            if (side_by_side && std::abs(height(near) - height(spot)) <= slope_) {
+                sets_.join(spot, near);
             }
-        }
+        });
     }
 
     /// On stairs there is no room to stand in every cell: between the treads it is walked.
     void join_by_steps() {
-        for (std::size_t i = 0; i < spots_.size(); ++i) {
-            const GridCell cell = cell_of(spots_[i]);
-            for (int k = 0; k < 49; ++k) {
-                visit_spots({cell.x + k % 7 - 3, cell.z + k / 7 - 3}, spots_[i].at.foot.y() + 0.5 * step_,
-                            0.5 * step_, [&](std::size_t higher) { join_if_walkable(i, higher); });
+        for_each_near<3>([&](std::size_t spot, std::size_t near) {
+            if (std::abs(height(near) - (height(spot) + 0.5 * step_)) <= 0.5 * step_) {
+                join_if_walkable(spot, near);
             }
-        }
+        });
     }
 
     void join_if_walkable(std::size_t lower, std::size_t higher) {
@@ -133,8 +151,8 @@ private:
         }
     }
 
-    const WalkGrid& grid_;
     const std::vector<UnreachedSpot>& spots_;  ///< by cell
+    std::vector<GridCell> cells_;
     collision::DisjointSets sets_;
     Strider strider_;
     double step_;
