@@ -97,6 +97,22 @@ void find_hollows(const WorkerWorlds& worlds, const ExploreSettings& settings, W
     });
 }
 
+void report_subjects(const WorkerWorlds& worlds, const ExploreSettings& settings,
+                     const std::vector<Subject>& subjects, WalkReport& report) {
+    for (const Subject& subject : subjects) {
+        report.subjects.push_back({subject, std::nullopt});
+    }
+    std::vector<Strider> striders;
+    for (std::size_t i = 0; i < worlds.size(); ++i) {
+        striders.emplace_back(worlds[i], settings.strides, settings.solids);
+    }
+    for_each_item(subjects.size(), worlds.size(), [&](std::size_t worker, std::size_t i) {
+        if (subjects[i].node && subjects[i].kind != SubjectKind::solid) {
+            report.subjects[i].distance = length_of(report.space.chain(*subjects[i].node, striders[worker]));
+        }
+    });
+}
+
 }  // namespace
 
 WalkReport report_walks(const scene::Campus& campus, const AvatarProfile& avatar, const WorkerWorlds& worlds,
@@ -116,13 +132,7 @@ WalkReport report_walks(const scene::Campus& campus, const AvatarProfile& avatar
         report.islands.push_back({std::move(islands[i]), std::move(barriers[i])});
     }
     find_hollows(worlds, settings, report);
-    Strider strider(worlds[0], settings.strides, settings.solids);
-    for (const Subject& subject : subjects) {
-        const bool has_path = subject.node && subject.kind != SubjectKind::solid;
-        report.subjects.push_back(
-            {subject,
-             has_path ? std::optional(length_of(report.space.chain(*subject.node, strider))) : std::nullopt});
-    }
+    report_subjects(worlds, settings, subjects, report);
     report.traps = find_traps(worlds, settings, report.space);
     find_trap_barriers(worlds, settings, report.space, nodes, report.traps);
     report.holes = find_holes(report.space);
