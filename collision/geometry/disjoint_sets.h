@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace campuswalk::collision {
@@ -26,6 +27,13 @@ public:
     void join(std::size_t a, std::size_t b) {
         const auto [low, high] = std::minmax({root(a), root(b)});
         parent_[high] = low;
+    }
+    /// By number, once nothing is joined any more.
+    std::vector<std::uint32_t> roots() && {
+        for (std::uint32_t& set : parent_) {
+            set = parent_[set];  // whose own root is known, as it is no higher
+        }
+        return std::move(parent_);
     }
 
 private:

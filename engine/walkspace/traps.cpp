@@ -2,17 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
+#include <ranges>
 #include <set>
 #include <utility>
 
 #include "collision/geometry/disjoint_sets.h"
 #include "engine/walkspace/neighbour_joiner.h"
 #include "engine/walkspace/node_numbers.h"
+#include "engine/walkspace/worker_threads.h"
 
 namespace campuswalk::engine {
-
-using collision::Vec3;
 
 namespace {
 
@@ -24,54 +25,37 @@ constexpr std::size_t kTries = 200;
 /// From so many places in a trap, winding ways out are tried as well, of legs that take so many seconds.
 constexpr std::size_t kWindingStarts = 16;
 constexpr double kLeg = 1.0;
+/// So many parts' legs are remembered at once.
+constexpr std::size_t kPartsAtOnce = 256;
 
-/// Parts of a walk space in which one can walk back wherever one came from, and which of them lead home to a
-/// start.
+/// Nodes between which one can walk back wherever one came from; known by the number of the first.
+using Part = std::uint32_t;
+
 class Parts {
 public:
-    Parts(const WorkerWorlds& worlds, const ExploreSettings& settings, const WalkSpace& space)
-        : space_(space),
-          numbers_(space_),
-          sets_(numbers_.count()),
-          strider_(worlds[0], settings.strides, settings.solids),
-          step_(settings.strides.body.step_height) {
+    explicit Parts(const WalkSpace& space) : space_(space), numbers_(space) {
+        collision::DisjointSets sets(numbers_.count());
         for_each_stride([&](const WalkNodeId& from, const WalkNodeId& to) {
             if (space_.node(to).returns == 1) {
-                sets_.join(numbers_(to), numbers_(from));
+                sets.join(numbers_(to), numbers_(from));
             }
         });
-        for_each_stride([&](const WalkNodeId& from, const WalkNodeId& to) {
-            if (space_.node(to).returns == 0) {
-                sources_[part_of(to)].insert(part_of(from));
-            }
-        });
-        for (const WalkNodeId& start : space.starts) {
-            home_.insert(part_of(start));
-        }
+        part_of_ = std::move(sets).roots();
     }
 
-    /// Nodes by part that is no one's way home, after all ways were tried.
-    std::map<std::size_t, std::vector<WalkNodeId>> without_path_home() {
-        std::map<std::size_t, std::vector<WalkNodeId>> parts = others();
-        for (bool changed = true; changed;) {
-            changed = false;
-            for (const auto& [part, nodes] : parts) {
-                if (!leads_home(part) && finds_path(part, nodes)) {
-                    mark_home(part);
-                    changed = true;
-                }
-            }
-        }
-        for (const auto& [part, nodes] : parts) {
-            if (!leads_home(part) && (finds_any_path(part, nodes) || finds_winding_path(part, nodes))) {
-                mark_home(part);
-            }
-        }
-        std::erase_if(parts, [&](const auto& part) { return leads_home(part.first); });
-        return parts;
+    Part of(const WalkNodeId& node) const { return part_of_[numbers_(node)]; }
+    /// Of the node that the stride ended at.
+    std::optional<Part> at(const StrideEnd& end) const {
+        const auto node = end.kind == StrideEnd::Kind::grounded
+                              ? space_.find(space_.grid.cell_at(end.at.foot), end.at.foot.y())
+                              : std::nullopt;
+        return node ? std::optional(of(*node)) : std::nullopt;
     }
 
-private:
+    template <typename Visit>
+    void for_each_node(const Visit& visit) const {
+        numbers_.for_each(visit);
+    }
     /// Calls `visit(from, to)` for those that the space was explored by.
     template <typename Visit>
     void for_each_stride(const Visit& visit) const {
@@ -82,139 +66,280 @@ private:
         });
     }
 
-    std::size_t part_of(const WalkNodeId& ref) { return sets_.root(numbers_(ref)); }
-    bool leads_home(std::size_t part) const { return home_.contains(part); }
+private:
+    const WalkSpace& space_;
+    NodeNumbers numbers_;
+    std::vector<Part> part_of_;  ///< by node number
+};
 
-    std::map<std::size_t, std::vector<WalkNodeId>> others() {
-        std::map<std::size_t, std::vector<WalkNodeId>> parts;
-        numbers_.for_each([&](const WalkNodeId& ref) {
-            if (const std::size_t part = part_of(ref); !leads_home(part)) {
-                parts[part].push_back(ref);
+/// From which parts one can walk home to a start, as far as it is known what leads where.
+class PathsHome {
+public:
+    PathsHome(const WalkSpace& space, const Parts& parts) {
+        for (const WalkNodeId& start : space.starts) {
+            home_.insert(parts.of(start));
+        }
+        parts.for_each_stride([&](const WalkNodeId& from, const WalkNodeId& to) {
+            if (space.node(to).returns == 0) {  // else they are of one part
+                add(parts.of(from), parts.of(to));
             }
         });
-        return parts;
     }
 
+    bool lead_from(Part part) const { return home_.contains(part); }
+
+    /// One can walk from one part into the other.
+    void add(Part from, Part into) {
+        if (from == into || lead_from(from)) {
+            return;
+        }
+        if (lead_from(into)) {
+            mark_home(from);
+        } else {
+            sources_[into].insert(from);
+        }
+    }
+
+private:
     /// The part leads home, and so does every part that leads into it.
-    void mark_home(std::size_t part) {
-        home_.insert(part);
-        for (const std::size_t source : sources_[part]) {
-            if (!leads_home(source)) {
-                mark_home(source);
+    void mark_home(Part part) {
+        std::vector<Part> marked{part};
+        while (!marked.empty()) {
+            const Part next = marked.back();
+            marked.pop_back();
+            if (home_.insert(next).second) {
+                const std::set<Part>& sources = sources_[next];
+                marked.insert(marked.end(), sources.begin(), sources.end());
             }
         }
     }
 
-    /// Whether one that leads there leads home. If not, that is noted: it may turn out to lead home later.
-    bool leads_home_into(std::size_t part, std::size_t there) {
-        if (there != part) {
-            sources_[there].insert(part);
+    std::set<Part> home_;
+    std::map<Part, std::set<Part>> sources_;  ///< of each part: those that lead into it
+};
+
+/// The exact states of nodes, asked for in order of their numbers: those of a tile by a stride from each to
+/// the next.
+class StatesInOrder {
+public:
+    StatesInOrder(const WalkSpace& space, Strider& strider) : space_(space), strider_(strider) {}
+
+    GroundState at(const WalkNodeId& id) {
+        if (id.tile != tile_) {
+            tile_ = id.tile;
+            known_.clear();
         }
-        return leads_home(there);
+        const auto parent = space_.parent(id);
+        const auto known = parent && parent->tile == tile_ ? known_.find(parent->node) : known_.end();
+        const bool is_stored = space_.tiles[id.tile].keyframe(id.node) != nullptr;
+        const GroundState state =
+            is_stored || known == known_.end()
+                ? space_.state_at(id, strider_)
+                : strider_.take(known->second, space_.node(id).stride(), space_.grid).at;
+        known_.emplace(id.node, state);
+        return state;
     }
 
-    std::optional<std::size_t> part_at(const StrideEnd& end) {
-        const auto node = end.kind == StrideEnd::Kind::grounded
-                              ? space_.find(space_.grid.cell_at(end.at.foot), end.at.foot.y())
-                              : std::nullopt;
-        return node ? std::optional(part_of(*node)) : std::nullopt;
-    }
+private:
+    const WalkSpace& space_;
+    Strider& strider_;
+    std::uint32_t tile_ = 0;
+    std::map<std::uint16_t, GroundState> known_;  ///< by the nodes' numbers in the tile
+};
 
-    bool leads_home_by(std::size_t part, const StrideEnd& end) {
-        const auto there = part_at(end);
-        return there && leads_home_into(part, *there);
-    }
+/// One thread's body, which looks for ways out of a part. A search returns what parts it came into; it
+/// ends once it comes into one that leads home.
+class PartWalker {
+public:
+    PartWalker(const collision::World& world, const ExploreSettings& settings, const WalkSpace& space,
+               const Parts& parts, const PathsHome& home)
+        : space_(space), parts_(parts), home_(home), strider_(world, settings.strides, settings.solids) {}
 
-    /// Tries where its nodes lie beside others that lead home.
-    bool finds_path(std::size_t part, const std::vector<WalkNodeId>& nodes) {
+    /// By strides from its nodes to others beside them that lead home.
+    std::set<Part> search_beside(const std::vector<WalkNodeId>& nodes) {
+        std::set<Part> found;
+        const double level = strider_.settings().body.step_height + WalkNode::kLevel;
         std::size_t tries = 0;
-        for (const WalkNodeId& ref : nodes) {
-            const GridCell cell = space_.cell_of(ref);
-            const double y = static_cast<double>(space_.node(ref).y);
+        for (const WalkNodeId& id : nodes) {
+            const GridCell cell = space_.cell_of(id);
+            const double y = static_cast<double>(space_.node(id).y);
             for (std::uint8_t direction = 0; direction < 8; ++direction) {
                 const GridDirection& d = grid_directions()[direction];
-                const auto beside = space_.find({cell.x + d.x, cell.z + d.z}, y, step_ + WalkNode::kLevel);
-                if (!beside || !leads_home(part_of(*beside))) {
+                const auto beside = space_.find({cell.x + d.x, cell.z + d.z}, y, level);
+                if (!beside || !home_.lead_from(parts_.of(*beside))) {
                     continue;
                 }
-                const GroundState at = space_.state_at(ref, strider_);
-                if (leads_home_by(part, strider_.take(at, {.direction = direction}, space_.grid))) {
-                    return true;
-                }
-                if (++tries == kTries) {
-                    return false;
+                const GroundState at = space_.state_at(id, strider_);
+                if (leads_home(strider_.take(at, {.direction = direction}, space_.grid), found) ||
+                    ++tries == kTries) {
+                    return found;
                 }
             }
         }
-        return false;
+        return found;
     }
 
-    /// Every stride from every node, straight on or straight down if it falls: does one lead home?
-    bool finds_any_path(std::size_t part, const std::vector<WalkNodeId>& nodes) {
-        for (const WalkNodeId& ref : nodes) {
-            const GroundState at = space_.state_at(ref, strider_);
+    /// By every stride from every node, straight on or straight down if it falls.
+    std::set<Part> search_by_strides(const std::vector<WalkNodeId>& nodes) {
+        std::set<Part> found;
+        StatesInOrder states(space_, strider_);
+        for (const WalkNodeId& id : nodes) {
+            const GroundState at = states.at(id);
             for (std::uint8_t direction = 0; direction < 8; ++direction) {
                 const StrideEnd end = strider_.take(at, {.direction = direction}, space_.grid);
-                if (leads_home_by(part, end)) {
-                    return true;
-                }
                 const Stride let_go{.direction = direction, .steering = Stride::kLetGo};
-                if (end.left_ground && leads_home_by(part, strider_.take(at, let_go, space_.grid))) {
-                    return true;
+                if (leads_home(end, found) ||
+                    (end.left_ground && leads_home(strider_.take(at, let_go, space_.grid), found))) {
+                    return found;
                 }
             }
         }
-        return false;
+        return found;
     }
 
-    /// Two legs in any directions, sliding along what is in the way: does one end where there is a way home?
-    /// In a corner, no stride of a cell may lead out.
-    bool finds_winding_path(std::size_t part, const std::vector<WalkNodeId>& nodes) {
+    /// Where one stands after a leg in any direction, sliding along what is in the way, from some of the
+    /// nodes.
+    std::vector<GroundState> walk_legs(const std::vector<WalkNodeId>& nodes) {
+        std::vector<GroundState> ends;
         const std::size_t every = std::max<std::size_t>(1, nodes.size() / kWindingStarts);
         for (std::size_t i = 0; i < nodes.size(); i += every) {
-            const GroundState start = space_.state_at(nodes[i], strider_);
-            for (const GridDirection& first : grid_directions()) {
-                const StrideEnd middle = walk_on(start, first);
-                if (middle.kind != StrideEnd::Kind::grounded) {
-                    continue;
+            walk_legs_from(space_.state_at(nodes[i], strider_), [&](const StrideEnd& end) {
+                if (end.kind == StrideEnd::Kind::grounded) {
+                    ends.push_back(end.at);
                 }
-                for (const std::size_t there : parts_one_leg_from(middle.at)) {
-                    if (leads_home_into(part, there)) {
-                        return true;
-                    }
-                }
-            }
+            });
         }
-        return false;
+        return ends;
     }
 
-    StrideEnd walk_on(const GroundState& from, const GridDirection& direction) {
+    std::set<Part> parts_one_leg_from(const GroundState& at) {
+        std::set<Part> found;
+        walk_legs_from(at, [&](const StrideEnd& end) {
+            if (const auto there = parts_.at(end)) {
+                found.insert(*there);
+            }
+        });
+        return found;
+    }
+
+private:
+    bool leads_home(const StrideEnd& end, std::set<Part>& found) const {
+        const auto there = parts_.at(end);
+        if (there) {
+            found.insert(*there);
+        }
+        return there && home_.lead_from(*there);
+    }
+
+    template <typename Visit>
+    void walk_legs_from(const GroundState& from, const Visit& visit) {
         const double far = 2.0 * kLeg * strider_.settings().walk_speed;
-        return strider_.walk_to(from, from.foot + far * direction.unit, 0.02, kLeg);
-    }
-
-    /// Bodies that stand in one cell at one height are taken for one.
-    const std::set<std::size_t>& parts_one_leg_from(const GroundState& at) {
-        const auto level = static_cast<int>(std::floor(at.foot.y() / WalkNode::kLevel));
-        const auto [known, is_new] = one_leg_from_.try_emplace({space_.grid.cell_at(at.foot), level});
-        if (is_new) {
-            for (const GridDirection& direction : grid_directions()) {
-                if (const auto there = part_at(walk_on(at, direction))) {
-                    known->second.insert(*there);
-                }
-            }
+        for (const GridDirection& direction : grid_directions()) {
+            visit(strider_.walk_to(from, from.foot + far * direction.unit, 0.02, kLeg));
         }
-        return known->second;
     }
 
     const WalkSpace& space_;
-    NodeNumbers numbers_;
-    collision::DisjointSets sets_;
+    const Parts& parts_;
+    const PathsHome& home_;
     Strider strider_;
-    double step_;
-    std::set<std::size_t> home_;
-    std::map<std::size_t, std::set<std::size_t>> sources_;  ///< of each part: those that lead into it
-    std::map<std::pair<GridCell, int>, std::set<std::size_t>> one_leg_from_;
+};
+
+/// Looks for ways home from all parts, on several threads.
+class TrapSearch {
+public:
+    TrapSearch(const WorkerWorlds& worlds, const ExploreSettings& settings, const WalkSpace& space)
+        : space_(space), parts_(space), home_(space, parts_) {
+        for (std::size_t i = 0; i < worlds.size(); ++i) {
+            walkers_.emplace_back(worlds[i], settings, space, parts_, home_);
+        }
+        parts_.for_each_node([&](const WalkNodeId& id) {
+            if (const Part part = parts_.of(id); !home_.lead_from(part)) {
+                nodes_of_[part].push_back(id);
+            }
+        });
+    }
+
+    /// Nodes by part that is no one's way home, after all ways were tried.
+    std::map<Part, std::vector<WalkNodeId>> run() && {
+        while (leads_home_by(&PartWalker::search_beside)) {
+        }
+        leads_home_by(&PartWalker::search_by_strides);
+        walk_two_legs();
+        return std::move(nodes_of_);
+    }
+
+private:
+    using Search = std::set<Part> (PartWalker::*)(const std::vector<WalkNodeId>& nodes);
+
+    /// From each part for itself, so that the order makes no difference. Whether any turned out to lead home.
+    bool leads_home_by(Search search) {
+        const std::vector<Part> from = unsolved();
+        std::vector<std::set<Part>> found(from.size());
+        for_each_item(from.size(), walkers_.size(), [&](std::size_t worker, std::size_t i) {
+            found[i] = (walkers_[worker].*search)(nodes_of_.at(from[i]));
+        });
+        for (std::size_t i = 0; i < from.size(); ++i) {
+            note(from[i], found[i]);
+        }
+        return forget_solved();
+    }
+
+    /// In a corner, no stride of a cell may lead out. After the first leg, bodies that stand in one cell at
+    /// one height are taken for one: the first.
+    void walk_two_legs() {
+        std::map<std::pair<GridCell, int>, std::set<Part>> one_leg_from;
+        const std::vector<Part> from = unsolved();
+        for (std::size_t first = 0; first < from.size(); first += kPartsAtOnce) {
+            const std::size_t count = std::min(kPartsAtOnce, from.size() - first);
+            std::vector<std::vector<GroundState>> ends(count);
+            for_each_item(count, walkers_.size(), [&](std::size_t worker, std::size_t i) {
+                ends[i] = walkers_[worker].walk_legs(nodes_of_.at(from[first + i]));
+            });
+            std::vector<std::pair<GroundState, std::set<Part>*>> unknown;
+            for (const GroundState& at : ends | std::views::join) {
+                if (const auto [known, is_new] = one_leg_from.try_emplace(place_of(at)); is_new) {
+                    unknown.emplace_back(at, &known->second);
+                }
+            }
+            for_each_item(unknown.size(), walkers_.size(), [&](std::size_t worker, std::size_t i) {
+                *unknown[i].second = walkers_[worker].parts_one_leg_from(unknown[i].first);
+            });
+            for (std::size_t i = 0; i < count; ++i) {
+                for (const GroundState& at : ends[i]) {
+                    note(from[first + i], one_leg_from.at(place_of(at)));
+                }
+            }
+        }
+        forget_solved();
+    }
+
+    std::pair<GridCell, int> place_of(const GroundState& at) const {
+        return {space_.grid.cell_at(at.foot), static_cast<int>(std::floor(at.foot.y() / WalkNode::kLevel))};
+    }
+
+    std::vector<Part> unsolved() const {
+        std::vector<Part> parts;
+        for (const auto& [part, nodes] : nodes_of_) {
+            parts.push_back(part);
+        }
+        return parts;
+    }
+    void note(Part from, const std::set<Part>& found) {
+        for (const Part into : found) {
+            home_.add(from, into);
+        }
+    }
+    /// Whether there were any.
+    bool forget_solved() {
+        return std::erase_if(nodes_of_, [&](const auto& part) { return home_.lead_from(part.first); }) > 0;
+    }
+
+    const WalkSpace& space_;
+    const Parts parts_;
+    PathsHome home_;
+    std::vector<PartWalker> walkers_;
+    std::map<Part, std::vector<WalkNodeId>> nodes_of_;  ///< of parts that lead home by no path found so far
 };
 
 /// Parts of one pit, between which one can't walk back, are one trap.
@@ -239,10 +364,9 @@ void join_neighbours(std::vector<Trap>& traps, const WalkSpace& space) {
 
 std::vector<Trap> find_traps(const WorkerWorlds& worlds, const ExploreSettings& settings,
                              const WalkSpace& space) {
-    Parts parts(worlds, settings, space);
     std::vector<Trap> traps;
     Strider strider(worlds[0], settings.strides, settings.solids);
-    for (auto& [part, nodes] : parts.without_path_home()) {
+    for (auto& [part, nodes] : TrapSearch(worlds, settings, space).run()) {
         Trap trap;
         trap.nodes = std::move(nodes);
         trap.entrance = trap.nodes.front();

@@ -1,0 +1,109 @@
+// Traps among pits that one gets out of, on one thread and on several.
+
+#include "engine/walkspace/traps.h"
+
+#include <cmath>
+#include <memory>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "engine/walkspace/walk_report.h"
+#include "tests/engine/small_campus.h"
+
+namespace campuswalk::engine {
+namespace {
+
+constexpr int kPits = 5;         // in a row, and rows
+constexpr double kPitch = 4.0;   // from one pit to the next
+constexpr double kSide = 2.0;    // of a pit
+constexpr double kDeck = 0.5;    // above the pits' floor
+constexpr double kBench = 0.25;  // one steps up to it, and from it to the deck
+
+using PitNumber = std::pair<int, int>;
+
+/// Of every third pit, as it happens to be.
+bool has_bench(const PitNumber& pit) {
+    return (pit.first * 7 + pit.second * 4) % 3 == 0;
+}
+
+Eigen::Vector3d min_of(const PitNumber& pit) {
+    return {kPitch * pit.first, 0, kPitch * pit.second};
+}
+
+/// A deck of pits within walls; along one side of some is a bench.
+scene::Campus pits() {
+    constexpr double kLow = kSide - kPitch;
+    constexpr double kHigh = kPitch * kPits;
+    scene::Campus campus = level_campus();
+    for (int row = -1; row < kPits; ++row) {
+        const double z = kPitch * row + kSide;
+        add_box(campus, "deck/row-" + std::to_string(row), {kLow, -0.1, z}, {kHigh, kDeck, z + kSide});
+        for (int column = -1; row >= 0 && column < kPits; ++column) {
+            const double x = kPitch * column + kSide;
+            add_box(campus, "deck/" + std::to_string(row) + "-" + std::to_string(column),
+                    {x, -0.1, z - kSide}, {x + kSide, kDeck, z});
+        }
+    }
+    for (int k = 0; k < kPits * kPits; ++k) {
+        if (const PitNumber pit{k % kPits, k / kPits}; has_bench(pit)) {
+            const Eigen::Vector3d min = min_of(pit);
+            add_box(campus, "bench-" + std::to_string(k), min, min + Eigen::Vector3d(0.8, kBench, kSide));
+        }
+    }
+    add_box(campus, "wall/west", {kLow - 0.2, 0, kLow}, {kLow, 3, kHigh});
+    add_box(campus, "wall/east", {kHigh, 0, kLow}, {kHigh + 0.2, 3, kHigh});
+    add_box(campus, "wall/south", {kLow, 0, kLow - 0.2}, {kHigh, 3, kLow});
+    add_box(campus, "wall/north", {kLow, 0, kHigh}, {kHigh, 3, kHigh + 0.2});
+    return campus;
+}
+
+std::vector<Trap> traps_in(const scene::Campus& campus, std::size_t workers) {
+    const WorkerWorlds worlds(campus.world, workers,
+                              [] { return std::make_unique<collision::LinearBroadPhase>(); });
+    ExploreSettings settings = explore_settings(campus, AvatarProfile(), 60);
+    settings.starts = {{-1, kDeck, -1}};
+    const WalkSpace space = explore(worlds, settings);
+    std::vector<Trap> traps = find_traps(worlds, settings, space);
+    for (Trap& trap : traps) {
+        trap.edge.y() -= trap.drop;  // where its floor is
+    }
+    return traps;
+}
+
+/// That the body stood beside before it fell.
+PitNumber pit_beside(const Eigen::Vector3d& foot) {
+    const auto nearest = [](double at) { return static_cast<int>(std::lround((at - kSide / 2) / kPitch)); };
+    return {nearest(foot.x()), nearest(foot.z())};
+}
+
+TEST(Traps, AreThePitsWithoutABench) {
+    const std::vector<Trap> traps = traps_in(pits(), 1);
+    std::set<PitNumber> found;
+    for (const Trap& trap : traps) {
+        found.insert(pit_beside(trap.edge));
+        EXPECT_NEAR(trap.edge.y(), 0.0, 0.05);
+    }
+    EXPECT_EQ(found.size(), traps.size());
+    for (int k = 0; k < kPits * kPits; ++k) {
+        const PitNumber pit{k % kPits, k / kPits};
+        EXPECT_NE(found.contains(pit), has_bench(pit)) << pit.first << " " << pit.second;
+    }
+}
+
+TEST(Traps, AreTheSameForAnyNumberOfWorkers) {
+    const scene::Campus campus = pits();
+    const std::vector<Trap> one = traps_in(campus, 1);
+    const std::vector<Trap> three = traps_in(campus, 3);
+    ASSERT_EQ(one.size(), three.size());
+    for (std::size_t i = 0; i < one.size(); ++i) {
+        EXPECT_EQ(one[i].nodes, three[i].nodes);
+        EXPECT_EQ(one[i].edge, three[i].edge);
+    }
+}
+
+}  // namespace
+}  // namespace campuswalk::engine
