@@ -23,18 +23,8 @@ using Rest = MoveBuffers::Rest;
 
 /// None where it would rest below `useful`, too. What it rests on doesn't depend on that, to the last bit:
 /// that depends on the order of the pieces, which is the cache's.
-std::optional<SphereRest> rest_on(const Piece& piece, double x, double z, double reach, double highest,
+std::optional<SphereRest> rest_on(const Obstacle& o, double x, double z, double reach, double highest,
                                   double lowest, double useful) {
-    const Aabb& box = piece.box;
-    // The sphere rests no higher than it would on the nearest point of the box's top.
-    const double dx = std::max({box.min.x() - x, x - box.max.x(), 0.0});
-    const double dz = std::max({box.min.z() - z, z - box.max.z(), 0.0});
-    const double left = reach * reach - (dx * dx + dz * dz);
-    const double above = useful - box.max.y();
-    if (left < 0.0 || (above > 0.0 && above * above > left) || box.min.y() - reach > highest) {
-        return std::nullopt;
-    }
-    const Obstacle& o = piece.obstacle;
     if (o.solid == nullptr) {
         return sphere_rest(o.vertices, o.normal, x, z, reach, useful);
     }
@@ -123,6 +113,7 @@ public:
           stand_(stand),
           x_(x),
           z_(z),
+          reach_(context.body.radius + kRestGap),
           highest_(stand.foot.y() + context.body.radius + up),
           lowest_(stand.foot.y() + context.body.radius - down),
           min_drop_(min_drop * context.body.radius),
@@ -136,15 +127,9 @@ public:
     std::optional<ContactCache::Index> highest_piece() const { return highest_piece_; }
 
     void offer(ContactCache::Index i) {
-        const auto sphere = rest_on(context_.contacts.piece(i), x_, z_, context_.body.radius + kRestGap,
-                                    highest_, lowest_ - 2.0 * kRestGap, useful());
-        if (sphere && sphere->height <= highest_ && sphere->height >= useful() &&
-            sphere->height - sphere->on.y() > min_drop_) {
-            context_.buffers.rests.push_back({i, *sphere});
-            if (sphere->height >= best_) {
-                best_ = sphere->height;
-                highest_piece_ = i;
-            }
+        const Piece& piece = context_.contacts.piece(i);
+        if (may_carry(piece.box)) {
+            offer_near(i, piece.obstacle);
         }
     }
 
@@ -169,10 +154,33 @@ public:
     }
 
 private:
+    /// The sphere rests no higher than it would on the nearest point of the box's top.
+    bool may_carry(const Aabb& box) const {
+        const double dx = std::max({box.min.x() - x_, x_ - box.max.x(), 0.0});
+        const double dz = std::max({box.min.z() - z_, z_ - box.max.z(), 0.0});
+        const double left = reach_ * reach_ - (dx * dx + dz * dz);
+        const double above = useful() - box.max.y();
+        return left >= 0.0 && (above <= 0.0 || above * above <= left) && box.min.y() - reach_ <= highest_;
+    }
+
+    /// Not inline: over half of the pieces don't get here, and are left the sooner.
+    [[gnu::noinline]] void offer_near(ContactCache::Index i, const Obstacle& obstacle) {
+        const auto sphere = rest_on(obstacle, x_, z_, reach_, highest_, lowest_ - 2.0 * kRestGap, useful());
+        if (sphere && sphere->height <= highest_ && sphere->height >= useful() &&
+            sphere->height - sphere->on.y() > min_drop_) {
+            context_.buffers.rests.push_back({i, *sphere});
+            if (sphere->height >= best_) {
+                best_ = sphere->height;
+                highest_piece_ = i;
+            }
+        }
+    }
+
     MoveContext& context_;
     const Support& stand_;
     double x_;
     double z_;
+    double reach_;
     double highest_;  ///< that its centre may be
     double lowest_;
     double min_drop_;
