@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <memory>
+#include <numeric>
 #include <span>
 #include <tuple>
+#include <utility>
 #include <variant>
 
 #include "collision/mesh/mesh_query.h"
@@ -39,6 +43,43 @@ constexpr auto kInOrder = [](const Surface& a, const Surface& b) {
     }
     return std::tie(a.y, a.object, a.triangle) < std::tie(b.y, b.object, b.triangle);
 };
+
+/// By kInOrder. Most cells of a square have one surface or a few: once these are together, there is hardly
+/// anything left to compare.
+void sort_in_order(std::vector<Surface>& surfaces) {
+    GridCell low{std::numeric_limits<int>::max(), std::numeric_limits<int>::max()};
+    GridCell high{std::numeric_limits<int>::min(), std::numeric_limits<int>::min()};
+    for (const Surface& surface : surfaces) {
+        low = {std::min(low.x, surface.cell.x), std::min(low.z, surface.cell.z)};
+        high = {std::max(high.x, surface.cell.x), std::max(high.z, surface.cell.z)};
+    }
+    constexpr std::size_t kSparse = 16;  // cells for each surface
+    const auto side = [](int first, int last) { return static_cast<std::size_t>(last - first) + 1; };
+    if (surfaces.empty() || side(low.x, high.x) * side(low.z, high.z) > kSparse * surfaces.size()) {
+        std::ranges::sort(surfaces, kInOrder);
+        return;
+    }
+    const auto number_of = [&](const GridCell& cell) {
+        return static_cast<std::size_t>(cell.x - low.x) * side(low.z, high.z) +
+               static_cast<std::size_t>(cell.z - low.z);
+    };
+    std::vector<std::size_t> ends(side(low.x, high.x) * side(low.z, high.z), 0);
+    for (const Surface& surface : surfaces) {
+        ++ends[number_of(surface.cell)];
+    }
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    std::vector<Surface> sorted(surfaces.size());
+    for (const Surface& surface : surfaces) {
+        sorted[--ends[number_of(surface.cell)]] = surface;  // from here on: where each cell's begin
+    }
+    for (std::size_t cell = 0; cell < ends.size(); ++cell) {
+        const std::size_t end = cell + 1 < ends.size() ? ends[cell + 1] : sorted.size();
+        if (end - ends[cell] > 1) {
+            std::ranges::sort(std::span(sorted).subspan(ends[cell], end - ends[cell]), kInOrder);
+        }
+    }
+    surfaces = std::move(sorted);
+}
 
 /// Finds the surfaces of one triangle after another.
 class SurfaceCollector {
@@ -237,7 +278,7 @@ std::vector<Surface> walkable_surfaces(const collision::World& world, const Expl
     for (const ObjectId id : solids) {
         collect(collector, world, id, region);
     }
-    std::ranges::sort(surfaces, kInOrder);
+    sort_in_order(surfaces);
     const auto same = [](const Surface& a, const Surface& b) {
         return a.cell == b.cell && std::abs(a.y - b.y) <= kOneSurface;
     };
@@ -269,7 +310,7 @@ std::vector<Surface> unreached_surfaces(const WorkerWorlds& worlds, const Explor
     for (const std::vector<Surface>& surfaces : found) {
         unreached.insert(unreached.end(), surfaces.begin(), surfaces.end());
     }
-    std::ranges::sort(unreached, kInOrder);
+    sort_in_order(unreached);
     return unreached;
 }
 
