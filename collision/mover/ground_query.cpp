@@ -154,7 +154,8 @@ public:
     }
 
 private:
-    /// The sphere rests no higher than it would on the nearest point of the box's top.
+    /// Whether the sphere may rest on what is in the box, at a height that counts: it rests no higher than it
+    /// would on the nearest point of the box's top, and above what is too high it isn't looked for.
     bool may_carry(const Aabb& box) const {
         const double dx = std::max({box.min.x() - x_, x_ - box.max.x(), 0.0});
         const double dz = std::max({box.min.z() - z_, z_ - box.max.z(), 0.0});

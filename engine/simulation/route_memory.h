@@ -19,7 +19,7 @@ class RouteStore {
 public:
     virtual ~RouteStore() = default;
 
-    /// What is stored for the key, else what `plan` returns. Leaves out `Route::path`.
+    /// What is stored for the key, without `Route::path`; else what `plan` returns.
     virtual PlannedRoute stored_or_planned(const RouteKey& key,
                                            const std::function<PlannedRoute()>& plan) const = 0;
 };

@@ -22,11 +22,13 @@ constexpr double kSameHeight = 0.5;
 /// How often it is tried to get from one part of the space into another before that counts as impossible;
 /// before a trap is reported, every way out of it has been tried.
 constexpr std::size_t kTries = 200;
+/// So often parts are asked anew whether those that now lead home are beside them; then every way is tried.
+constexpr int kRounds = 8;
 /// From so many places in a trap, winding ways out are tried as well, of legs that take so many seconds.
 constexpr std::size_t kWindingStarts = 16;
 constexpr double kLeg = 1.0;
-/// So many parts' legs are remembered at once.
-constexpr std::size_t kPartsAtOnce = 256;
+/// From so many parts legs are walked before what they lead to is noted.
+constexpr std::size_t kPartsAtOnce = 64;
 
 /// Nodes between which one can walk back wherever one came from; known by the number of the first.
 using Part = std::uint32_t;
@@ -262,7 +264,7 @@ public:
 
     /// Nodes by part that is no one's way home, after all ways were tried.
     std::map<Part, std::vector<WalkNodeId>> run() && {
-        while (leads_home_by(&PartWalker::search_beside)) {
+        for (int round = 0; round < kRounds && leads_home_by(&PartWalker::search_beside); ++round) {
         }
         leads_home_by(&PartWalker::search_by_strides);
         walk_two_legs();
@@ -289,12 +291,11 @@ private:
     /// one height are taken for one: the first.
     void walk_two_legs() {
         std::map<std::pair<GridCell, int>, std::set<Part>> one_leg_from;
-        const std::vector<Part> from = unsolved();
-        for (std::size_t first = 0; first < from.size(); first += kPartsAtOnce) {
-            const std::size_t count = std::min(kPartsAtOnce, from.size() - first);
-            std::vector<std::vector<GroundState>> ends(count);
-            for_each_item(count, walkers_.size(), [&](std::size_t worker, std::size_t i) {
-                ends[i] = walkers_[worker].walk_legs(nodes_of_.at(from[first + i]));
+        for (std::vector<Part> from = first_unsolved(0); !from.empty();
+             from = first_unsolved(from.back() + 1)) {
+            std::vector<std::vector<GroundState>> ends(from.size());
+            for_each_item(from.size(), walkers_.size(), [&](std::size_t worker, std::size_t i) {
+                ends[i] = walkers_[worker].walk_legs(nodes_of_.at(from[i]));
             });
             std::vector<std::pair<GroundState, std::set<Part>*>> unknown;
             for (const GroundState& at : ends | std::views::join) {
@@ -305,9 +306,9 @@ private:
             for_each_item(unknown.size(), walkers_.size(), [&](std::size_t worker, std::size_t i) {
                 *unknown[i].second = walkers_[worker].parts_one_leg_from(unknown[i].first);
             });
-            for (std::size_t i = 0; i < count; ++i) {
+            for (std::size_t i = 0; i < from.size(); ++i) {
                 for (const GroundState& at : ends[i]) {
-                    note(from[first + i], one_leg_from.at(place_of(at)));
+                    note(from[i], one_leg_from.at(place_of(at)));
                 }
             }
         }
@@ -322,6 +323,17 @@ private:
         std::vector<Part> parts;
         for (const auto& [part, nodes] : nodes_of_) {
             parts.push_back(part);
+        }
+        return parts;
+    }
+    /// As many as are walked from at once, from this one on.
+    std::vector<Part> first_unsolved(Part lowest) const {
+        std::vector<Part> parts;
+        for (auto at = nodes_of_.lower_bound(lowest); at != nodes_of_.end() && parts.size() < kPartsAtOnce;
+             ++at) {
+            if (!home_.lead_from(at->first)) {
+                parts.push_back(at->first);
+            }
         }
         return parts;
     }

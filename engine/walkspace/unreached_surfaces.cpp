@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <numeric>
@@ -53,8 +54,10 @@ void sort_in_order(std::vector<Surface>& surfaces) {
         low = {std::min(low.x, surface.cell.x), std::min(low.z, surface.cell.z)};
         high = {std::max(high.x, surface.cell.x), std::max(high.z, surface.cell.z)};
     }
-    constexpr std::size_t kSparse = 16;  // cells for each surface
-    const auto side = [](int first, int last) { return static_cast<std::size_t>(last - first) + 1; };
+    constexpr std::size_t kSparse = 4;  // cells for each surface
+    const auto side = [](int first, int last) {
+        return static_cast<std::size_t>(std::int64_t{last} - std::int64_t{first}) + 1;
+    };
     if (surfaces.empty() || side(low.x, high.x) * side(low.z, high.z) > kSparse * surfaces.size()) {
         std::ranges::sort(surfaces, kInOrder);
         return;
@@ -63,7 +66,7 @@ void sort_in_order(std::vector<Surface>& surfaces) {
         return static_cast<std::size_t>(cell.x - low.x) * side(low.z, high.z) +
                static_cast<std::size_t>(cell.z - low.z);
     };
-    std::vector<std::size_t> ends(side(low.x, high.x) * side(low.z, high.z), 0);
+    std::vector<std::uint32_t> ends(side(low.x, high.x) * side(low.z, high.z), 0);
     for (const Surface& surface : surfaces) {
         ++ends[number_of(surface.cell)];
     }
@@ -310,7 +313,7 @@ std::vector<Surface> unreached_surfaces(const WorkerWorlds& worlds, const Explor
     for (const std::vector<Surface>& surfaces : found) {
         unreached.insert(unreached.end(), surfaces.begin(), surfaces.end());
     }
-    sort_in_order(unreached);
+    std::ranges::sort(unreached, kInOrder);
     return unreached;
 }
 

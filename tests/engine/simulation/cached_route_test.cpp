@@ -64,6 +64,7 @@ TEST_F(CachedRoute, IsTheSameAgain) {
         plans_ = 0;
         expect_same(answer(planned), planned);
         expect_same(answer(no_route()), planned);
+        EXPECT_TRUE(answer(no_route()).route.path.empty()) << "it is far larger than the rest";
         EXPECT_EQ(plans_, 1);
     }
 }

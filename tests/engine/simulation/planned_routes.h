@@ -14,6 +14,7 @@ inline PlannedRoute searched_route() {
     PlannedRoute planned;
     planned.route.pieces = {{{"", {1.0 / 3.0, 0, 2}, false}, 0.05, std::nullopt, 17},
                             {{"desk", {4, 0.2, -12}, true}, 0.25, Eigen::Vector3d(0.02, 0, 1e-9), 600}};
+    planned.route.path = {{0, 0, 12}, {1.0 / 3.0, 0, 2}, {4, 0.2, -12}};
     planned.route.searched = true;
     return planned;
 }

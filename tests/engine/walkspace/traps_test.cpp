@@ -17,17 +17,18 @@
 namespace campuswalk::engine {
 namespace {
 
-constexpr int kPits = 5;         // in a row, and rows
-constexpr double kPitch = 4.0;   // from one pit to the next
-constexpr double kSide = 2.0;    // of a pit
+constexpr int kPits = 10;       // in a row, and rows: with more traps than are walked from at once
+constexpr double kPitch = 3.0;  // from one pit to the next
+constexpr double kSide = 1.6;   // of a pit
+constexpr double kGap = kPitch - kSide;
 constexpr double kDeck = 0.5;    // above the pits' floor
 constexpr double kBench = 0.25;  // one steps up to it, and from it to the deck
 
 using PitNumber = std::pair<int, int>;
 
-/// Of every third pit, as it happens to be.
+/// Every third one along each row and column.
 bool has_bench(const PitNumber& pit) {
-    return (pit.first * 7 + pit.second * 4) % 3 == 0;
+    return (pit.first + pit.second) % 3 == 0;
 }
 
 Eigen::Vector3d min_of(const PitNumber& pit) {
@@ -36,22 +37,22 @@ Eigen::Vector3d min_of(const PitNumber& pit) {
 
 /// A deck of pits within walls; along one side of some is a bench.
 scene::Campus pits() {
-    constexpr double kLow = kSide - kPitch;
+    constexpr double kLow = -kGap;
     constexpr double kHigh = kPitch * kPits;
     scene::Campus campus = level_campus();
     for (int row = -1; row < kPits; ++row) {
         const double z = kPitch * row + kSide;
-        add_box(campus, "deck/row-" + std::to_string(row), {kLow, -0.1, z}, {kHigh, kDeck, z + kSide});
+        add_box(campus, "deck/row-" + std::to_string(row), {kLow, -0.1, z}, {kHigh, kDeck, z + kGap});
         for (int column = -1; row >= 0 && column < kPits; ++column) {
             const double x = kPitch * column + kSide;
             add_box(campus, "deck/" + std::to_string(row) + "-" + std::to_string(column),
-                    {x, -0.1, z - kSide}, {x + kSide, kDeck, z});
+                    {x, -0.1, z - kSide}, {x + kGap, kDeck, z});
         }
     }
     for (int k = 0; k < kPits * kPits; ++k) {
         if (const PitNumber pit{k % kPits, k / kPits}; has_bench(pit)) {
             const Eigen::Vector3d min = min_of(pit);
-            add_box(campus, "bench-" + std::to_string(k), min, min + Eigen::Vector3d(0.8, kBench, kSide));
+            add_box(campus, "bench-" + std::to_string(k), min, min + Eigen::Vector3d(0.7, kBench, kSide));
         }
     }
     add_box(campus, "wall/west", {kLow - 0.2, 0, kLow}, {kLow, 3, kHigh});
