@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
-#include <ranges>
 #include <set>
 #include <utility>
 
@@ -134,10 +133,9 @@ public:
         const auto parent = space_.parent(id);
         const auto known = parent && parent->tile == tile_ ? known_.find(parent->node) : known_.end();
         const bool is_stored = space_.tiles[id.tile].keyframe(id.node) != nullptr;
-        const GroundState state =
-            is_stored || known == known_.end()
-                ? space_.state_at(id, strider_)
-                : strider_.take(known->second, space_.node(id).stride(), space_.grid).at;
+        GroundState state = is_stored || known == known_.end()
+                                ? space_.state_at(id, strider_)
+                                : strider_.take(known->second, space_.node(id).stride(), space_.grid).at;
         known_.emplace(id.node, state);
         return state;
     }
@@ -298,9 +296,11 @@ private:
                 ends[i] = walkers_[worker].walk_legs(nodes_of_.at(from[i]));
             });
             std::vector<std::pair<GroundState, std::set<Part>*>> unknown;
-            for (const GroundState& at : ends | std::views::join) {
-                if (const auto [known, is_new] = one_leg_from.try_emplace(place_of(at)); is_new) {
-                    unknown.emplace_back(at, &known->second);
+            for (const std::vector<GroundState>& ends_of_part : ends) {
+                for (const GroundState& at : ends_of_part) {
+                    if (const auto [known, is_new] = one_leg_from.try_emplace(place_of(at)); is_new) {
+                        unknown.emplace_back(at, &known->second);
+                    }
                 }
             }
             for_each_item(unknown.size(), walkers_.size(), [&](std::size_t worker, std::size_t i) {
