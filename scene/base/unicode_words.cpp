@@ -55,7 +55,7 @@ bool is_mark(utf8proc_int32_t point) {
 }  // namespace
 
 std::string normalized(std::string_view text) {
-    const std::string zero_ended(text);
+    std::string zero_ended(text);
     if (zero_ended.find('\0') != std::string::npos) {
         return zero_ended;
     }

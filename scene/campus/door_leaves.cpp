@@ -33,6 +33,7 @@ std::vector<DoorLeaf> find_door_leaves(const Campus& campus) {
         add(removed.node, removed.meshes);
     }
     std::vector<DoorLeaf> leaves;
+    leaves.reserve(fits.size());
     for (auto& [node, fit] : fits) {
         leaves.push_back({node, fit.box()});
     }

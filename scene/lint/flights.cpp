@@ -142,7 +142,9 @@ std::vector<std::optional<std::size_t>> link(const std::vector<Tread>& treads) {
     for (std::size_t low = 0; low < treads.size(); ++low) {
         const auto [x, z] = cell_of(treads[low].center);
         for (int k = 0; k < 9; ++k) {
-            const auto cell = cells.find({x + k % 3 - 1, z + k / 3 - 1});
+            const int column = k % 3 - 1;
+            const int row = k / 3 - 1;
+            const auto cell = cells.find({x + column, z + row});
             for (std::size_t i = 0; cell != cells.end() && i < cell->second.size(); ++i) {
                 const std::size_t high = cell->second[i];
                 if (follows(treads[low], treads[high]) &&
@@ -227,6 +229,7 @@ void take(Probe& probe, double y) {
 /// Fills in what the probes find, in one pass over the model.
 void look(const Model& model, std::vector<Probe>& probes) {
     std::vector<Probe*> by_x;
+    by_x.reserve(probes.size());
     for (Probe& probe : probes) {
         by_x.push_back(&probe);
     }

@@ -99,6 +99,7 @@ ModelReport report(const Model& model) {
 
 void add_repairs(const std::vector<Diagnostic>& repairs, ModelReport& report) {
     std::vector<ModelLint> lints;
+    lints.reserve(repairs.size());
     for (const Diagnostic& repair : repairs) {
         lints.push_back({repair.code, repair.message});
     }

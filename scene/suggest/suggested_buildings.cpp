@@ -41,12 +41,15 @@ std::vector<SuggestedBuilding> suggest_buildings(const Model& model, const Model
     }
     keep_largest_unnamed(found, names);
     std::vector<std::string> words;
+    words.reserve(names.size());
     std::size_t numbered = 0;
     for (std::string& name : names) {
         const std::string word = to_id_word(name);
         const std::string number = std::to_string(word.empty() ? ++numbered : numbered);
         words.push_back(word.empty() ? "building-" + number : word);
-        name = name.empty() ? "Building " + number : name;
+        if (name.empty()) {
+            name = "Building " + number;
+        }
     }
     const std::vector<std::string> ids = distinct_words(words);
     const std::vector<std::vector<std::string>> globs = globs_of(model, found);

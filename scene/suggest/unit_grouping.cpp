@@ -289,6 +289,7 @@ void UnitGrouping::join_fragments(const std::vector<BuildingUnit>& units, const 
     }
     for (const std::vector<std::size_t>& together : members) {
         std::vector<BuildingUnit> fragments;
+        fragments.reserve(together.size());
         for (const std::size_t unit : together) {
             fragments.push_back(units[unit]);
         }
