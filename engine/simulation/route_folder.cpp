@@ -63,7 +63,7 @@ std::vector<std::byte> archive_route(const PlannedRoute& planned) {
 Vector3d take_point(ArchiveReader& in) {
     const auto x = in.take<double>();
     const auto y = in.take<double>();
-    const Vector3d p(x, y, in.take<double>());
+    Vector3d p(x, y, in.take<double>());
     if (!p.allFinite()) {
         throw DamagedFile("a place in it is nowhere");
     }

@@ -57,6 +57,7 @@ std::vector<Hole> find_holes(const WalkSpace& space) {
         }
     }
     std::vector<Hole> result;
+    result.reserve(holes.size());
     for (auto& [root, hole] : holes) {
         result.push_back(std::move(hole));
     }

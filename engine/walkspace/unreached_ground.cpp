@@ -99,7 +99,8 @@ private:
             const bool is_new_column = spot == 0 || cells_[spot - 1].x != cell.x;
             for (int x = -kFar; x <= kFar; ++x) {
                 const GridCell from{cell.x + x, cell.z - kFar};
-                std::size_t& near = first[static_cast<std::size_t>(x + kFar)];
+                const int column = x + kFar;
+                std::size_t& near = first[static_cast<std::size_t>(column)];
                 if (is_new_column) {
                     near = static_cast<std::size_t>(std::ranges::lower_bound(cells_, from) - cells_.begin());
                 }
@@ -110,7 +111,8 @@ private:
             auto next = first;
             for (int z = -kFar; z <= kFar; ++z) {
                 for (int x = -kFar; x <= kFar; ++x) {
-                    std::size_t& near = next[static_cast<std::size_t>(x + kFar)];
+                    const int column = x + kFar;
+                    std::size_t& near = next[static_cast<std::size_t>(column)];
                     for (; near < cells_.size() && cells_[near] == GridCell{cell.x + x, cell.z + z}; ++near) {
                         visit(spot, near);
                     }

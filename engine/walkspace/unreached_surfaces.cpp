@@ -211,7 +211,8 @@ private:
 
     /// The first surface in the row beside the cell, or in its own, that is at most one cell before it.
     std::size_t first_in_row(const GridCell& cell, int side) {
-        std::size_t& first = first_in_row_[static_cast<std::size_t>(side + 1)];
+        const int row = side + 1;
+        std::size_t& first = first_in_row_[static_cast<std::size_t>(row)];
         const GridCell lowest{cell.x + side, cell.z - 1};
         while (first < surfaces_.size() && surfaces_[first].cell < lowest) {
             ++first;
