@@ -31,8 +31,8 @@ public:
             if (scene::glob_matches(expected_->title, title) && scene::glob_matches(expected_->body, body)) {
                 ++times_;
             } else {
-                other_ = "that of " + event.object + " " + at_time(record.time) + " had the title '" + title +
-                         "' and the body '" + body + "'";
+                other_ = "that of " + event.object + " " + at_time(record.time);
+                other_ += " had the title '" + title + "' and the body '" + body + "'";
             }
             when_ = now;
         }

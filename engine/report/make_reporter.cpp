@@ -44,6 +44,7 @@ std::span<const ReporterKind> reporter_kinds() {
 
 std::vector<std::string> reporter_names() {
     std::vector<std::string> names;
+    names.reserve(kReporterKinds.size());
     for (const ReporterKind& kind : kReporterKinds) {
         names.emplace_back(kind.name);
     }

@@ -41,7 +41,7 @@ Verdict has_sequence(const std::vector<Event>& events, const std::vector<std::st
         const EventPattern pattern = pattern_from(text);
         from = std::find_if(from, events.end(), [&](const Event& event) { return matches(pattern, event); });
         if (from == events.end()) {
-            return {false, "no " + text + " after " + last};
+            return {false, std::string("no ").append(text).append(" after ").append(last)};
         }
         last = describe(*from++);
     }

@@ -146,6 +146,7 @@ private:
             sides[sets.root(i)].push_back(nodes[i]);
         }
         std::vector<std::vector<std::size_t>> list;
+        list.reserve(sides.size());
         for (auto& [root, side] : sides) {
             list.push_back(std::move(side));
         }
@@ -222,8 +223,9 @@ std::vector<Bottleneck> find_bottlenecks(const WorkerWorlds& worlds, const Explo
     NarrowsSearch search(space, widths, step);
     std::vector<std::vector<Narrows>> by_level;
     const double below = std::max(kWidthStep, (width - 2.0 * body.radius) / kMostSteps);
-    for (double level = width - kAsWide; level > 2.0 * body.radius; level -= below) {
-        by_level.push_back(search.at_level(level));
+    const double highest = width - kAsWide;
+    for (int i = 0; highest - i * below > 2.0 * body.radius; ++i) {
+        by_level.push_back(search.at_level(highest - i * below));
     }
     std::vector<Bottleneck> bottlenecks;
     for (const Narrows& narrows : innermost(by_level)) {

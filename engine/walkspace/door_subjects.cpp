@@ -105,6 +105,7 @@ private:
         }
         std::ranges::sort(near);
         std::vector<WalkNodeId> nodes;
+        nodes.reserve(near.size());
         for (const auto& [distance, node] : near) {
             nodes.push_back(node);
         }

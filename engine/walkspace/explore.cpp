@@ -290,7 +290,7 @@ private:
 
     StrideEnd try_stride(std::uint32_t tile, const Pending& from, const Stride& stride,
                          StrideWorker& worker) {
-        const StrideEnd end = worker.take(tile, from.at, stride);
+        StrideEnd end = worker.take(tile, from.at, stride);
         note(tile, from, stride, end, worker);
         const bool gone = end.kind == StrideEnd::Kind::gone;
         const double height = end.edge.y() - end.at.foot.y();

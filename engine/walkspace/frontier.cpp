@@ -29,7 +29,7 @@ void Frontier::push(const Pending& node) {
 
 Pending Frontier::pop() {
     std::ranges::pop_heap(pending_, later);
-    const Pending next = pending_.back();
+    Pending next = pending_.back();
     pending_.pop_back();
     if (pending_.size() < pending_.capacity() / 2) {  // most tiles are done at any time
         pending_.shrink_to_fit();

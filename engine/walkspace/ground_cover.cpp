@@ -233,7 +233,7 @@ private:
         const auto low = spots.begin() + (end - spots.begin()) / 10;
         std::ranges::nth_element(spots.begin(), low, end, {},
                                  [](const UnreachedSpot& spot) { return spot.at.foot.y(); });
-        const Vec3 start = low->at.foot;
+        Vec3 start = low->at.foot;
         spots.erase(low);
         return start;
     }

@@ -51,7 +51,8 @@ bool is_void_between(const collision::World& world, const ExploreSettings& setti
         return false;
     }
     const double length = collision::horizontal_norm(to - from);
-    for (double at = kEnds; at < length - kEnds; at += kEvery) {
+    for (int i = 0; kEnds + i * kEvery < length - kEnds; ++i) {
+        const double at = kEnds + i * kEvery;
         const Vec3 p = from + at / length * (to - from);
         if (is_hit({p + Vec3(0, kAboveLine, 0), p - Vec3(0, kBelowLine, 0)})) {
             return false;

@@ -15,7 +15,8 @@ namespace {
 
 /// Where in a cell the body is tried, in thirds of it from the middle: a passage that is 10 cm wider than the
 /// body has room for one of them in each of its cells.
-constexpr std::array<std::array<int, 2>, 9> kPoints{
+constexpr std::uint8_t kPointCount = 9;
+constexpr std::array<std::array<int, 2>, kPointCount> kPoints{
     {{0, 0}, {1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
 
 /// Nobody stands on a surface that lies so little below another, metres: the ground under a pavement.
@@ -61,8 +62,7 @@ GroundMap::Spots GroundMap::spots_in(const GridCell& cell) {
         latest_ = tile_of(first_of_square(cell, kCells));
     }
     const Tile& tile = *tiles_[latest_];
-    const auto at =
-        static_cast<std::size_t>(cell.x - tile.first_cell.x + kCells * (cell.z - tile.first_cell.z));
+    const auto at = static_cast<std::size_t>(tile.index_of(cell));
     return {latest_, tile.first[at], tile.first[at + 1]};
 }
 
@@ -98,13 +98,11 @@ void GroundMap::fill(Tile& tile) const {
     const collision::Aabb all = world_.bounds();
     const double size = kCells * grid_.cell;
     const Vec3 low(tile.first_cell.x * grid_.cell, all.min.y(), tile.first_cell.z * grid_.cell);
-    const auto index_of = [&](const GridCell& cell) {
-        return static_cast<std::uint16_t>(cell.x - tile.first_cell.x + kCells * (cell.z - tile.first_cell.z));
-    };
     for (const Surface& surface :
          walkable_surfaces(world_, settings, grid_, {low, {low.x() + size, all.max.y(), low.z() + size}})) {
         if (first_of_square(surface.cell, kCells) == tile.first_cell) {
-            tile.levels.push_back({static_cast<float>(surface.y), Room::unknown, 0, index_of(surface.cell)});
+            const auto cell = static_cast<std::uint16_t>(tile.index_of(surface.cell));
+            tile.levels.push_back({static_cast<float>(surface.y), Room::unknown, 0, cell});
         }
     }
     std::ranges::stable_sort(tile.levels, {}, &Level::cell);
@@ -155,7 +153,7 @@ std::optional<std::uint8_t> GroundMap::free_point(const Tile& tile, const Level&
         return std::nullopt;
     }
     for (const double slimmer : {-kRoomAround, 0.0}) {
-        for (std::uint8_t i = 0; i < kPoints.size(); ++i) {
+        for (std::uint8_t i = 0; i < kPointCount; ++i) {
             if (is_free(i, slimmer)) {
                 return i;
             }

@@ -65,9 +65,14 @@ private:
         float y = 0.0F;
         Room room = Room::unknown;
         std::uint8_t offset = 0;  ///< number of the point in the cell
-        std::uint16_t cell = 0;   ///< x + kCells * z in the tile
+        std::uint16_t cell = 0;   ///< its index in the tile
     };
     struct Tile {
+        /// x + kCells * z in the tile.
+        int index_of(const GridCell& cell) const {
+            return cell.x - first_cell.x + kCells * (cell.z - first_cell.z);
+        }
+
         GridCell first_cell;
         std::array<std::uint32_t, kCells* kCells + 1> first = {};  ///< level of each cell
         std::vector<Level> levels;

@@ -76,7 +76,7 @@ std::optional<Barrier> barrier_from_nearby(const IslandQuestion& q, const std::v
             return here;
         }
         // One change that helps from afar is better than several here, or than to take away a wall.
-        const std::optional<Barrier> afar = barrier_from_afar(q, Changes::single);
+        std::optional<Barrier> afar = barrier_from_afar(q, Changes::single);
         if (afar && !is_closed_off(afar) && !(here && is_smaller_object(q.worlds[0], *here, *afar))) {
             return afar;
         }

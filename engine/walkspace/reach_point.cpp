@@ -38,6 +38,7 @@ std::vector<WalkNodeId> nodes_about(const WalkSpace& reached, const Vec3& at, bo
     }
     std::ranges::sort(near);
     std::vector<WalkNodeId> nodes;
+    nodes.reserve(near.size());
     for (const auto& [apart, node] : near) {
         nodes.push_back(node);
     }

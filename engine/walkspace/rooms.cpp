@@ -51,7 +51,8 @@ bool has_room_above(const collision::World& world, const Vec3& foot, const Vec3&
 /// Whether one who goes ahead from the place, or comes from there, passes below a lintel.
 bool is_below_lintel(const collision::World& world, const Vec3& foot, const Vec3& ahead) {
     const Vec3 reach = kLintelReach * ahead;
-    for (double height = kLowestLintel; height <= kHighestLintel; height += kRise) {
+    for (int i = 0; kLowestLintel + i * kRise <= kHighestLintel; ++i) {
+        const double height = kLowestLintel + i * kRise;
         const Vec3 above = foot + height * Vec3::UnitY();
         if (!is_free(world, above - reach, above + reach)) {
             return has_room_above(world, foot, ahead, height + kRise) &&
@@ -110,7 +111,7 @@ bool is_between_walls(const collision::World& world, const Vec3& foot, const Row
 /// Whether it is wider than a doorway both in front and behind.
 bool is_constriction(const WalkSpace& reached, const WalkNodeId& node, const GridDirection& across,
                      const GridDirection& ahead) {
-    const auto cells = static_cast<int>(kDoorwayDepth / pitch_along(reached, ahead) + 0.5);
+    const auto cells = static_cast<int>(std::lround(kDoorwayDepth / pitch_along(reached, ahead)));
     return std::ranges::all_of(std::array{-cells, cells}, [&](int away) {
         const auto beyond = node_along(reached, node, ahead, away);
         return beyond && !row_through(reached, *beyond, across).is_narrow();

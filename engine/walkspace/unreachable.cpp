@@ -112,7 +112,7 @@ bool may_be_farther_off(const Barrier& barrier, const Island& first, std::span<c
 std::optional<Barrier> barrier_before_target(const WorkerWorlds& worlds, const ExploreSettings& settings,
                                              const GroundState& target, const WalkSpace& reached,
                                              const Island& ground, const scene::NodeTriangles& nodes) {
-    const auto barrier = find_island_barriers(worlds, settings, reached, {ground}, 1, &nodes, {true}).front();
+    auto barrier = find_island_barriers(worlds, settings, reached, {ground}, 1, &nodes, {true}).front();
     if (ground.spots.empty()) {
         return barrier;
     }

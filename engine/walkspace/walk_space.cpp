@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
 
 #include "engine/walkspace/tight_growth.h"
 
@@ -70,12 +72,12 @@ std::vector<WalkNodeId> WalkSpace::nodes_in(const collision::Aabb& box) const {
             tile.first_cell.z > high.z || tile.first_cell.z + WalkTile::kCells <= low.z) {
             continue;
         }
-        for (std::uint16_t n = 0; n < tile.nodes.size(); ++n) {
+        for (std::size_t n = 0; n < tile.nodes.size(); ++n) {
             const GridCell cell = tile.cell_of(tile.nodes[n]);
             const double y = static_cast<double>(tile.nodes[n].y);
             if (cell.x >= low.x && cell.x <= high.x && cell.z >= low.z && cell.z <= high.z &&
                 y >= box.min.y() && y <= box.max.y()) {
-                nodes.push_back({t, n});
+                nodes.push_back({t, static_cast<std::uint16_t>(n)});
             }
         }
     }

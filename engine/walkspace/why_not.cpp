@@ -412,6 +412,7 @@ private:
         Barrier barrier;
         barrier.kind = BarrierKind::several;
         std::vector<double> values;
+        values.reserve(abilities.size());
         for (const Ability& ability : abilities) {
             values.push_back(ability.easier.back());
         }

@@ -74,8 +74,8 @@ void replace_triangles(MeshGroup& group, Indices indices) {
 }  // namespace
 
 void simplify(MeshGroup& group, double error) {
-    constexpr std::size_t kFewIndices = 3 * 16;  // nothing to gain
-    constexpr double kWorthwhile = 0.9;          // of the triangles may remain
+    constexpr std::size_t kFewIndices = 48;  // nothing to gain
+    constexpr double kWorthwhile = 0.9;      // of the triangles may remain
     constexpr int kAttempts = 3;
     if (group.indices.size() < kFewIndices || is_painted(group)) {
         return;

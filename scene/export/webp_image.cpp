@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <stdexcept>
 
@@ -40,8 +41,8 @@ Pixels shrunk_to_fit(const PixelView& image, int width, int height) {
     const double scale =
         std::min({1.0, static_cast<double>(width) / image.width, static_cast<double>(height) / image.height});
     Pixels small;
-    small.width = std::max(1, static_cast<int>(image.width * scale + 0.5));
-    small.height = std::max(1, static_cast<int>(image.height * scale + 0.5));
+    small.width = std::max(1, static_cast<int>(std::lround(image.width * scale)));
+    small.height = std::max(1, static_cast<int>(std::lround(image.height * scale)));
     if (small.width == image.width && small.height == image.height) {
         small.rgba.assign(image.rgba.begin(), image.rgba.end());
         return small;

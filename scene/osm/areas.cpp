@@ -143,6 +143,7 @@ std::vector<MapArea> areas_of(const Map& map, const PlanGeometry& geometry, cons
             continue;
         }
         std::vector<std::vector<Point>> lines;
+        lines.reserve(ways.size());
         for (const MapWay* way : ways) {
             lines.push_back(way->points);
         }

@@ -126,6 +126,7 @@ private:
             geometry.clipped(geometry.buffer(way.points, 0.5 * thickness, Caps::flat), composition_.map.box);
         const std::vector<Polygons> gaps = gaps_of(way, thickness);
         std::vector<const Polygons*> all;
+        all.reserve(gaps.size());
         for (const Polygons& gap : gaps) {
             all.push_back(&gap);
         }

@@ -17,6 +17,7 @@ constexpr Look kRail = {{92, 98, 102}, 140, 255};
 
 Polygons area_of_parts(const std::vector<DeckPart>& parts, const PlanGeometry& geometry) {
     std::vector<const Polygons*> all;
+    all.reserve(parts.size());
     for (const DeckPart& part : parts) {
         all.push_back(&part.area);
     }

@@ -94,6 +94,7 @@ Polygons PlanGeometry::buffer_in_pieces(const std::vector<Point>& line, double r
         pieces.push_back(buffer(std::vector<Point>(begin, begin + length), radius, caps));
     }
     std::vector<const Polygons*> all;
+    all.reserve(pieces.size());
     for (const Polygons& piece : pieces) {
         all.push_back(&piece);
     }

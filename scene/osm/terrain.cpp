@@ -122,8 +122,9 @@ std::vector<Point> Terrain::split(const Point& a, const Point& b) const {
         };
         const double from = value(a);
         const double to = value(b);
-        for (double k = std::floor(std::min(from, to)) + 1.0; k < std::max(from, to); k += 1.0) {
-            cuts.push_back((k - from) / (to - from));
+        const double first = std::floor(std::min(from, to)) + 1.0;
+        for (int k = 0; first + k < std::max(from, to); ++k) {
+            cuts.push_back((first + k - from) / (to - from));
         }
     }
     std::ranges::sort(cuts);

@@ -34,7 +34,9 @@ void collect_defaults(const json& schema, const std::string& place, std::map<std
         if (key == "default" && !schema.is_array()) {
             found[place] = value;
         } else if (value.is_structured()) {
-            collect_defaults(value, place + "/" + key, found);
+            std::string below = place;
+            below.append("/").append(key);
+            collect_defaults(value, below, found);
         }
     }
 }

@@ -20,7 +20,8 @@ protected:
         return about_path("a.yaml");
     }
 
-    std::string about_path(const std::string& name, scene::SourceMark referenced_at = {"a.walk.yaml", 3, 9}) {
+    std::string about_path(const std::string& name,
+                           const scene::SourceMark& referenced_at = {"a.walk.yaml", 3, 9}) {
         scene::DiagnosticList diagnostics;
         text_ = read_source(folder_.path() / name, referenced_at, diagnostics);
         EXPECT_EQ(text_.has_value(), diagnostics.all().empty());

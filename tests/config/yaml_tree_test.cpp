@@ -148,7 +148,8 @@ TEST(YamlTree, RefusesAliasBombs) {
         const std::string name = "a" + std::to_string(i);
         text += name + ": &" + name + " [";
         for (int j = 0; j < 10; ++j) {
-            text += (j == 0 ? "" : ", ") + last;
+            text += j == 0 ? "" : ", ";
+            text += last;
         }
         text += "]\n";
     }

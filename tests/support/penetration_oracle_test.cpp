@@ -20,7 +20,6 @@ using collision::LinearBroadPhase;
 using collision::MoverSettings;
 using collision::MoverState;
 using collision::MoveTrace;
-using collision::QueryStatistics;
 using collision::Vec3;
 using collision::World;
 

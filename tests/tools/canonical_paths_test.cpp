@@ -14,9 +14,9 @@ namespace fs = std::filesystem;
 
 TEST(CanonicalPaths, AreThoseOfTheStandardLibrary) {
     const support::TemporaryFolder temporary;
-    const fs::path folder = temporary.path();
+    const fs::path& folder = temporary.path();
     fs::create_directories(folder / "a" / "b");
-    std::ofstream(folder / "a" / "file");
+    std::ofstream(folder / "a" / "file") << "words";
     fs::create_symlink("a", folder / "link");
     fs::create_symlink("../a/file", folder / "a" / "to-file");
     fs::create_symlink("nowhere", folder / "a" / "broken");

@@ -64,16 +64,17 @@ PlanCell cell_at(const StoreyPlan& plan, double x, double z) {
     const engine::render::PlanRaster& raster = plan.raster;
     const auto column = static_cast<int>(std::floor((x - raster.north_west.x()) / raster.cell_size));
     const auto row = static_cast<int>(std::floor((z - raster.north_west.y()) / raster.cell_size));
+    const int cell = row * raster.columns + column;
     return column < 0 || row < 0 || column >= raster.columns || row >= raster.rows
                ? PlanCell::nothing
-               : raster.cells[static_cast<std::size_t>(row * raster.columns + column)];
+               : raster.cells[static_cast<std::size_t>(cell)];
 }
 
 /// Whether something is drawn within a metre.
 bool is_on_ground(const StoreyPlan& plan, const Eigen::Vector2d& at) {
-    for (double dz = -1.0; dz <= 1.0; dz += 0.25) {
-        for (double dx = -1.0; dx <= 1.0; dx += 0.25) {
-            if (cell_at(plan, at.x() + dx, at.y() + dz) != PlanCell::nothing) {
+    for (int row = -4; row <= 4; ++row) {
+        for (int column = -4; column <= 4; ++column) {
+            if (cell_at(plan, at.x() + 0.25 * column, at.y() + 0.25 * row) != PlanCell::nothing) {
                 return true;
             }
         }

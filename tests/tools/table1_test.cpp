@@ -148,6 +148,7 @@ TEST(CostModel, RecoversTheCostsBehindTheTimes) {
         {100, 7, 50}, {900, 120, 300}, {5000, 400, 2600}, {7000, 2, 10}};
     const CostModel made{0.02, 0.3, 0.005};
     std::vector<double> times;
+    times.reserve(work.size());
     for (const QueryStatistics& w : work) {
         times.push_back(made.predict(w));
     }

@@ -58,6 +58,7 @@ public:
     template <typename Value, std::size_t count>
     std::optional<Value> choice(const std::array<Choice<Value>, count>& choices) const {
         std::vector<std::string> names;
+        names.reserve(count);
         for (const Choice<Value>& each : choices) {
             names.emplace_back(each.name);
         }

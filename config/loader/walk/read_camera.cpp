@@ -112,8 +112,9 @@ void refuse_unused_keys(CheckedMap& map, const View& view) {
         const auto node = map.find(key);
         if (node && std::ranges::find(views, name) == views.end()) {
             const std::string others = std::string(views[0]) + (*views[1] != '\0' ? " or " : "") + views[1];
-            node->diagnose("bad-value", std::string("'") + key + "' has no effect on a " + name +
-                                            " view; it is for view: " + others);
+            std::string message = std::string("'") + key;
+            message += "' has no effect on a " + name + " view; it is for view: " + others;
+            node->diagnose("bad-value", message);
         }
     }
 }

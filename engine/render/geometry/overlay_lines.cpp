@@ -66,7 +66,8 @@ public:
         for (int axis = 0; axis < 3; ++axis) {
             const int u = (axis + 1) % 3;
             const int v = (axis + 2) % 3;
-            for (double at = -half[v] + apart; at < half[v]; at += apart) {
+            for (int i = 1; i * apart < 2.0 * half[v]; ++i) {
+                const double at = -half[v] + i * apart;
                 for (const int side : {-1, 1}) {
                     Vector3d a;
                     a[axis] = side * half[axis];

@@ -9,10 +9,12 @@
 
 #include "engine/render/image/image.h"
 
+// NOLINTBEGIN(bugprone-reserved-identifier): Cairo's and Pango's names
 struct _cairo;
 struct _cairo_surface;
 struct _PangoContext;
 struct _PangoLayout;
+// NOLINTEND(bugprone-reserved-identifier)
 
 namespace campuswalk::engine::render {
 

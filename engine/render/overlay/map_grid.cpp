@@ -29,12 +29,14 @@ std::vector<MapGrid::Line> lines_along(const char* axis, double north_west, doub
                                        double spacing, double pixels_per_metre) {
     const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(spacing) - 1e-9)));
     constexpr double kSlack = 1e-6;  // of the spacing: a line on the very edge is one
+    const double first = std::ceil((north_west + from / pixels_per_metre) / spacing - kSlack);
     const double last = std::floor((north_west + to / pixels_per_metre) / spacing + kSlack);
     std::vector<MapGrid::Line> lines;
-    for (double i = std::ceil((north_west + from / pixels_per_metre) / spacing - kSlack); i <= last; ++i) {
-        const std::string label = fixed(i * spacing, digits);
-        lines.push_back({pixels_per_metre * (i * spacing - north_west),
-                         lines.empty() ? std::string(axis) + " = " + label : label});
+    for (int i = 0; first + i <= last; ++i) {
+        const double at = (first + i) * spacing;
+        const std::string label = fixed(at, digits);
+        lines.push_back(
+            {pixels_per_metre * (at - north_west), i == 0 ? std::string(axis) + " = " + label : label});
     }
     return lines;
 }

@@ -1,5 +1,7 @@
 #include "engine/render/snapshot/walk_space_lines.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <utility>
 
 #include "engine/script/walk.h"
@@ -55,9 +57,9 @@ void add_walk_space(const scene::Campus& campus, const WalkSpaceRequest& request
                     std::vector<OverlayLine>& lines) {
     const WalkSpace space = explored(campus, request);
     for (std::uint32_t t = 0; t < space.tiles.size(); ++t) {
-        for (std::uint16_t n = 0; n < space.tiles[t].nodes.size(); ++n) {
+        for (std::size_t n = 0; n < space.tiles[t].nodes.size(); ++n) {
             if (space.tiles[t].nodes[n].hangs == 0) {
-                add_cell(space, {t, n}, lines);
+                add_cell(space, {t, static_cast<std::uint16_t>(n)}, lines);
             }
         }
     }

@@ -39,6 +39,7 @@ std::size_t split(std::vector<SplitItem>& items, SimdTarget simd_target) {
 
 std::vector<std::uint32_t> triangles(const std::vector<SplitItem>& items) {
     std::vector<std::uint32_t> numbers;
+    numbers.reserve(items.size());
     for (const SplitItem& one : items) {
         numbers.push_back(one.triangle());
     }

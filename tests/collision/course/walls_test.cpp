@@ -64,7 +64,8 @@ TEST_P(CourseAlongWalls, SlidingKeepsTheCosineOfTheSpeed) {
         AuditedBody body(*world);
         const Vec3 along = towards(heading);
         const Vec3 out = towards(heading - 90.0);
-        for (double degrees = 5.0; degrees < 90.0; degrees += every) {
+        for (int i = 0; 5.0 + i * every < 90.0; ++i) {
+            const double degrees = 5.0 + i * every;
             SCOPED_TRACE(testing::Message() << "wall at " << heading << ", walking at " << degrees);
             body.stand(-3.0 * along + (kRadius + kSkin + 0.01) * out);
             const Vec3 desired = 3.0 * towards(heading + degrees);

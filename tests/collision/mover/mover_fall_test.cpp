@@ -164,8 +164,9 @@ TEST(MoverFall, AmongBoxesThatAreNotQuiteInLineNoneHangsInTheAir) {
                            const auto shift = [&] {
                                return dice.chance(0.6) ? dice.between(-0.0006, 0.0006) : 0.0;
                            };
+                           const int row = i / 8;
                            const Vec3 low(-2.4 + 0.6 * (i % 8) + shift(), dice.chance(0.5) ? 0.0 : -0.05,
-                                          -2.4 + 0.6 * (i / 8) + shift());
+                                          -2.4 + 0.6 * row + shift());
                            const double middle = low.y() + (dice.chance(0.5) ? 0.5 : dice.between(0.1, 1.2));
                            add_box(mesh, low, {low.x() + 0.6, middle, low.z() + 0.6});
                            if (dice.chance(0.5)) {

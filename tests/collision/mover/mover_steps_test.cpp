@@ -97,8 +97,8 @@ TEST_P(MoverAndSteps, TheStepHeightIsExactToFiveMillimetres) {
 /// Other movers climb r (1 - cos limit) more than their step height: up the curve of their foot.
 TEST_P(MoverAndSteps, TheRoundFootClimbsNoHigher) {
     const MoverSettings settings = settings_of(GetParam());
-    for (double over = 0.005; over < settings.radius; over += 0.01) {
-        const double high = settings.step_height + over;
+    for (int i = 0; 0.005 + 0.01 * i < settings.radius; ++i) {
+        const double high = settings.step_height + 0.005 + 0.01 * i;
         EXPECT_LT(height_reached(settings, 0.0, 1.4, [&](auto& m) { add_block(m, high); }), 0.001) << high;
     }
 }

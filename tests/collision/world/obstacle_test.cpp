@@ -106,6 +106,7 @@ TEST(GatherObstacles, FindsThePiecesOfALoopInOrder) {
             gather_obstacles(some.world, filter, segment, radius, obstacles);
             const Expected expected = loop_gather(some.world, filter, segment, radius);
             std::vector<std::pair<std::size_t, std::uint32_t>> ours;
+            ours.reserve(obstacles.size());
             for (const Obstacle& o : obstacles) {
                 ours.emplace_back(index_of(o.object), o.triangle);
             }

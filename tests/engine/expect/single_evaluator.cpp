@@ -39,6 +39,7 @@ Event made_event(const std::string& words, std::vector<Field> fields) {
 
 TickFeed& TickFeed::tick(const std::vector<std::string>& event_lines, const Eigen::Vector3d& position) {
     std::vector<Event> events;
+    events.reserve(event_lines.size());
     for (const std::string& words : event_lines) {
         events.push_back(made_event(words));
     }

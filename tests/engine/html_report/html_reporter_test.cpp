@@ -147,6 +147,7 @@ Page page_of(HtmlInputs inputs, const std::vector<WalkResult>& results, std::siz
 TEST(HtmlReporter, HasARowAndTheDetailsOfEachWalk) {
     Files files;
     std::vector<WalkResult> results;
+    results.reserve(40);
     for (int i = 0; i < 40; ++i) {
         results.push_back(result_named("walk-" + std::to_string(i)));
     }

@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-struct Recorded {
+struct Recorded {  // NOLINT(bugprone-exception-escape): its JSON is moved without exceptions
     std::string text;
     Json json;
     std::vector<std::string> log;

@@ -20,7 +20,9 @@ int main(int argc, char** argv) {
         {"empty", {}}, {"full", {{full_result()}}}, {"hostile", hostile_report()}, {"mixed", mixed_report()}};
     for (const auto& [name, report] : runs) {
         for (const std::string& reporter : reporters_of_results()) {
-            std::ofstream(folder / (name + "." + reporter), std::ios::binary) << written(reporter, report);
+            std::filesystem::path file = folder / name;
+            file += "." + reporter;
+            std::ofstream(file, std::ios::binary) << written(reporter, report);
         }
     }
     return 0;

@@ -315,6 +315,7 @@ TEST(ScriptPlayer, KeepsItsYawOnATeleportUnlessOneIsGiven) {
 
 std::vector<std::string> names_of(const std::vector<const Step*>& effects) {
     std::vector<std::string> names;
+    names.reserve(effects.size());
     for (const Step* step : effects) {
         names.push_back(std::get<SnapshotStep>(*step).name);
     }

@@ -134,6 +134,7 @@ TEST(CheckWalk, ReportsEverythingAtOnce) {
         expect_never("popup.close l?b")};
     const std::vector<scene::Diagnostic> found = check_walk(furnished_room(), walk);
     std::vector<std::string> codes;
+    codes.reserve(found.size());
     for (const scene::Diagnostic& diagnostic : found) {
         codes.push_back(diagnostic.code);
     }

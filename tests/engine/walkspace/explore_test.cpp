@@ -10,6 +10,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include "tests/engine/small_campus.h"
 #include "tests/engine/walkspace/explored_ground.h"

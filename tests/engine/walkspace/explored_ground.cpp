@@ -66,7 +66,7 @@ std::vector<WalkNodeId> nodes_of(const WalkSpace& space) {
 }
 
 std::vector<WalkNodeId> some_nodes(const WalkSpace& space, std::size_t count) {
-    const std::vector<WalkNodeId> all = nodes_of(space);
+    std::vector<WalkNodeId> all = nodes_of(space);
     if (all.size() <= count) {
         return all;
     }

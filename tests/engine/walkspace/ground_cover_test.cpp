@@ -86,7 +86,8 @@ void add_fine_floor(TriangleMesh& mesh, double size, std::uint32_t squares) {
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
     const std::uint32_t row = squares + 1;
     for (std::uint32_t i = 0; i < row * row; ++i) {
-        mesh.positions.emplace_back(size * (i % row) / squares, 0.0, size * (i / row) / squares);
+        const std::uint32_t line = i / row;
+        mesh.positions.emplace_back(size * (i % row) / squares, 0.0, size * line / squares);
     }
     for (std::uint32_t i = 0; i + row + 1 < row * row; ++i) {
         if (i % row < squares) {

@@ -54,7 +54,7 @@ void forge(std::vector<std::byte>& bytes) {
 void follow(const WalkReport& report) {
     std::size_t links = 0;
     for (const WalkNodeId& node : nodes_of(report.space)) {
-        report.storeys.list.at(report.storeys.of(node));
+        EXPECT_LT(report.storeys.of(node), report.storeys.list.size());
         for (auto at = report.space.parent(node); at; at = report.space.parent(*at)) {
             ++links;
         }

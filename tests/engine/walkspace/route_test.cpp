@@ -252,6 +252,7 @@ TEST(Route, DoesNotDependOnTheGroundThatIsKnown) {
     const std::vector<std::pair<Vec3, Vec3>> pairs{
         {{-8, 0, 7}, {8, 0, -7}}, {{0, 0, 8}, {8, 0, 0}}, {{-8, 0, -7}, {8, 0, 7}}};
     std::vector<std::vector<Vec3>> alone;
+    alone.reserve(pairs.size());
     for (const auto& [from, to] : pairs) {
         alone.push_back(ground.route(from, to).path);
     }

@@ -24,7 +24,7 @@ std::vector<Surface> surfaces_of(const scene::Campus& campus) {
                                   [] { return std::make_unique<collision::LinearBroadPhase>(); });
         return unreached_surfaces(worlds, settings, nowhere, campus.world.bounds());
     };
-    const std::vector<Surface> alone = find(1);
+    std::vector<Surface> alone = find(1);
     const std::vector<Surface> together = find(3);
     EXPECT_EQ(alone.size(), together.size());
     for (std::size_t i = 0; i < alone.size() && i < together.size(); ++i) {

@@ -2,6 +2,9 @@
 // would write them.
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 #include <vector>
@@ -20,8 +23,6 @@
 namespace campuswalk::fuzz {
 
 namespace {
-
-using scene::kArchiveHeaderBytes;
 
 /// Asks what a walk asks.
 void query(const collision::MeshCollider& collider) {
@@ -91,9 +92,12 @@ void read_report(Bytes bytes) {
     try {
         const engine::WalkReport report = engine::read_report_file(forged(engine::kReportFile, bytes), 3);
         for (std::uint32_t tile = 0; tile < report.space.tiles.size(); ++tile) {
-            for (std::uint16_t node = 0; node < report.space.tiles[tile].nodes.size(); ++node) {
-                report.storeys.list.at(report.storeys.of({tile, node}));
-                report.space.parent({tile, node});
+            for (std::size_t number = 0; number < report.space.tiles[tile].nodes.size(); ++number) {
+                const engine::WalkNodeId node{tile, static_cast<std::uint16_t>(number)};
+                if (report.storeys.of(node) >= report.storeys.list.size()) {
+                    std::abort();
+                }
+                report.space.parent(node);
             }
         }
     } catch (const scene::DamagedFile&) {

@@ -2,6 +2,7 @@
 
 #include <webp/decode.h>
 
+#include <cstddef>
 #include <cstdlib>
 #include <vector>
 
@@ -26,7 +27,7 @@ Pixels decoded(const std::string& file) {
     std::uint8_t* rgba = WebPDecodeRGBA(reinterpret_cast<const std::uint8_t*>(file.data()), file.size(),
                                         &pixels.width, &pixels.height);
     if (rgba != nullptr) {
-        pixels.rgba.assign(rgba, rgba + 4 * pixels.width * pixels.height);
+        pixels.rgba.assign(rgba, rgba + std::ptrdiff_t{4} * pixels.width * pixels.height);
         WebPFree(rgba);
     }
     return pixels;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -244,7 +245,7 @@ TEST(WriteGlb, MaterialsComeBackAsTheyWere) {
     texture.width = 1024;
     texture.height = 512;
     texture.repeat = false;
-    texture.rgba.resize(4U * 1024U * 512U, 200);
+    texture.rgba.resize(std::size_t{4} * 1024 * 512, 200);
     model.textures.push_back(std::move(texture));
     Material& material = model.materials.front();
     material.base_color = {0.5F, 0.25F, 1.0F, 0.75F};

@@ -37,8 +37,8 @@ protected:
     /// Metres along the fence between -4 and 4 where nothing stands.
     double free_length(const Model& model) const {
         double length = 0.0;
-        for (double at = -4.0; at < 4.0; at += 0.05) {
-            const Eigen::Vector2d p = at * along_;
+        for (int i = 0; i < 160; ++i) {
+            const Eigen::Vector2d p = (-4.0 + 0.05 * i) * along_;
             length += top_at(model, p.x(), p.y()) > 0.5 ? 0.0 : 0.05;
         }
         return length;

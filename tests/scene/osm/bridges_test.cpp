@@ -68,7 +68,8 @@ TEST_F(Bridges, AreReachedOverGroundThatRisesGently) {
     EXPECT_NEAR(top_at(model, 0.3, 0.2, "residential/"), -0.12, 1e-3) << "the road stays where it is";
     EXPECT_NEAR(top_at(model, 0.3, 26.5, "footway/"), kRoadClearance + kDeck, 0.02) << "behind the end";
     double before = top_at(model, 0.3, 26.5, "footway/");
-    for (double north = 27.5; north < 79.0; north += 1.0) {
+    for (int i = 0; i < 52; ++i) {
+        const double north = 27.5 + i;
         const double height = top_at(model, 0.3, north, "footway/");
         EXPECT_LE(std::abs(height - before), 0.17) << "one in six, at " << north;
         before = height;

@@ -113,7 +113,7 @@ TEST_F(Crossings, LoseNoGroundToStripesInOneLine) {
     // The stripes and islands of several crossings make holes in one line of the carriageway.
     MapText map;
     std::vector<std::int64_t> road;
-    for (double east = -60; east <= 60; east += 20) {
+    for (int east = -60; east <= 60; east += 20) {
         road.push_back(map.node(
             east, 0,
             {{"highway", "crossing"}, {"crossing", "zebra"}, {"crossing:island", east < 0 ? "yes" : "no"}}));

@@ -21,7 +21,7 @@ MapText::MapText(double half_size, double latitude, double longitude)
 std::string MapText::tags_xml(const Tags& tags) const {
     std::string text;
     for (const auto& [key, value] : tags) {
-        text += "  <tag k=\"" + key + "\" v=\"" + value + "\"/>\n";
+        text.append("  <tag k=\"").append(key).append("\" v=\"").append(value).append("\"/>\n");
     }
     return text;
 }

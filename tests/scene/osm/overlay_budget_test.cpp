@@ -117,6 +117,7 @@ protected:
 TEST_F(HostileMap, OfLinesThatCrossIsRefused) {
     MapText map;
     std::vector<std::pair<std::int64_t, std::string>> members;
+    members.reserve(800);
     for (int i = 0; i < 400; ++i) {
         const double at = -80.0 + 0.4 * i;
         members.emplace_back(map.way({{-80, at}, {80, at}}), "outer");
@@ -129,11 +130,13 @@ TEST_F(HostileMap, OfLinesThatCrossIsRefused) {
 TEST_F(HostileMap, OfEqualRingsIsRefused) {
     MapText map;
     std::vector<std::int64_t> ring;
+    ring.reserve(501);
     for (int i = 0; i < 500; ++i) {
         ring.push_back(map.node(50.0 * std::cos(0.01256 * i), 50.0 * std::sin(0.01256 * i)));
     }
     ring.push_back(ring.front());
     std::vector<std::pair<std::int64_t, std::string>> members;
+    members.reserve(400);
     for (int i = 0; i < 400; ++i) {
         members.emplace_back(map.way_of(ring), "outer");
     }

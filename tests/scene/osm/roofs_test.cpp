@@ -30,6 +30,7 @@ double stack_volume(const std::vector<std::pair<double, double>>& rings, double 
 /// A quarter of a circle in seven steps.
 double dome_volume() {
     std::vector<std::pair<double, double>> rings;
+    rings.reserve(8);
     for (int i = 0; i < 7; ++i) {
         rings.emplace_back(std::cos(i * std::numbers::pi / 14.0), std::sin(i * std::numbers::pi / 14.0));
     }

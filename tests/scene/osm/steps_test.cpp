@@ -113,7 +113,8 @@ TEST_F(Steps, HaveRampsForWheelchairsOfOneInTwelve) {
     EXPECT_NEAR(bounds_of(model, ramp()).max.x() - bounds_of(model, ramp()).min.x(), 1.2, 0.02);
     const double length = bounds_of(model, ramp()).max.z() - bounds_of(model, ramp()).min.z();
     EXPECT_NEAR(length, 12.0 * rise, 1.0);
-    for (double north = 6.0 - length + 1.0; north < -1.0; north += 1.0) {
+    for (int i = 1; 6.0 - length + i < -1.0; ++i) {
+        const double north = 6.0 - length + i;
         const double slope =
             top_at(model, 1.6, north + 0.5, ramp()) - top_at(model, 1.6, north - 0.5, ramp());
         EXPECT_NEAR(slope, rise / length, 0.03) << north;

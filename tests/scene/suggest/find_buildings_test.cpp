@@ -62,7 +62,8 @@ TEST_F(FoundBuildings, AreOneWhateverTheirParts) {
     const int frames = group("frames", hall);
     for (int i = 0; i < 400; ++i) {
         const double x = 0.5 + 0.5 * (i % 20);
-        const double y = 0.2 + 0.25 * (i / 20);
+        const int row = i / 20;
+        const double y = 0.2 + 0.25 * row;
         test::add_box(model_, "Frame." + std::to_string(i), {x, y, -0.05}, {x + 0.3, y + 0.2, 0.0}, frames);
     }
     EXPECT_EQ(titles(), Titles{"Assembly Hall"});

@@ -158,7 +158,8 @@ TEST(SuggestedBuildings, AreAllThatHaveNames) {
     const auto group = static_cast<int>(test::add_group(model, "Buildings"));
     for (int i = 0; i < 453; ++i) {
         const double x = 20.0 * (i % 25);
-        const double z = 20.0 * (i / 25);
+        const int row = i / 25;
+        const double z = 20.0 * row;
         test::add_box(model, "hall " + std::to_string(i), {x, 0, z}, {x + 8, 4, z + 8}, group);
     }
     EXPECT_EQ(suggest(model).size(), 453U);

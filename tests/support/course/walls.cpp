@@ -24,7 +24,8 @@ void add_plain_wall(collision::World& world, double length, const collision::Pos
 
 void add_butted_wall(collision::World& world, double length, const collision::Pose& X_world_wall) {
     TriangleMesh mesh;
-    for (double x = -length; x < length; x += 1.0) {
+    for (int i = 0; i < 2.0 * length; ++i) {
+        const double x = i - length;
         add_box(mesh, {x, 0, -0.2}, {x + 1.0, kHigh, 0});
     }
     add_object(world, std::move(mesh), collision::Detection::solid, X_world_wall);
@@ -36,7 +37,9 @@ void add_tessellated_wall(collision::World& world, double length, const collisio
     TriangleMesh mesh;
     for (int row = 0; row < 12; ++row) {
         const double low = row * kRow;
-        for (double x = -length - 0.1 * (row % 3); x < length; x += kWide) {
+        const double start = -length - 0.1 * (row % 3);
+        for (int i = 0; start + i * kWide < length; ++i) {
+            const double x = start + i * kWide;
             add_quad(mesh, {x, low, 0}, {x + kWide, low, 0}, {x + kWide, low + kRow, 0}, {x, low + kRow, 0});
         }
     }
@@ -44,9 +47,11 @@ void add_tessellated_wall(collision::World& world, double length, const collisio
 }
 
 void add_wall_of_sheets(collision::World& world, double length, const collision::Pose& X_world_wall) {
-    for (double x = -length; x < length; x += 0.7) {
+    constexpr double kWide = 0.7;
+    for (int i = 0; i * kWide < 2.0 * length; ++i) {
+        const double x = i * kWide - length;
         TriangleMesh mesh;
-        add_sheet(mesh, x, x + 0.7);
+        add_sheet(mesh, x, x + kWide);
         add_object(world, std::move(mesh), collision::Detection::solid, X_world_wall);
     }
 }
@@ -54,7 +59,8 @@ void add_wall_of_sheets(collision::World& world, double length, const collision:
 void add_wall_of_boxes(collision::World& world, double length, const collision::Pose& X_world_wall) {
     collision::Object box;
     box.shape = collision::Box{{1.0, 0.5 * kHigh, 0.25}};
-    for (double x = 1.0 - length; x < length; x += 2.0) {
+    for (int i = 0; 1.0 + 2.0 * i < 2.0 * length; ++i) {
+        const double x = 1.0 + 2.0 * i - length;
         box.X_world_shape = {X_world_wall.rotation, X_world_wall * Vector3d(x, 0.5 * kHigh, -0.25)};
         world.add(box);
     }

@@ -123,7 +123,7 @@ public:
 private:
     /// Divides the run, and keeps what the shards need to divide it likewise.
     engine::RunPlan planned() {
-        const engine::RunPlan whole = summary(1);
+        engine::RunPlan whole = summary(1);
         if (whole.all_cases == 0) {
             return whole;
         }
@@ -149,7 +149,7 @@ private:
         if (slurm_.shards && *slurm_.shards != before->shards) {
             refuse("--shards", "the job to continue has " + std::to_string(before->shards));
         }
-        const engine::RunPlan plan = summary(before->shards);
+        engine::RunPlan plan = summary(before->shards);
         if (plan.contents != before->contents || plan.division != before->division) {
             throw error_about(
                 folder_.root, "other-run",

@@ -49,7 +49,7 @@ std::string job_number(const SlurmAnswer& answer) {
 
 std::string sbatch(const std::vector<std::string>& arguments, const std::vector<std::string>& variables) {
     const SlurmAnswer answer = ask_slurm("sbatch", arguments, variables);
-    const std::string number = answer.good() ? job_number(answer) : "";
+    std::string number = answer.good() ? job_number(answer) : "";
     if (number.empty()) {
         std::string why = answer.text;
         std::ranges::replace(why, '\n', ' ');

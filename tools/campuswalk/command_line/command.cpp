@@ -112,7 +112,8 @@ std::vector<std::string> Command::given_except(const std::vector<std::string>& n
             if (!is_named) {
                 positional.push_back(value);
             } else {
-                options.push_back(bare ? name : name + "=" + value);
+                options.push_back(name);
+                options.back() += bare ? "" : "=" + value;
             }
         }
     }

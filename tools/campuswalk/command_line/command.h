@@ -85,6 +85,7 @@ public:
     template <typename Value>
     void choice(OptionSpec spec, const std::map<std::string, Value>& choices, Value& target) {
         std::vector<std::string> words;
+        words.reserve(choices.size());
         for (const auto& [word, value] : choices) {
             words.push_back(word);
         }

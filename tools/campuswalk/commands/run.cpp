@@ -115,6 +115,7 @@ void add_running(Command& command, const SharedRunOptions& options) {
 template <typename Kinds>
 std::vector<std::string> names_of(const Kinds& kinds) {
     std::vector<std::string> names;
+    names.reserve(std::size(kinds));
     for (const auto& kind : kinds) {
         names.emplace_back(kind.name);
     }

@@ -48,7 +48,8 @@ std::vector<double> depths_around(const render::Channels& channels, const render
     const int y = static_cast<int>(std::floor(pixel->y()));
     for (int row = std::max(0, y - 1); row <= std::min(y + 1, channels.height - 1); ++row) {
         for (int column = std::max(0, x - 1); column <= std::min(x + 1, channels.width - 1); ++column) {
-            depths.push_back(channels.depth[static_cast<std::size_t>(row * channels.width + column)]);
+            const int pixel_index = row * channels.width + column;
+            depths.push_back(channels.depth[static_cast<std::size_t>(pixel_index)]);
         }
     }
     return depths;

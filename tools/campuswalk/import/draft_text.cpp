@@ -69,10 +69,10 @@ std::string building_yaml(const DraftBuilding& building) {
     std::string body;
     text += "    info:\n";
     for (const auto& [name, value] : building.info) {
-        text += "      " + name + ": " + yaml_string(value) + "\n";
+        text.append("      ").append(name).append(": ").append(yaml_string(value)).append("\n");
         std::string label = name == "address" || name.starts_with("name-") ? "" : name + ": ";
         std::ranges::replace(label, '-', ' ');
-        body += (body.empty() ? "" : "\\n") + label + "{" + name + "}";
+        body.append(body.empty() ? "" : "\\n").append(label).append("{").append(name).append("}");
     }
     return text + "    text: \"" + body + "\"\n";
 }

@@ -82,6 +82,7 @@ std::vector<const DraftPlace*> nearby(const std::vector<DraftPlace>& places, con
     }
     std::ranges::stable_sort(found, {}, &std::pair<double, const DraftPlace*>::first);
     std::vector<const DraftPlace*> nearest;
+    nearest.reserve(found.size());
     for (const auto& [cost, place] : found) {
         nearest.push_back(place);
     }

@@ -50,6 +50,7 @@ std::string box_yaml(const scene::UprightBox& box) {
 
 std::vector<std::string> patterns_of(const std::vector<scene::NodeGlob>& doors) {
     std::vector<std::string> patterns;
+    patterns.reserve(doors.size());
     for (const scene::NodeGlob& door : doors) {
         patterns.push_back(door.pattern);
     }

@@ -47,6 +47,7 @@ TEST(ChannelFiles, EveryIdHasAUniqueColor) {
 
 TEST(ChannelFiles, DepthRoundTripsAllSixteenBits) {
     std::vector<std::uint16_t> values;
+    values.reserve(300);
     for (int i = 0; i < 300; ++i) {
         values.push_back(static_cast<std::uint16_t>(i * 217));
     }

@@ -1,5 +1,7 @@
 #include "engine/render/snapshot/snapshot_renderer.h"
 
+#include <utility>
+
 #include <gtest/gtest.h>
 
 #include "tests/engine/render/color_names.h"
@@ -24,7 +26,7 @@ SnapshotSettings settings() {
 
 SnapshotRequest request(View view, int width = kWidth, int height = kHeight) {
     SnapshotRequest request;
-    request.camera.view = view;
+    request.camera.view = std::move(view);
     request.camera.width = width;
     request.camera.height = height;
     request.avatar.position = {1, 0, 2};

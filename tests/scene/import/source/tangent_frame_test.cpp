@@ -27,8 +27,10 @@ Eigen::Vector3d ecef_point(double latitude_deg, double longitude_deg, double hei
 
 TEST(TangentFrame, InvertsTheClosedForm) {
     constexpr double kTenthOfMillimetre = 1e-9;  // degrees
-    for (double latitude = -90.0; latitude <= 90.0; latitude += 7.5) {
-        for (double longitude = -165.0; longitude <= 180.0; longitude += 34.5) {
+    for (int i = 0; i <= 24; ++i) {
+        const double latitude = -90.0 + 7.5 * i;
+        for (int j = 0; j <= 10; ++j) {
+            const double longitude = -165.0 + 34.5 * j;
             for (const double height : {-400.0, 0.0, 43.25, 8848.0, 90e3}) {
                 const auto frame = tangent_frame(ecef_point(latitude, longitude, height));
                 ASSERT_TRUE(frame) << latitude << ' ' << longitude << ' ' << height;
