@@ -32,6 +32,8 @@ target_compile_options(
               # GCC 12 warns about std::string's own operator+ (GCC bug 105651), in three ways where it is
               # precompiled.
               $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-array-bounds -Wno-stringop-overflow>
+              # Clang 14 takes every defaulted operator<=> for such a zero.
+              $<$<CXX_COMPILER_ID:GNU>:-Wzero-as-null-pointer-constant>
               $<$<BOOL:${CAMPUSWALK_WERROR}>:-Werror>)
 target_include_directories(campuswalk_flags INTERFACE ${campuswalk_root})
 if(CAMPUSWALK_SANITIZE)
@@ -44,8 +46,8 @@ if(CAMPUSWALK_SANITIZE)
     target_link_options(campuswalk_flags INTERFACE -Wl,-Bsymbolic-functions)
 endif()
 
-# Half the time to compile a file goes into reading Eigen. The tidy preset does without, so that every file goes
-# on to include what it uses.
+# Half the time to compile a file goes into reading Eigen. `tools/check-all sanitizers` does without, and without batches,
+# so that every file goes on to include what it uses.
 set(campuswalk_often_included
     <Eigen/Geometry>
     <algorithm>
@@ -79,8 +81,8 @@ endfunction()
 # campuswalk_compile_in_batches(TARGET)
 # Compiles up to twelve files of a folder together, which reads the headers they share once: a third of the work. More
 # at a time would be less still, but a change to one file compiles its batch anew. The kernels stay apart: Highway includes
-# each of them several times. A batch can hide that a file uses what only its neighbours declare, so the asan and tidy
-# presets compile each file by itself, and CI runs the former.
+# each of them several times. A batch can hide that a file uses what only its neighbours declare, so the asan preset
+# compiles each file by itself, and CI runs it.
 option(CAMPUSWALK_BATCHES "Compile related files together" ON)
 function(campuswalk_compile_in_batches target)
     get_target_property(sources ${target} SOURCES)
