@@ -32,7 +32,8 @@ public:
                 ++times_;
             } else {
                 other_ = "that of " + event.object + " " + at_time(record.time);
-                other_ += " had the title '" + title + "' and the body '" + body + "'";
+                other_.append(" had the title '").append(title);
+                other_.append("' and the body '").append(body).append("'");
             }
             when_ = now;
         }

@@ -146,7 +146,7 @@ TEST(YamlTree, RefusesAliasBombs) {
     for (int i = 1; i < 12; ++i) {
         const std::string last = "*a" + std::to_string(i - 1);
         const std::string name = "a" + std::to_string(i);
-        text += name + ": &" + name + " [";
+        text.append(name).append(": &").append(name).append(" [");
         for (int j = 0; j < 10; ++j) {
             text += j == 0 ? "" : ", ";
             text += last;

@@ -113,7 +113,8 @@ void refuse_unused_keys(CheckedMap& map, const View& view) {
         if (node && std::ranges::find(views, name) == views.end()) {
             const std::string others = std::string(views[0]) + (*views[1] != '\0' ? " or " : "") + views[1];
             std::string message = std::string("'") + key;
-            message += "' has no effect on a " + name + " view; it is for view: " + others;
+            message.append("' has no effect on a ").append(name);
+            message.append(" view; it is for view: ").append(others);
             node->diagnose("bad-value", message);
         }
     }
