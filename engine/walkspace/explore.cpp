@@ -270,12 +270,10 @@ private:
             }
             const StrideEnd end = try_stride(tile, from, {.direction = i}, worker);
             from.on_rim = from.on_rim || end.left_ground || space_.grid.cell_at(end.at.foot) != goal;
-            const bool stopped =
-                end.kind == StrideEnd::Kind::grounded && space_.grid.cell_at(end.at.foot) == cell;
             if (settings_.run && end.left_ground) {
                 try_stride(tile, from, {.direction = i, .gait = Gait::run}, worker);
             }
-            if (settings_.jump && (end.left_ground || stopped)) {
+            if (settings_.jump && !end.clean) {
                 try_stride(tile, from, {.direction = i, .gait = Gait::jump}, worker);
             }
         }

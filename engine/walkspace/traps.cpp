@@ -10,6 +10,7 @@
 #include "collision/geometry/disjoint_sets.h"
 #include "engine/walkspace/neighbour_joiner.h"
 #include "engine/walkspace/node_numbers.h"
+#include "engine/walkspace/strong_components.h"
 #include "engine/walkspace/worker_threads.h"
 
 namespace campuswalk::engine {
@@ -89,6 +90,18 @@ public:
 
     bool lead_from(Part part) const { return home_.contains(part); }
 
+    /// Calls `visit(from, into)` for what leads from one part that doesn't lead home into another.
+    template <typename Visit>
+    void for_each_other(const Visit& visit) const {
+        for (const auto& [into, sources] : sources_) {
+            for (const Part from : sources) {
+                if (!lead_from(from)) {
+                    visit(from, into);
+                }
+            }
+        }
+    }
+
     /// One can walk from one part into the other.
     void add(Part from, Part into) {
         if (from == into || lead_from(from)) {
@@ -153,7 +166,11 @@ class PartWalker {
 public:
     PartWalker(const collision::World& world, const ExploreSettings& settings, const WalkSpace& space,
                const Parts& parts, const PathsHome& home)
-        : space_(space), parts_(parts), home_(home), strider_(world, settings.strides, settings.solids) {}
+        : settings_(settings),
+          space_(space),
+          parts_(parts),
+          home_(home),
+          strider_(world, settings.strides, settings.solids) {}
 
     /// By strides from its nodes to others beside them that lead home.
     std::set<Part> search_beside(const std::vector<WalkNodeId>& nodes) {
@@ -179,17 +196,14 @@ public:
         return found;
     }
 
-    /// By every stride from every node, straight on or straight down if it falls.
+    /// By every stride from every node.
     std::set<Part> search_by_strides(const std::vector<WalkNodeId>& nodes) {
         std::set<Part> found;
         StatesInOrder states(space_, strider_);
         for (const WalkNodeId& id : nodes) {
             const GroundState at = states.at(id);
             for (std::uint8_t direction = 0; direction < 8; ++direction) {
-                const StrideEnd end = strider_.take(at, {.direction = direction}, space_.grid);
-                const Stride let_go{.direction = direction, .steering = Stride::kLetGo};
-                if (leads_home(end, found) ||
-                    (end.left_ground && leads_home(strider_.take(at, let_go, space_.grid), found))) {
+                if (any_stride_leads_home(at, direction, found)) {
                     return found;
                 }
             }
@@ -223,6 +237,18 @@ public:
     }
 
 private:
+    /// Straight on or straight down if it falls; and at a run or with a jump, where the space was explored
+    /// so.
+    bool any_stride_leads_home(const GroundState& at, std::uint8_t direction, std::set<Part>& found) {
+        const auto leads_there = [&](Gait gait, std::uint8_t steering) {
+            return leads_home(strider_.take(at, {direction, gait, steering}, space_.grid), found);
+        };
+        const StrideEnd walked = strider_.take(at, {.direction = direction}, space_.grid);
+        return leads_home(walked, found) || (walked.left_ground && leads_there(Gait::walk, Stride::kLetGo)) ||
+               (walked.left_ground && settings_.run && leads_there(Gait::run, Stride::kStraightOn)) ||
+               (settings_.jump && !walked.clean && leads_there(Gait::jump, Stride::kStraightOn));
+    }
+
     bool leads_home(const StrideEnd& end, std::set<Part>& found) const {
         const auto there = parts_.at(end);
         if (there) {
@@ -239,6 +265,7 @@ private:
         }
     }
 
+    const ExploreSettings& settings_;
     const WalkSpace& space_;
     const Parts& parts_;
     const PathsHome& home_;
@@ -260,13 +287,14 @@ public:
         });
     }
 
-    /// Nodes by part that is no one's way home, after all ways were tried.
-    std::map<Part, std::vector<WalkNodeId>> run() && {
+    /// The nodes of parts that lead home by none of the ways that were tried; of those between which one can
+    /// walk both ways together.
+    std::vector<std::vector<WalkNodeId>> run() && {
         for (int round = 0; round < kRounds && leads_home_by(&PartWalker::search_beside); ++round) {
         }
         leads_home_by(&PartWalker::search_by_strides);
         walk_two_legs();
-        return std::move(nodes_of_);
+        return joined();
     }
 
 private:
@@ -317,6 +345,25 @@ private:
 
     std::pair<GridCell, int> place_of(const GroundState& at) const {
         return {space_.grid.cell_at(at.foot), static_cast<int>(std::floor(at.foot.y() / WalkNode::kLevel))};
+    }
+
+    std::vector<std::vector<WalkNodeId>> joined() const {
+        const std::vector<Part> parts = unsolved();
+        const auto index_of = [&](Part part) {
+            return static_cast<std::uint32_t>(std::ranges::lower_bound(parts, part) - parts.begin());
+        };
+        std::vector<std::vector<std::uint32_t>> targets(parts.size());
+        home_.for_each_other(
+            [&](Part from, Part into) { targets[index_of(from)].push_back(index_of(into)); });
+        const std::vector<std::uint32_t> first_of = strong_components(targets);
+        std::vector<std::vector<WalkNodeId>> nodes(parts.size());
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const std::vector<WalkNodeId>& of_part = nodes_of_.at(parts[i]);
+            std::vector<WalkNodeId>& together = nodes[first_of[i]];
+            together.insert(together.end(), of_part.begin(), of_part.end());
+        }
+        std::erase_if(nodes, [](const auto& none) { return none.empty(); });
+        return nodes;
     }
 
     std::vector<Part> unsolved() const {
@@ -372,28 +419,47 @@ void join_neighbours(std::vector<Trap>& traps, const WalkSpace& space) {
     std::erase_if(traps, [](const Trap& trap) { return trap.nodes.empty(); });
 }
 
+/// Where one gets into each from ground that isn't trapped; or from another trap, if that leads nowhere else.
+void find_entrances(const collision::World& world, const ExploreSettings& settings, const WalkSpace& space,
+                    std::vector<Trap>& traps) {
+    const NodeNumbers numbers(space);
+    std::vector<const Trap*> trap_of(numbers.count(), nullptr);
+    for (const Trap& trap : traps) {
+        for (const WalkNodeId& id : trap.nodes) {
+            trap_of[numbers(id)] = &trap;
+        }
+    }
+    Strider strider(world, settings.strides, settings.solids);
+    for (Trap& trap : traps) {
+        std::optional<WalkNodeId> entrance;
+        for (const WalkNodeId& id : trap.nodes) {
+            const auto from = space.parent(id);
+            const Trap* const before = from ? trap_of[numbers(*from)] : &trap;
+            if (before == nullptr) {
+                entrance = id;
+                break;
+            }
+            if (before != &trap && !entrance) {
+                entrance = id;
+            }
+        }
+        trap.entrance = entrance.value_or(trap.nodes.front());
+        const WalkNodeId last = space.parent(trap.entrance).value_or(trap.entrance);
+        trap.edge = edge_below(state_of(space.state_at(last, strider)));
+        trap.drop = trap.edge.y() - static_cast<double>(space.node(trap.entrance).y);
+    }
+}
+
 }  // namespace
 
 std::vector<Trap> find_traps(const WorkerWorlds& worlds, const ExploreSettings& settings,
                              const WalkSpace& space) {
     std::vector<Trap> traps;
-    Strider strider(worlds[0], settings.strides, settings.solids);
-    for (auto& [part, nodes] : TrapSearch(worlds, settings, space).run()) {
-        Trap trap;
-        trap.nodes = std::move(nodes);
-        trap.entrance = trap.nodes.front();
-        for (const WalkNodeId& ref : trap.nodes) {
-            if (space.node(ref).returns == 0) {
-                trap.entrance = ref;
-                break;
-            }
-        }
-        trap.edge = edge_below(
-            state_of(space.state_at(space.parent(trap.entrance).value_or(trap.entrance), strider)));
-        trap.drop = trap.edge.y() - static_cast<double>(space.node(trap.entrance).y);
-        traps.push_back(std::move(trap));
+    for (std::vector<WalkNodeId>& nodes : TrapSearch(worlds, settings, space).run()) {
+        traps.emplace_back().nodes = std::move(nodes);
     }
     join_neighbours(traps, space);
+    find_entrances(worlds[0], settings, space, traps);
     std::ranges::stable_sort(traps, std::greater(), [](const Trap& trap) { return trap.nodes.size(); });
     return traps;
 }

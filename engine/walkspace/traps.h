@@ -13,8 +13,8 @@ namespace campuswalk::engine {
 /// Ground that one gets to and can't get away from.
 struct Trap {
     std::vector<WalkNodeId> nodes;
-    WalkNodeId entrance;   ///< the first of its nodes that was reached
-    collision::Vec3 edge;  ///< where the body stood before it, feet
+    WalkNodeId entrance;   ///< the first of its nodes that was reached from outside
+    collision::Vec3 edge;  ///< where the body stood before that, feet
     double drop = 0.0;     ///< from there down into it, metres; negative: up
     /// The smallest change that would let one out. If none is found, the edge if it is a ledge, or nothing.
     /// See find_trap_barriers.

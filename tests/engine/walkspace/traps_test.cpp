@@ -106,5 +106,40 @@ TEST(Traps, AreTheSameForAnyNumberOfWorkers) {
     }
 }
 
+/// A bridge 3 m above two floors of 4 m by 4 m, with 1 m of nothing between them.
+scene::Campus floors_below_a_bridge() {
+    scene::Campus campus = empty_campus();
+    add_box(campus, "west", {-4.5, -1, -2}, {-0.5, 0, 2});
+    add_box(campus, "east", {0.5, -1, -2}, {4.5, 0, 2});
+    add_box(campus, "bridge", {-1, 2.6, -9}, {1, 3, -1});
+    return campus;
+}
+
+std::vector<Trap> traps_below_the_bridge(bool jump) {
+    const scene::Campus campus = floors_below_a_bridge();
+    const WorkerWorlds worlds(campus.world, 1, {});
+    ExploreSettings settings = explore_settings(campus, AvatarProfile(), 60);
+    settings.starts = {{0, 3, -5}};
+    settings.jump = jump;
+    return find_traps(worlds, settings, explore(worlds, settings));
+}
+
+TEST(Traps, AreOneWhereOneJumpsThereAndBack) {
+    EXPECT_EQ(traps_below_the_bridge(false).size(), 2U);
+    const std::vector<Trap> traps = traps_below_the_bridge(true);
+    ASSERT_EQ(traps.size(), 1U);
+    EXPECT_NEAR(traps[0].edge.y(), 3.0, 0.01) << "one got in from the bridge";
+    EXPECT_NEAR(traps[0].drop, 3.0, 0.3);
+}
+
+TEST(Traps, AreNoneWhereAJumpLeadsOut) {
+    scene::Campus campus = pits();
+    const WorkerWorlds worlds(campus.world, 1, {});
+    ExploreSettings settings = explore_settings(campus, AvatarProfile(), 60);
+    settings.starts = {{-1, kDeck, -1}};
+    settings.jump = true;
+    EXPECT_TRUE(find_traps(worlds, settings, explore(worlds, settings)).empty());
+}
+
 }  // namespace
 }  // namespace campuswalk::engine
