@@ -22,7 +22,7 @@ namespace {
 
 const scene::CacheFolder::Kind kRouteKind = "route";
 /// Increment the version whenever the layout changes, or how routes are planned and walked.
-constexpr scene::FileKind kRouteFile = {{'c', 'w', ' ', 'r', 'o', 'u', 't', 'e'}, 9};
+constexpr scene::FileKind kRouteFile = {{'c', 'w', ' ', 'r', 'o', 'u', 't', 'e'}, 10};
 
 ContentHash key_of_file(const RouteKey& route, const ContentHash& campus) {
     ContentHasher hasher;

@@ -4,6 +4,7 @@
 
 #include "engine/events/decimals.h"
 #include "scene/campus/node_at.h"
+#include "scene/campus/node_selection.h"
 #include "scene/model/name_words.h"
 
 namespace campuswalk::engine {
@@ -47,6 +48,15 @@ std::string letters_of(std::string name) {
     return name;
 }
 
+/// The object's node there, if its name says more than the object's; else empty.
+std::string telling_node(const scene::Campus& campus, collision::ObjectId object, const collision::Vec3& at) {
+    const scene::CampusObject& named = campus.objects[index_of(object)];
+    const std::string node = scene::node_at(campus, named, at);
+    const bool says_more =
+        !scene::is_generated_name(node) && !letters_of(named.id).ends_with(letters_of(node));
+    return says_more ? node : "";
+}
+
 /// The other change that would do as well there, if there is one of this kind.
 const Barrier* part_of(const Barrier& barrier, BarrierKind kind) {
     constexpr double kBeside = 2.0;  // metres: farther off, it is another way in
@@ -77,8 +87,16 @@ std::string measure_text(const scene::Campus& campus, const Barrier& barrier) {
 }
 
 std::string blocking_object_text(const scene::Campus& campus, const Barrier& object, const Barrier* opening) {
-    std::string text = object_text(campus, *object.object, object.at) + " stands in the way at " +
-                       coordinates_text(object.at);
+    const scene::CampusObject& named = campus.objects[index_of(*object.object)];
+    const bool is_whole = object.is_node || scene::nodes_of(campus.models, named.nodes).size() <= 1;
+    std::string text;
+    if (is_whole) {
+        text = object_text(campus, *object.object, object.at) + " stands in the way at ";
+    } else {  // to take away the node alone wouldn't help
+        const std::string node = telling_node(campus, *object.object, object.at);
+        text = named.id + " stands in the way at " + (node.empty() ? "" : node + ", ");
+    }
+    text += coordinates_text(object.at);
     if (opening != nullptr) {
         text += "; the opening beside it " + opening_text(*opening);
     }
@@ -137,11 +155,9 @@ const char* name_of(BarrierKind kind) {
 }
 
 std::string object_text(const scene::Campus& campus, collision::ObjectId object, const collision::Vec3& at) {
-    const scene::CampusObject& named = campus.objects[index_of(object)];
-    const std::string node = scene::node_at(campus, named, at);
-    const bool says_more =
-        !scene::is_generated_name(node) && !letters_of(named.id).ends_with(letters_of(node));
-    return says_more ? named.id + " (" + node + ")" : named.id;
+    const std::string& id = campus.objects[index_of(object)].id;
+    const std::string node = telling_node(campus, object, at);
+    return node.empty() ? id : id + " (" + node + ")";
 }
 
 std::string barrier_text(const scene::Campus& campus, const Barrier& barrier) {

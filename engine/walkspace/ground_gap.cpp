@@ -50,11 +50,16 @@ bool is_void_between(const collision::World& world, const ExploreSettings& setti
     if (is_hit({from + eye, to + eye})) {
         return false;
     }
+    const auto is_ground_at = [&](double share) {
+        const Vec3 p = from + share * (to - from);
+        return is_hit({p + Vec3(0, kAboveLine, 0), p - Vec3(0, kBelowLine, 0)});
+    };
     const double length = collision::horizontal_norm(to - from);
+    if (is_ground_at(0.5)) {
+        return false;
+    }
     for (int i = 0; kEnds + i * kEvery < length - kEnds; ++i) {
-        const double at = kEnds + i * kEvery;
-        const Vec3 p = from + at / length * (to - from);
-        if (is_hit({p + Vec3(0, kAboveLine, 0), p - Vec3(0, kBelowLine, 0)})) {
+        if (is_ground_at((kEnds + i * kEvery) / length)) {
             return false;
         }
     }

@@ -103,7 +103,8 @@ std::optional<Barrier> barrier_before(const IslandQuestion& q, bool is_wanted) {
         const auto climb = barrier_from_afar(q, Changes::climbs);
         return climb ? climb : barrier;
     }
-    return barrier;
+    const auto gap = is_closed_off(barrier) ? gap_before(q) : std::nullopt;
+    return gap ? gap : barrier;
 }
 
 }  // namespace

@@ -13,8 +13,6 @@ namespace {
 constexpr std::size_t kMostRemovable = 6;
 /// So near to a body, metres.
 constexpr double kBesideBody = 0.4;
-/// The diagonal of their bounds, metres.
-constexpr double kLargestRemovable = 5.0;
 
 bool is_same(const RemovableNode& a, const RemovableNode& b) {
     return a.object == b.object && a.triangles == b.triangles;
@@ -42,7 +40,7 @@ std::vector<RemovableNode> removable_nodes(const collision::World& world,
                                            const collision::QueryFilter& solids,
                                            const collision::MoverSettings& body,
                                            const scene::NodeTriangles& nodes,
-                                           std::span<const GroundState> bodies) {
+                                           std::span<const GroundState> bodies, double largest) {
     std::vector<RemovableNode> found;
     std::vector<RemovableNode> grounds;
     std::vector<collision::Obstacle> near;
@@ -58,7 +56,7 @@ std::vector<RemovableNode> removable_nodes(const collision::World& world,
         }
     }
     std::erase_if(found, [&](const RemovableNode& node) {
-        return size_of(world, node) > kLargestRemovable ||
+        return size_of(world, node) > largest ||
                std::ranges::any_of(grounds,
                                    [&](const RemovableNode& ground) { return is_same(node, ground); });
     });

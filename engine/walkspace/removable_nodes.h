@@ -19,13 +19,17 @@ struct RemovableNode {
     collision::Vec3 at = collision::Vec3::Zero();
 };
 
-/// Nodes right beside bodies that stand there, which don't carry them and aren't as large as a wall of a
-/// building: doors, benches. The nearest few, the smallest of these first.
+/// A node that is no larger is rather a door or a bench than a wall of a building, metres: the diagonal of
+/// its bounds.
+inline constexpr double kSmallNode = 5.0;
+
+/// Nodes right beside bodies that stand there, which don't carry them and are no larger than `largest`,
+/// metres. The nearest few, the smallest of these first.
 std::vector<RemovableNode> removable_nodes(const collision::World& world,
                                            const collision::QueryFilter& solids,
                                            const collision::MoverSettings& body,
                                            const scene::NodeTriangles& nodes,
-                                           std::span<const GroundState> bodies);
+                                           std::span<const GroundState> bodies, double largest);
 
 /// Of the object's triangles in the world.
 collision::Aabb bounds_of(const collision::World& world, collision::ObjectId object,

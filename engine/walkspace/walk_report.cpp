@@ -6,6 +6,7 @@
 #include "engine/script/avatar_body.h"
 #include "engine/walkspace/hollows.h"
 #include "engine/walkspace/island_barriers.h"
+#include "engine/walkspace/removable_nodes.h"
 #include "engine/walkspace/trap_barriers.h"
 #include "engine/walkspace/worker_threads.h"
 
@@ -47,18 +48,30 @@ bool surrounds(const collision::Aabb& shell, const Island& island) {
            shell.min.z() <= inside.min.z() && shell.max.z() >= inside.max.z();
 }
 
-/// Whether the barrier may be the shell of a hollow: nothing helps, or only to take away all of an object
-/// that surrounds the island. A room whose door stands in the way is none.
-bool may_be_shell(const collision::World& world, const Barrier& barrier, const Island& island) {
+/// Of a barrier that is a node.
+bool is_wall(const collision::World& world, const scene::NodeTriangles& nodes, const Barrier& barrier) {
+    const auto triangles = nodes.of_same_node(*barrier.object, barrier.triangle);
+    if (!triangles) {
+        return false;
+    }
+    const collision::Aabb bounds = bounds_of(world, *barrier.object, *triangles);
+    return (bounds.max - bounds.min).norm() > kSmallNode;
+}
+
+/// Whether the barrier may be the shell of a hollow: nothing helps, or only to take away a whole wall, or all
+/// of an object that surrounds the island. A room whose door stands in the way is none.
+bool may_be_shell(const collision::World& world, const scene::NodeTriangles& nodes, const Barrier& barrier,
+                  const Island& island) {
     switch (barrier.kind) {
         case BarrierKind::solid:
         case BarrierKind::ledge:
             return true;
         case BarrierKind::object:
-            return !barrier.is_node && surrounds(world.bounds(*barrier.object), island);
+            return barrier.is_node ? is_wall(world, nodes, barrier)
+                                   : surrounds(world.bounds(*barrier.object), island);
         case BarrierKind::sequence:
             return std::ranges::any_of(
-                barrier.parts, [&](const Barrier& part) { return may_be_shell(world, part, island); });
+                barrier.parts, [&](const Barrier& part) { return may_be_shell(world, nodes, part, island); });
         default:
             return false;
     }
@@ -80,8 +93,8 @@ std::vector<bool> disabled_or_door(const collision::World& world, const ExploreS
 
 /// A room is no hollow though its door has two leaves, or leads to another room that is closed.
 bool is_hollow(const collision::World& world, ExploreSettings settings, const WalkSpace& reached,
-               const IslandReport& entry) {
-    if (entry.barrier && !may_be_shell(world, *entry.barrier, entry.island)) {
+               const scene::NodeTriangles& nodes, const IslandReport& entry) {
+    if (entry.barrier && !may_be_shell(world, nodes, *entry.barrier, entry.island)) {
         return false;
     }
     const std::vector<bool> disabled = disabled_or_door(world, settings, entry.island);
@@ -89,11 +102,12 @@ bool is_hollow(const collision::World& world, ExploreSettings settings, const Wa
     return is_enclosed(world, settings, reached, entry.island);
 }
 
-void find_hollows(const WorkerWorlds& worlds, const ExploreSettings& settings, WalkReport& report) {
+void find_hollows(const WorkerWorlds& worlds, const ExploreSettings& settings,
+                  const scene::NodeTriangles& nodes, WalkReport& report) {
     for_each_item(report.islands.size(), worlds.size(), [&](std::size_t worker, std::size_t i) {
         IslandReport& entry = report.islands[i];
         entry.hollow = entry.island.area(report.space.grid) > kNotableIsland &&
-                       is_hollow(worlds[worker], settings, report.space, entry);
+                       is_hollow(worlds[worker], settings, report.space, nodes, entry);
     });
 }
 
@@ -131,7 +145,7 @@ WalkReport report_walks(const scene::Campus& campus, const AvatarProfile& avatar
     for (std::size_t i = 0; i < islands.size(); ++i) {
         report.islands.push_back({std::move(islands[i]), std::move(barriers[i])});
     }
-    find_hollows(worlds, settings, report);
+    find_hollows(worlds, settings, nodes, report);
     report_subjects(worlds, settings, subjects, report);
     report.traps = find_traps(worlds, settings, report.space);
     find_trap_barriers(worlds, settings, report.space, nodes, report.traps);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -98,12 +99,19 @@ public:
         }
         try_objects(touched, found);
         if (std::ranges::none_of(found, is_small_climb)) {
-            try_nodes(found);
+            try_nodes(kSmallNode, found);
         }
-        if (found.empty()) {
-            return several_changes(abilities);
+        if (!found.empty()) {
+            return smallest_of(std::move(found));
         }
-        return smallest_of(std::move(found));
+        if (query_.changes == Changes::single) {
+            return closed_off();
+        }
+        if (const auto several = several_changes(abilities)) {
+            return several;
+        }
+        try_nodes(std::numeric_limits<double>::infinity(), found);  // whole walls, if nothing else helps
+        return found.empty() ? closed_off() : smallest_of(std::move(found));
     }
 
 private:
@@ -307,15 +315,15 @@ private:
         }
     }
 
-    /// Nodes near the starts: without which of them would there be a way?
-    void try_nodes(std::vector<Change>& found) {
+    /// Nodes near the starts, no larger than this: without which of them would there be a way?
+    void try_nodes(double largest, std::vector<Change>& found) {
         if (query_.nodes == nullptr) {
             return;
         }
         const collision::MoverSettings& body = settings_.strides.body;
         const collision::Aabb around = query_.within.grown(kAroundSearch);
         for (const RemovableNode& node :
-             removable_nodes(worlds_[0], settings_.solids, body, *query_.nodes, query_.from)) {
+             removable_nodes(worlds_[0], settings_.solids, body, *query_.nodes, query_.from, largest)) {
             const auto without = world_without(worlds_[0], node.object, node.triangles, around);
             if (without == nullptr || is_exhausted()) {
                 continue;
@@ -398,13 +406,12 @@ private:
     }
 
     /// Where no single change is enough.
-    Barrier several_changes(const std::vector<Ability>& abilities) {
-        if (query_.changes != Changes::any || is_exhausted() ||
-            (query_.is_enclosed && query_.is_enclosed())) {
-            return closed_off();
+    std::optional<Barrier> several_changes(const std::vector<Ability>& abilities) {
+        if (is_exhausted() || (query_.is_enclosed && query_.is_enclosed())) {
+            return std::nullopt;
         }
         const std::optional<FoundPath> easiest = find_path(easiest_of(abilities), query_.from);
-        return easiest ? all_at_once(abilities, *easiest) : closed_off();
+        return easiest ? std::optional(all_at_once(abilities, *easiest)) : std::nullopt;
     }
 
     /// There is a way with every ability at its easiest; now each is made as hard as the others allow.

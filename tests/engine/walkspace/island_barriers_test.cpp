@@ -107,6 +107,16 @@ TEST(IslandBarriers, GroundThatLiesApartIsBehindAGap) {
     }
 }
 
+TEST(IslandBarriers, AMissingStripOfTheFloorIsAGap) {
+    for (const double apart : {1.0, 1.4, 1.8, 2.2}) {
+        scene::Campus campus = level_campus(20.0);
+        add_box(campus, "floor", {-5, -1, -40}, {5, 0, -20.0 - apart});
+        const Barrier barrier = explored_barrier(campus, {0, 0, -30});
+        ASSERT_EQ(barrier.kind, BarrierKind::gap) << apart;
+        EXPECT_NEAR(barrier.measured, apart, 0.3) << "from cell to cell";
+    }
+}
+
 /// Neither a roof nor what is behind a wall.
 TEST(IslandBarriers, AWallOrAnotherLevelIsNoGap) {
     scene::Campus campus = level_campus(20.0);
