@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 #include "engine/walkspace/why_not.h"
@@ -18,19 +19,16 @@ namespace {
 constexpr double kWithinReach = 0.5;
 /// Who stands lower than this below a leaf has stairs to climb first, metres.
 constexpr double kBelowLeaf = kHighestRiser;
-/// Of the nodes in a doorway, so many states are computed, the nearest to its middle first.
+/// From so many of the nodes in front of a doorway it is walked through, the nearest to its middle first.
 constexpr std::size_t kMostStates = 16;
-
-/// In a doorway a body's axis gets this near to the leaf's middle plane: at least the nodes on one side do.
-/// Where the leaf is solid, no nearer than the radius.
-double nearest_in_doorway(double radius, double cell) {
-    return std::max(0.67 * radius, std::min(0.9 * radius, 0.51 * cell + 0.02));
-}
+/// A body on the other side has this much room from the leaf, and walks there in so many seconds.
+constexpr double kBehindLeaf = 0.05;
+constexpr double kLongestCrossing = 4.0;
+constexpr double kWithin = 0.02;
 
 class Doorway {
 public:
-    Doorway(const scene::UprightBox& leaf, const collision::MoverSettings& body, double cell)
-        : leaf_(leaf), body_(body), nearest_(nearest_in_doorway(body.radius, cell)) {}
+    Doorway(const scene::UprightBox& leaf, const collision::MoverSettings& body) : leaf_(leaf), body_(body) {}
 
     bool is_within_reach(const Vec3& foot) const {
         const Vec3 local = to_leaf(foot);
@@ -38,14 +36,19 @@ public:
         return is_beside(local) && collision::horizontal_norm(outside) <= body_.radius + kWithinReach;
     }
 
-    /// By the middle plane of the leaf, which is its thinner side.
-    bool is_in(const Vec3& foot) const {
-        const Vec3 local = to_leaf(foot);
-        const bool is_along = leaf_.size.x() >= leaf_.size.z();
-        const double half = 0.5 * std::max(leaf_.size.x(), leaf_.size.z());
-        const double along = std::max(0.0, std::abs(is_along ? local.x() : local.z()) - half);
-        const double across = is_along ? local.z() : local.x();
-        return is_beside(local) && collision::horizontal_norm({along, 0.0, across}) <= nearest_;
+    /// In front of the leaf, or behind it.
+    bool is_before(const Vec3& foot) const {
+        const Place place = to_plane(foot);
+        return is_beside(to_leaf(foot)) && std::abs(place.along) <= half_width() &&
+               std::abs(place.across) > half_thickness();
+    }
+
+    /// Straight through the doorway, where the leaf is just behind the body.
+    Vec3 other_side(const Vec3& foot) const {
+        const Place place = to_plane(foot);
+        const double beyond = half_thickness() + body_.radius + kBehindLeaf;
+        const double across = place.across < 0.0 ? beyond : -beyond;
+        return foot + (across - place.across) * (is_along() ? leaf_.across() : leaf_.along);
     }
 
     /// What a body that is within reach overlaps.
@@ -56,6 +59,19 @@ public:
     }
 
 private:
+    /// By the middle plane of the leaf, whose thinner side lies across it.
+    struct Place {
+        double along = 0.0;
+        double across = 0.0;
+    };
+    Place to_plane(const Vec3& foot) const {
+        const Vec3 local = to_leaf(foot);
+        return is_along() ? Place{local.x(), local.z()} : Place{local.z(), local.x()};
+    }
+    bool is_along() const { return leaf_.size.x() >= leaf_.size.z(); }
+    double half_width() const { return 0.5 * std::max(leaf_.size.x(), leaf_.size.z()); }
+    double half_thickness() const { return 0.5 * std::min(leaf_.size.x(), leaf_.size.z()); }
+
     /// Along the leaf, +Y, and across it.
     Vec3 to_leaf(const Vec3& foot) const {
         const Vec3 from_center = foot - leaf_.center;
@@ -68,7 +84,6 @@ private:
 
     const scene::UprightBox& leaf_;
     const collision::MoverSettings& body_;
-    double nearest_;
 };
 
 class DoorFinder {
@@ -81,7 +96,7 @@ public:
     Subject find(const scene::DoorLeaf& leaf) {
         Subject subject{SubjectKind::door, s_.campus.models[leaf.node.model].nodes[leaf.node.node].name};
         subject.at = leaf.box.center - 0.5 * leaf.box.size.y() * Vec3::UnitY();
-        const Doorway doorway(leaf.box, body_, s_.reached.grid.cell);
+        const Doorway doorway(leaf.box, body_);
         const std::vector<WalkNodeId> near = nodes_near(doorway, subject.at);
         subject.reached = !near.empty();
         if (subject.reached) {
@@ -112,22 +127,29 @@ private:
         return nodes;
     }
 
+    /// Straight on from a node on one side until the leaf is behind the body: where a leaf has a sill or a
+    /// handle, one may get far into its bounds and yet not through.
     bool is_walked_through(const Doorway& doorway, const std::vector<WalkNodeId>& near) {
         std::size_t states = 0;
         for (const WalkNodeId& node : near) {
             if (states == kMostStates) {
                 return false;
             }
-            const Vec3 about = s_.reached.position(node);
-            if (!doorway.is_in(about)) {
-                continue;
-            }
-            ++states;
-            if (doorway.is_in(s_.reached.state_at(node, strider_).foot)) {
-                return true;
+            if (doorway.is_before(s_.reached.position(node))) {
+                ++states;
+                if (leads_through(doorway, s_.reached.state_at(node, strider_))) {
+                    return true;
+                }
             }
         }
         return false;
+    }
+
+    bool leads_through(const Doorway& doorway, const GroundState& at) {
+        const Vec3 target = doorway.other_side(at.foot);
+        const StrideEnd end = strider_.walk_to(at, target, kWithin, kLongestCrossing);
+        return end.kind == StrideEnd::Kind::grounded &&
+               collision::horizontal_norm(end.at.foot - target) <= kWithin;
     }
 
     void explain(const Doorway& doorway, Subject& subject) const {

@@ -21,7 +21,8 @@ class Obj:
         self.vertices = 0
 
     def box(self, name, low, high):
-        self.text += "o %s\n" % name
+        """Without a name it is part of the last object."""
+        self.text += "o %s\n" % name if name else ""
         for corner in range(8):
             self.text += "v %g %g %g\n" % tuple((high if corner >> axis & 1 else low)[axis] for axis in range(3))
         for face in ("1 3 4 2", "5 6 8 7", "1 2 6 5", "3 7 8 4", "1 5 7 3", "2 4 8 6"):
@@ -75,6 +76,34 @@ class ExploredDoors(ProgramCase):
             doors = self.doors("front_door, back_door", "--avatar", body)
             self.assertTrue(doors["front_door"]["walked_through"] and doors["back_door"]["walked_through"], radius)
             self.assertFalse(self.doors("front_door", "--avatar", body)["back_door"]["walked_through"], radius)
+
+    def test_who_stands_on_the_sill_of_a_closed_door_is_not_through(self):
+        """Its middle plane, by its bounds, lies in front of the leaf."""
+        for sill in (0.4, 0.6, 0.8):
+            model = Obj()
+            model.box("ground", (-10, -1, -10), (10, 0, 10))
+            model.box("wall_west", (-10, 0, -0.1), (5, 3, 0.1))
+            model.box("wall_east", (6, 0, -0.1), (10, 3, 0.1))
+            model.box("back_door", (5, 0, -0.03), (6, 2.1, 0.03))
+            model.box("", (5, 0, -0.03), (6, 0.02, sill))
+            self.write("school.obj", model.text)
+            door = self.doors("")["back_door"]
+            self.assertTrue(door["reached"])
+            self.assertFalse(door["walked_through"], sill)
+            self.assertTrue(self.doors("back_door")["back_door"]["walked_through"], sill)
+
+    def test_a_wall_across_a_corridor_is_named(self):
+        """However wide it is; what can't be walked through is one node of many in a mesh."""
+        for half in (1, 2, 4, 6):
+            model = Obj()
+            model.box("ground", (-half, -1, -10), (half, 0, 10))
+            model.box("west", (-half - 0.2, 0, -10), (-half, 3, 10))
+            model.box("east", (half, 0, -10), (half + 0.2, 3, 10))
+            model.box("barrier", (-half, 0, -0.1), (half, 3, 0.1))
+            self.write("school.obj", model.text)
+            self.doors("")
+            island, = [island for island in self.json["islands"] if not island["top"]]
+            self.assertEqual(("object", "barrier"), (island["barrier"]["kind"], island["barrier"]["node"]), half)
 
     def test_a_gate_keeps_visitors_in_a_pit(self):
         """From a deck one falls into it. What one stands on outside is no gate, however small it is."""
