@@ -81,7 +81,7 @@ public:
     }
 
     /// Straight on, if that gets there once the barrier is away; else by whatever way then leads there.
-    std::optional<ShownWalk> find() const {
+    std::optional<ShownWalk> straight_or_round() const {
         std::optional<ShownWalk> straight;
         for (const Vec3& start : from_) {
             if (auto shown = straight_from(start)) {
@@ -95,17 +95,6 @@ public:
         return round ? round : straight;
     }
 
-private:
-    std::optional<ShownWalk> straight_from(const Vec3& start) const {
-        constexpr double kAtBarrier = 1.0;  // metres
-        const ShownWalk walk{{start, {{.to = goal_}}}, "blocked", goal_};
-        const DraftEnd end = player_.play(as_tried(walk.draft));
-        return end.stands_at_first && end.is_blocked && end.failure.empty() &&
-                       (end.foot - barrier_.from).norm() <= kAtBarrier
-                   ? std::optional(walk)
-                   : std::nullopt;
-    }
-
     /// By a go_to: no way leads there, as the report has found.
     std::optional<ShownWalk> by_route() const {
         for (const Vec3& start : from_) {
@@ -117,6 +106,17 @@ private:
             return !mended_ || has_route(*mended_, start) ? std::optional(walk) : std::nullopt;
         }
         return std::nullopt;
+    }
+
+private:
+    std::optional<ShownWalk> straight_from(const Vec3& start) const {
+        constexpr double kAtBarrier = 1.0;  // metres
+        const ShownWalk walk{{start, {{.to = goal_}}}, "blocked", goal_};
+        const DraftEnd end = player_.play(as_tried(walk.draft));
+        return end.stands_at_first && end.is_blocked && end.failure.empty() &&
+                       (end.foot - barrier_.from).norm() <= kAtBarrier
+                   ? std::optional(walk)
+                   : std::nullopt;
     }
 
     bool has_route(const DraftPlayer& player, const Vec3& start) const {
@@ -154,7 +154,14 @@ private:
 
 std::optional<ShownWalk> walk_at_barrier(const engine::Barrier& barrier, const Vec3& goal,
                                          const DraftPlayer& player, WalkStarts& starts) {
-    return BarrierWalker(barrier, goal, player, starts).find();
+    return BarrierWalker(barrier, goal, player, starts).straight_or_round();
+}
+
+std::optional<ShownWalk> walk_to_goal(const engine::Barrier& barrier, const Vec3& goal,
+                                      const DraftPlayer& player, WalkStarts& starts) {
+    const BarrierWalker walker(barrier, goal, player, starts);
+    const auto walk = walker.by_route();
+    return walk ? walk : walker.straight_or_round();
 }
 
 }  // namespace campuswalk::tools::explore

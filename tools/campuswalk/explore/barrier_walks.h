@@ -14,4 +14,8 @@ namespace campuswalk::tools::explore {
 std::optional<ShownWalk> walk_at_barrier(const engine::Barrier& barrier, const collision::Vec3& goal,
                                          const DraftPlayer& player, WalkStarts& starts);
 
+/// Likewise, but rather by a go_to: for what somebody wants to get to, whichever way there is one day.
+std::optional<ShownWalk> walk_to_goal(const engine::Barrier& barrier, const collision::Vec3& goal,
+                                      const DraftPlayer& player, WalkStarts& starts);
+
 }  // namespace campuswalk::tools::explore

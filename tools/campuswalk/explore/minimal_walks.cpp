@@ -87,11 +87,12 @@ private:
 
     std::optional<std::string> of_barrier(const Finding& finding, const engine::Barrier& barrier,
                                           const engine::Island& beyond, const DraftPlayer& player) {
-        return barrier.kind == engine::BarrierKind::solid
-                   ? std::nullopt
-                   : yaml_if_shown(finding,
-                                   walk_at_barrier(barrier, beyond.nearest_to(barrier.from), player, starts_),
-                                   player);
+        if (barrier.kind == engine::BarrierKind::solid) {
+            return std::nullopt;
+        }
+        const auto walk = finding.kind == FindingKind::unreached ? walk_to_goal : walk_at_barrier;
+        return yaml_if_shown(finding, walk(barrier, beyond.nearest_to(barrier.from), player, starts_),
+                             player);
     }
 
     std::optional<std::string> of_island(const Finding& finding) {
