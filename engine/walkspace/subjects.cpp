@@ -90,7 +90,7 @@ private:
         subject.island = island_at(place.ground->foot);
         if (!subject.island) {
             subject.reason = nearest > 1.0 ? "nothing that is reached lies near it"
-                                           : "one gets to " + fixed(nearest, 2) + " m from it, not nearer" +
+                                           : "one gets to " + fixed(nearest, 3) + " m from it, not nearer" +
                                                  touching(subject.at);
         }
     }

@@ -79,10 +79,10 @@ class Explore(ProgramCase):
         report = self.report()
         self.assertFalse(self.subject(report, "place", "stage")["reached"])
         riser = self.finding(report, "place stage")
-        self.assertRegex(riser["text"], r"^riser of 0\.45 m at stage, .*; the avatar steps 0\.30 m$")
+        self.assertRegex(riser["text"], r"^riser of 0\.45 m at stage, .*; the avatar steps 0\.30 m; 30 m² of ground lie beyond$")
         gate = self.finding(report, "place shed, trigger shed/inside")
         self.assertRegex(gate["text"], r"^shed/gate-leaf stands in the way at 5\.\d\d, \d\.\d\d, -[45]\.\d\d; "
-                                       r"the opening beside it is 0\.55 m wide, the body needs 0\.60 m$")
+                                       r"the opening beside it is 0\.55 m wide, the body needs 0\.60 m; 28 m² of ground lie beyond$")
         self.assertIn("is inside shed/left", self.finding(report, "inside-the-wall")["text"])
         # In the text, each finding has its place once.
         lines = re.findall(r"(?m)^ +\d+  (.*)$", self.run_program("explore", "yard.campus.yaml").out)
@@ -181,6 +181,8 @@ class Explore(ProgramCase):
         self.assertAlmostEqual(128 ** 0.5 * 0.6 + 0.28, coverage["area"], delta=1.5)
         self.assertEqual([], coverage["visited"])
         self.report("--walks", "walks", "--fail-under", "50", code=1)
+        self.assertRegex(self.run_program("explore", "yard.campus.yaml", "--walks", "walks", "--fail-under", "50").out,
+                         r"(?m)^failed     --fail-under 50\.0: the walks visit %.1f %%$" % (100 * coverage["share"]))
         self.write("walks/inside.walk.yaml", "campus: ../yard.campus.yaml\navatar: adult\nsteps:\n"
                    "  - spawn: {at: [6, 0, -8]}\n")
         visited = self.report("--walks", "walks/inside.walk.yaml", "--disable", "shed/gate-leaf")["coverage"]["visited"]
@@ -323,6 +325,10 @@ class Explore(ProgramCase):
         self.report("--require", "all", code=1)
         self.report("--fail-on", "traps", code=1)
         self.report("--fail-on", "islands", "--disable", "stage")
+        done = self.run_program("explore", "yard.campus.yaml", "--require", "shed,corner", "--fail-on", "traps,popups")
+        trap = next(line for line in done.out.splitlines() if " trap of " in line).split()[0]
+        self.assertEqual("failed     --require: nobody gets to shed\nfailed     --fail-on traps: finding %s\n" % trap,
+                         done.out[done.out.index("failed"):])
         for arguments, words in ((("--require", "crner"), "yard.campus.yaml has no place 'crner' (did you mean 'corner'?)"),
                                  (("--map", ""), "--map:1:1: error bad-value"), (("--write-walks", ""), "--write-walks:1:1: error bad-value"), (("--from", "strt"), "did you mean 'start'"),
                                  (("--disable", "gat*"), "no object 'gat*'"), (("--avatar", "adlt"), "adlt"),

@@ -11,9 +11,12 @@ import shutil
 import stat
 import subprocess
 
+import jsonschema
+
 from program import WALK, ProgramCase, main
 
 FAILING = WALK.replace('never: "collision.enter hut/wall"', "never: popup.open hut")
+SCHEMAS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "config", "schema", "")
 REPORTERS = ("json", "jsonl", "junit", "tap", "list", "markdown")
 
 
@@ -249,7 +252,10 @@ class Explorations(SlurmCase):
     def test_several_are_each_as_it_is_alone(self):
         outcome = self.explore("--json", "all.json", "--fail-on", "islands")
         parts = [part.split("\n", 1) for part in re.split("^=== ", outcome.out, flags=re.MULTILINE)[1:]]
-        all_json = json.loads(self.read("all.json"))["explorations"]
+        all_json = json.loads(self.read("all.json"))
+        with open(SCHEMAS + "explorations.schema.json", encoding="utf-8") as schema:
+            jsonschema.validate(all_json, json.load(schema), resolver=jsonschema.RefResolver("file://" + SCHEMAS, {}))
+        all_json = all_json["explorations"]
         worst = 0
         pairs = [(campus, avatar) for campus in self.arguments[:2] for avatar in ("adult", "child")]
         self.assertEqual([head for head, _ in parts], ["%s, avatar %s" % pair for pair in pairs])

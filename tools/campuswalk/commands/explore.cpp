@@ -172,10 +172,8 @@ void add_explore(Command program, CommandAction& chosen) {
         "  islands    other walkable ground that isn't reached, of more than 1 m²\n"
         "  hot        spots with so many triangles around the visitor that ticks take long\n"
         "\n"
-        "Exit code: 0 explored, 1 the report has what --require, --fail-on or --fail-under forbids, 2 bad "
-        "usage "
-        "or\n"
-        "input, 3 something failed on the way.");
+        "Exit code: 0 explored, 1 the report has what --require, --fail-on or --fail-under forbids,\n"
+        "2 bad usage or input, 3 something failed on the way.");
     command.choose(chosen, [all, command] {
         check_slurm(all->slurm);
         return explore_campuses(*all, command.given_except(options_of_exploration()));

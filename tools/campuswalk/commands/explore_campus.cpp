@@ -95,22 +95,56 @@ std::size_t workers_of(const ExploreOptions& options) {
         options.workers.value_or(static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))));
 }
 
-/// Whether the report is as the options demand.
-bool is_accepted(const ExploreOptions& options, const engine::WalkReport& report,
-                 const std::vector<explore::Finding>& findings) {
+/// The first of the words, with commas between, and how many more there are.
+std::string first_of(const std::vector<std::string>& words) {
+    constexpr std::size_t kMost = 10;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(words.size(), kMost); ++i) {
+        text.append(i == 0 ? "" : ", ").append(words[i]);
+    }
+    return words.size() > kMost ? text + " and " + std::to_string(words.size() - kMost) + " more" : text;
+}
+
+std::vector<std::string> required_but_unreached(const ExploreOptions& options,
+                                                const engine::WalkReport& report) {
+    std::vector<std::string> names;
     for (const engine::SubjectReport& entry : report.subjects) {
         const engine::Subject& subject = entry.subject;
         const bool required = subject.kind == engine::SubjectKind::place
                                   ? has(options.required, "all") || has(options.required, subject.name)
                                   : has(options.required, "all") && engine::is_destination(subject.kind);
         if (required && !subject.reached) {
-            return false;
+            names.push_back(subject.name);
         }
     }
-    return std::ranges::none_of(findings, [&](const explore::Finding& finding) {
-        return std::ranges::any_of(
-            options.fail_on, [&](const std::string& kind) { return explore::is_of_kind(finding, kind); });
-    });
+    return names;
+}
+
+/// What in the report isn't as the options demand, a line for each option.
+std::vector<std::string> objections(const ExploreOptions& options, const engine::WalkReport& report,
+                                    const std::vector<explore::Finding>& findings,
+                                    const explore::Coverage* coverage) {
+    std::vector<std::string> lines;
+    if (const auto names = required_but_unreached(options, report); !names.empty()) {
+        lines.push_back("--require: nobody gets to " + first_of(names));
+    }
+    for (const std::string& kind : options.fail_on) {
+        std::vector<std::string> numbers;
+        for (std::size_t i = 0; i < findings.size(); ++i) {
+            if (explore::is_of_kind(findings[i], kind)) {
+                numbers.push_back(std::to_string(i + 1));
+            }
+        }
+        if (!numbers.empty()) {
+            lines.push_back("--fail-on " + kind + (numbers.size() == 1 ? ": finding " : ": findings ") +
+                            first_of(numbers));
+        }
+    }
+    if (options.fail_under && 100.0 * coverage->share < *options.fail_under) {
+        lines.push_back("--fail-under " + engine::fixed(*options.fail_under, 1) + ": the walks visit " +
+                        engine::fixed(100.0 * coverage->share, 1) + " %");
+    }
+    return lines;
 }
 
 /// Those in the files and folders of `--walks`; the others are on other campuses.
@@ -305,8 +339,12 @@ int explore_campus(const ExploreOptions& options, std::string* json) {
     if (options.walks) {
         write_walks(options, *campus, avatar, settings, report, findings);
     }
-    const bool covered = !options.fail_under || 100.0 * coverage->share >= *options.fail_under;
-    return is_accepted(options, report, findings) && covered ? kPass : kExpectationFailed;
+    const std::vector<std::string> against =
+        objections(options, report, findings, coverage ? &*coverage : nullptr);
+    for (const std::string& objection : against) {
+        print_line("failed     %s", objection.c_str());
+    }
+    return against.empty() ? kPass : kExpectationFailed;
 }
 
 }  // namespace campuswalk::tools

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "config/loader/load_run.h"
+#include "engine/events/decimals.h"
 #include "engine/walkspace/campus_route.h"
 #include "engine/walkspace/tight_places.h"
 #include "scene/base/atomic_file.h"
@@ -64,8 +65,13 @@ engine::RouteRequest request_of(const RouteOptions& options, const scene::Campus
     request.to.push_back(route::parse_target(campus.description, options.to, "TO"));
     const auto body = engine::body_at(start, campus, settings);
     if (!body) {
+        const bool has_height = route::parse_target(campus.description, options.from, "FROM").has_height;
+        const std::string height = has_height
+                                       ? "; start elsewhere"
+                                       : ", at the first spawn's height of " + engine::fixed(start.y(), 2) +
+                                             " m; start elsewhere, or say at which height: x,y,z";
         throw scene::InputError({"FROM", 1, 1}, "spawn-blocked",
-                                "the avatar doesn't fit at " + options.from + "; start elsewhere");
+                                "the avatar doesn't fit at " + options.from + height);
     }
     request.from = *body;
     return request;

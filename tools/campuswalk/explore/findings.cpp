@@ -110,6 +110,9 @@ void add_unreached(const scene::Campus& campus, const WalkReport& report,
         const engine::IslandReport& island = report.islands[*subject.island];
         Finding finding{FindingKind::unreached, named(subject),   why(campus, island), subject.at,
                         island.barrier,         {*subject.island}};
+        if (const double area = island.island.area(report.space.grid); area > engine::kNotableIsland) {
+            finding.text += "; " + area_text(area) + " of ground lie beyond";
+        }
         if (island.barrier) {
             finding.at = island.barrier->at;
         }
