@@ -85,10 +85,13 @@ void each_field(auto& fields, MaybeConstOf<TriggerOverhang> auto& overhang) {
 void each_field(auto& fields, MaybeConstOf<HotSpot> auto& spot) {
     fields(spot.foot, spot.pieces, spot.object);
 }
+void each_field(auto& fields, MaybeConstOf<SeparateGround> auto& ground) {
+    fields(ground.starts, ground.area);
+}
 /// All but the space.
 void each_field(auto& fields, MaybeConstOf<WalkReport> auto& report) {
     fields(report.storeys, report.subjects, report.islands, report.traps, report.holes, report.narrow,
-           report.bottlenecks, report.overhangs, report.hot_spots);
+           report.bottlenecks, report.overhangs, report.hot_spots, report.separate);
 }
 
 }  // namespace campuswalk::engine

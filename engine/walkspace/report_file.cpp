@@ -287,6 +287,11 @@ void check_report(const WalkReport& report) {
     for (const TriggerOverhang& overhang : report.overhangs) {
         require(overhang.storey < report.storeys.list.size(), "a storey in it is out of range");
     }
+    for (const SeparateGround& ground : report.separate) {
+        require(std::ranges::all_of(ground.starts,
+                                    [&](std::uint32_t start) { return start < report.space.starts.size(); }),
+                "a start in it is out of range");
+    }
     const auto has_ground = [](const Island& island) { return !island.spots.empty(); };
     require(std::ranges::all_of(report.islands, has_ground, &IslandReport::island) &&
                 std::ranges::all_of(report.narrow, has_ground, &NarrowPassage::beyond) &&

@@ -152,6 +152,7 @@ WalkReport report_walks(const scene::Campus& campus, const AvatarProfile& avatar
     report.holes = find_holes(report.space);
     report.overhangs = find_trigger_overhangs(campus, worlds, settings, report.space, report.storeys);
     report.hot_spots = find_hot_spots(worlds, settings, report.space);
+    report.separate = find_separate_grounds(report.space, settings.strides.body.step_height);
     if (min_width > 2.0 * settings.strides.body.radius) {
         report.narrow = find_narrow_passages(worlds, settings, report.space, min_width, &nodes);
         report.bottlenecks = find_bottlenecks(worlds, settings, report.space, min_width);

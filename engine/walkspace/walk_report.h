@@ -10,6 +10,7 @@
 #include "engine/walkspace/holes.h"
 #include "engine/walkspace/hot_spots.h"
 #include "engine/walkspace/narrow_passages.h"
+#include "engine/walkspace/separate_grounds.h"
 #include "engine/walkspace/storeys.h"
 #include "engine/walkspace/subjects.h"
 #include "engine/walkspace/traps.h"
@@ -46,6 +47,7 @@ struct WalkReport {
     std::vector<Bottleneck> bottlenecks = {};
     std::vector<TriggerOverhang> overhangs = {};
     std::vector<HotSpot> hot_spots = {};
+    std::vector<SeparateGround> separate = {};  ///< none if all starts' ground is one
 };
 
 /// Explores the campus and finds all that a report tells. `settings` as for `explore`; the campus and what

@@ -90,6 +90,17 @@ class Explore(ProgramCase):
         for line, finding in zip(lines, report["findings"], strict=True):
             self.assertEqual(line.count("%.2f, %.2f, %.2f" % tuple(finding["at"])), 1, line)
 
+    def test_spawns_that_no_path_joins(self):
+        self.assertEqual([], self.report()["separate"])
+        self.write("yard.campus.yaml", YARD.replace("spawns: {", "spawns: {corner: {at: [-8, 0, 8]}, shed: {at: [6, 0, -8]}, "))
+        report = self.report()
+        yard, shed = report["separate"]
+        self.assertEqual((["corner", "start"], ["shed"]), (yard["spawns"], shed["spawns"]))
+        self.assertAlmostEqual((7.6 - 0.6) * (4.6 - 0.6), shed["area"], delta=3)
+        self.assertAlmostEqual(report["area"], yard["area"] + shed["area"], delta=0.001)
+        self.assertIn("spawns     3 of 3\n  nobody gets from shed, on %.1f m², to the other spawns or back\n" % shed["area"],
+                      self.run_program("explore", "yard.campus.yaml").out)
+
     def test_finds_traps_and_holes(self):
         report = self.report()
         trap, = report["traps"]

@@ -227,6 +227,18 @@ Json coverage_json(const WalkReport& report, const Coverage& coverage) {
     return json;
 }
 
+Json separate_json(const scene::Campus& campus, const WalkReport& report) {
+    Json json = Json::array();
+    for (const engine::SeparateGround& ground : report.separate) {
+        Json spawns = Json::array();
+        for (const std::uint32_t start : ground.starts) {
+            spawns.push_back(name_of_start(campus, report, report.space.starts[start]));
+        }
+        json.push_back({{"spawns", std::move(spawns)}, {"area", rounded(ground.area)}});
+    }
+    return json;
+}
+
 Json finding_json(const Finding& finding, std::size_t number) {
     Json json = {{"number", number},
                  {"kind", name_of(finding.kind)},
@@ -268,6 +280,7 @@ std::string report_json(const scene::Campus& campus, const WalkReport& report,
                  {"bottlenecks", bottlenecks_json(campus, report)},
                  {"overhangs", overhangs_json(campus, report)},
                  {"hot_spots", hot_spots_json(campus, report)},
+                 {"separate", separate_json(campus, report)},
                  {"findings", Json::array()}};
     for (std::size_t i = 0; i < findings.size(); ++i) {
         json["findings"].push_back(finding_json(findings[i], i + 1));

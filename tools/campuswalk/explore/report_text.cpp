@@ -95,6 +95,22 @@ std::string remark(const WalkReport& report, SubjectKind kind) {
     return "";
 }
 
+/// Spawns that no path joins with those with the most ground.
+void print_separate(const scene::Campus& campus, const WalkReport& report) {
+    const auto largest = std::ranges::max_element(report.separate, {}, &engine::SeparateGround::area);
+    for (auto ground = report.separate.begin(); ground != report.separate.end(); ++ground) {
+        if (ground != largest) {
+            std::string names;
+            for (const std::uint32_t start : ground->starts) {
+                names += names.empty() ? "" : ", ";
+                names += name_of_start(campus, report, report.space.starts[start]);
+            }
+            print_line("  nobody gets from %s, on %s m², to the other spawns or back", names.c_str(),
+                       fixed(ground->area, 1).c_str());
+        }
+    }
+}
+
 /// How many of each kind are reached.
 void print_subjects(const scene::Campus& campus, const WalkReport& report) {
     constexpr std::array kKinds{SubjectKind::spawn, SubjectKind::place,   SubjectKind::building,
@@ -110,6 +126,9 @@ void print_subjects(const scene::Campus& campus, const WalkReport& report) {
         }
         if (all > 0) {
             print_line("%-10s %zu of %zu%s", kPlurals[k], reached, all, remark(report, kKinds[k]).c_str());
+        }
+        if (all > 0 && kKinds[k] == SubjectKind::spawn) {
+            print_separate(campus, report);
         }
         if (all > 0 && kKinds[k] == SubjectKind::building) {
             print_popups(campus, report);
