@@ -3,7 +3,10 @@
 #include "engine/walkspace/report_file.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <span>
 #include <utility>
 #include <vector>
@@ -141,6 +144,25 @@ TEST(ReportFile, IsRejectedWhenItsChainsGoInACircle) {
         tile.nodes[n].parent = static_cast<std::uint16_t>(1 - n);
     }
     EXPECT_THROW(read_report_file(archive_report(was.report), was.campus.objects.size()), scene::DamagedFile);
+}
+
+/// The bodies of files that the fuzzer begins with. Whenever the format changes, they are to be written anew:
+/// `campuswalk explore --min-width 1` keeps them in its cache, behind a header.
+TEST(ReportFile, FuzzersSeedsAreStillReadable) {
+    std::size_t seeds = 0;
+    const std::filesystem::path folder = CAMPUSWALK_SOURCE_DIR "/tests/fuzz/corpus/walk-space";
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        std::vector<std::byte> bytes = archive_report(reported().report);
+        bytes.resize(scene::kArchiveHeaderBytes);
+        std::ifstream file(entry.path(), std::ios::binary);
+        for (char c = 0; file.get(c);) {
+            bytes.push_back(static_cast<std::byte>(c));
+        }
+        forge(bytes);
+        follow(read_report_file(bytes, 3));
+        ++seeds;
+    }
+    EXPECT_GE(seeds, 2U);
 }
 
 }  // namespace
