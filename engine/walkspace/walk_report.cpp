@@ -130,30 +130,41 @@ void report_subjects(const WorkerWorlds& worlds, const ExploreSettings& settings
 }  // namespace
 
 WalkReport report_walks(const scene::Campus& campus, const AvatarProfile& avatar, const WorkerWorlds& worlds,
-                        ExploreSettings settings, double min_width) {
+                        ExploreSettings settings, double min_width,
+                        const std::function<void(const std::string&)>& on_stage) {
+    const auto tell = [&](const std::string& stage) {
+        if (on_stage) {
+            on_stage(stage);
+        }
+    };
     settings.keep_rim = true;
     WalkReport report{explore(worlds, settings)};
+    tell("looking for ground that isn't reached");
     report.storeys = find_storeys(report.space);
     std::vector<Island> islands = find_unreached_ground(worlds, settings, report.space, 0.0);
     const std::vector<Subject> subjects =
         find_subjects({campus, avatar, worlds, settings, report.space, islands});
     const scene::NodeTriangles nodes(campus, campus.world.bounds());
+    const std::size_t asked = explained(islands, subjects, report.space.grid);
+    tell("finding out why ground isn't reached (islands: " + std::to_string(asked) + ")");
     std::vector<std::optional<Barrier>> barriers = find_island_barriers(
-        worlds, settings, report.space, islands, explained(islands, subjects, report.space.grid), &nodes,
-        wanted(islands, subjects));
+        worlds, settings, report.space, islands, asked, &nodes, wanted(islands, subjects));
     barriers.resize(islands.size());
     for (std::size_t i = 0; i < islands.size(); ++i) {
         report.islands.push_back({std::move(islands[i]), std::move(barriers[i])});
     }
     find_hollows(worlds, settings, nodes, report);
     report_subjects(worlds, settings, subjects, report);
+    tell("looking for traps");
     report.traps = find_traps(worlds, settings, report.space);
     find_trap_barriers(worlds, settings, report.space, nodes, report.traps);
+    tell("looking at triggers, and for hot spots");
     report.holes = find_holes(report.space);
     report.overhangs = find_trigger_overhangs(campus, worlds, settings, report.space, report.storeys);
     report.hot_spots = find_hot_spots(worlds, settings, report.space);
     report.separate = find_separate_grounds(report.space, settings.strides.body.step_height);
     if (min_width > 2.0 * settings.strides.body.radius) {
+        tell("looking for narrow passages");
         report.narrow = find_narrow_passages(worlds, settings, report.space, min_width, &nodes);
         report.bottlenecks = find_bottlenecks(worlds, settings, report.space, min_width);
     }

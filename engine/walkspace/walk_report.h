@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -52,9 +53,11 @@ struct WalkReport {
 
 /// Explores the campus and finds all that a report tells. `settings` as for `explore`; the campus and what
 /// they refer to must outlive the call. Passages narrower than `min_width` (metres, at most the body's
-/// height) are looked for if that is more than the body's own width.
+/// height) are looked for if that is more than the body's own width. `on_stage` is called with what comes
+/// next, as a clause: "looking for traps"; before that, `settings.progress` is.
 WalkReport report_walks(const scene::Campus& campus, const AvatarProfile& avatar, const WorkerWorlds& worlds,
-                        ExploreSettings settings, double min_width = 0.0);
+                        ExploreSettings settings, double min_width = 0.0,
+                        const std::function<void(const std::string&)>& on_stage = {});
 
 /// Of a body of this profile, on a campus from all its spawns.
 ExploreSettings explore_settings(const scene::Campus& campus, const AvatarProfile& avatar,

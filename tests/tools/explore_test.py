@@ -198,6 +198,8 @@ class Explore(ProgramCase):
                    "  - spawn: {at: [6, 0, -8]}\n")
         visited = self.report("--walks", "walks/inside.walk.yaml", "--disable", "shed/gate-leaf")["coverage"]["visited"]
         self.assertEqual([{"kind": "trigger", "name": "shed/inside"}], visited)
+        self.assertIn("--walks: 1 walk is left out, being skipped or on other campuses\n",
+                      self.run_program("explore", "yard.campus.yaml", "--walks", "walks").err)
         for arguments, words in ((("--walks", "walks/other.walk.yaml"), "no-walks"), (("--fail-under", "5"), "--walks")):
             done = self.run_program("explore", "yard.campus.yaml", *arguments)
             self.assertEqual((2, ""), (done.code, done.out), done.err)
@@ -342,7 +344,7 @@ class Explore(ProgramCase):
                          done.out[done.out.index("failed"):])
         for arguments, words in ((("--require", "crner"), "yard.campus.yaml has no place 'crner' (did you mean 'corner'?)"),
                                  (("--map", ""), "--map:1:1: error bad-value"), (("--write-walks", ""), "--write-walks:1:1: error bad-value"), (("--from", "strt"), "did you mean 'start'"),
-                                 (("--disable", "gat*"), "no object 'gat*'"), (("--avatar", "adlt"), "adlt"),
+                                 (("--disable", "gat*"), "no object 'gat*'"), (("--disable", "stge"), "did you mean 'stage'"), (("--avatar", "adlt"), "adlt"),
                                  (("--json", "floor.obj/report.json"), "floor.obj")):
             done = self.run_program("explore", "yard.campus.yaml", *arguments)
             self.assertEqual((2, ""), (done.code, done.out), done.err)

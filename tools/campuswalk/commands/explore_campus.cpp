@@ -147,13 +147,14 @@ std::vector<std::string> objections(const ExploreOptions& options, const engine:
     return lines;
 }
 
-/// Those in the files and folders of `--walks`; the others are on other campuses.
+/// Those in the files and folders of `--walks`; says how many are left out.
 std::vector<engine::Walk> walks_on_campus(WalkLoader& loader, const std::filesystem::path& campus_file,
                                           const std::vector<std::filesystem::path>& paths) {
     std::error_code ignored;
     const std::filesystem::path wanted = std::filesystem::weakly_canonical(campus_file, ignored);
     std::vector<engine::Walk> walks;
-    for (const std::filesystem::path& file : find_walks(paths)) {
+    const std::vector<std::filesystem::path> files = find_walks(paths);
+    for (const std::filesystem::path& file : files) {
         config::SharedRun run = loader.read(file);
         if (run.walk.status.kind != engine::WalkStatus::Kind::skip &&
             std::filesystem::weakly_canonical(run.walk.campus, ignored) == wanted) {
@@ -163,6 +164,10 @@ std::vector<engine::Walk> walks_on_campus(WalkLoader& loader, const std::filesys
     if (walks.empty()) {
         throw scene::InputError({"--walks", 1, 1}, "no-walks",
                                 "there are no walks on " + campus_file.generic_string());
+    }
+    if (const std::size_t others = files.size() - walks.size(); others > 0) {
+        print_error_line("--walks: " + std::to_string(others) + (others == 1 ? " walk is" : " walks are") +
+                         " left out, being skipped or on other campuses");
     }
     return walks;
 }
@@ -306,7 +311,8 @@ int explore_campus(const ExploreOptions& options, std::string* json) {
         cache != nullptr ? hash_of_campus(*campus, options.campus, *cache) : std::nullopt,
         campus->objects.size(), avatar, settings, options.min_width};
     const engine::WalkReport report = explore::cached_report(inputs, cache, [&] {
-        return engine::report_walks(*campus, avatar, worlds, settings, options.min_width);
+        return engine::report_walks(*campus, avatar, worlds, settings, options.min_width,
+                                    [&](const std::string& stage) { progress.show(stage); });
     });
     progress.hide();
     const std::vector<explore::Finding> findings = explore::find_findings(*campus, report);

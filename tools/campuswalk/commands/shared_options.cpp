@@ -110,8 +110,13 @@ std::vector<bool> disabled_objects(const scene::Campus& campus, const std::vecto
             }
         }
         if (!known) {
-            throw scene::InputError({"--disable", 1, 1}, "unknown-name",
-                                    "the campus has no object '" + glob + "'");
+            std::vector<std::string> ids;
+            for (const scene::CampusObject& object : campus.objects) {
+                ids.push_back(object.id);
+            }
+            throw scene::InputError(
+                {"--disable", 1, 1}, "unknown-name",
+                "the campus has no object '" + glob + "'" + scene::did_you_mean(glob, ids));
         }
     }
     return disabled;
