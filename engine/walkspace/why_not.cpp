@@ -107,7 +107,7 @@ public:
         if (query_.changes == Changes::single) {
             return closed_off();
         }
-        if (const auto several = several_changes(abilities)) {
+        if (auto several = several_changes(abilities)) {
             return several;
         }
         try_nodes(std::numeric_limits<double>::infinity(), found);  // whole walls, if nothing else helps
