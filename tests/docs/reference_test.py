@@ -161,7 +161,7 @@ class Reference(unittest.TestCase):
 
     def test_every_key_of_every_schema_is_there(self):
         pages = {"campus": "campus.md", "walk": "walk.md", "avatar": "avatar.md", "light": "light.md", "walks-config": "config.md",
-                 "report": "results.md", "report-line": "results.md", "explore": "results.md", "info": "results.md",
+                 "report": "results.md", "report-line": "results.md", "explore": "results.md", "explorations": "results.md", "info": "results.md",
                  "recording": "results.md", "steps": "walk.md"}
         for file in os.listdir(os.path.join(ROOT, "config", "schema")):
             page = self.pages[pages[file.removesuffix(".schema.json")]]
