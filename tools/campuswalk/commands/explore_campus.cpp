@@ -95,16 +95,6 @@ std::size_t workers_of(const ExploreOptions& options) {
         options.workers.value_or(static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))));
 }
 
-/// The first of the words, with commas between, and how many more there are.
-std::string first_of(const std::vector<std::string>& words) {
-    constexpr std::size_t kMost = 10;
-    std::string text;
-    for (std::size_t i = 0; i < std::min(words.size(), kMost); ++i) {
-        text.append(i == 0 ? "" : ", ").append(words[i]);
-    }
-    return words.size() > kMost ? text + " and " + std::to_string(words.size() - kMost) + " more" : text;
-}
-
 std::vector<std::string> required_but_unreached(const ExploreOptions& options,
                                                 const engine::WalkReport& report) {
     std::vector<std::string> names;
@@ -126,7 +116,7 @@ std::vector<std::string> objections(const ExploreOptions& options, const engine:
                                     const explore::Coverage* coverage) {
     std::vector<std::string> lines;
     if (const auto names = required_but_unreached(options, report); !names.empty()) {
-        lines.push_back("--require: nobody gets to " + first_of(names));
+        lines.push_back("--require: nobody gets to " + explore::first_of(names));
     }
     for (const std::string& kind : options.fail_on) {
         std::vector<std::string> numbers;
@@ -137,7 +127,7 @@ std::vector<std::string> objections(const ExploreOptions& options, const engine:
         }
         if (!numbers.empty()) {
             lines.push_back("--fail-on " + kind + (numbers.size() == 1 ? ": finding " : ": findings ") +
-                            first_of(numbers));
+                            explore::first_of(numbers));
         }
     }
     if (options.fail_under && 100.0 * coverage->share < *options.fail_under) {

@@ -60,17 +60,14 @@ void print_reached(const WalkReport& report) {
 
 /// The first few of a kind that aren't reached.
 void print_unreached(const WalkReport& report, SubjectKind kind, const char* what) {
-    constexpr std::size_t kMost = 8;
-    std::string names;
-    std::size_t count = 0;
+    std::vector<std::string> names;
     for (const engine::SubjectReport& entry : report.subjects) {
-        if (entry.subject.kind == kind && !entry.subject.reached && count++ < kMost) {
-            names += (names.empty() ? "" : ", ") + entry.subject.name;
+        if (entry.subject.kind == kind && !entry.subject.reached) {
+            names.push_back(entry.subject.name);
         }
     }
-    if (count > 0) {
-        print_line("  nobody %s %s%s", what, names.c_str(),
-                   count > kMost ? (" and " + std::to_string(count - kMost) + " more").c_str() : "");
+    if (!names.empty()) {
+        print_line("  nobody %s %s", what, first_of(names).c_str());
     }
 }
 
@@ -100,13 +97,12 @@ void print_separate(const scene::Campus& campus, const WalkReport& report) {
     const auto largest = std::ranges::max_element(report.separate, {}, &engine::SeparateGround::area);
     for (auto ground = report.separate.begin(); ground != report.separate.end(); ++ground) {
         if (ground != largest) {
-            std::string names;
+            std::vector<std::string> names;
             for (const std::uint32_t start : ground->starts) {
-                names += names.empty() ? "" : ", ";
-                names += name_of_start(campus, report, report.space.starts[start]);
+                names.push_back(name_of_start(campus, report, report.space.starts[start]));
             }
-            print_line("  nobody gets from %s, on %s m², to the other spawns or back", names.c_str(),
-                       fixed(ground->area, 1).c_str());
+            print_line("  nobody gets from %s, on %s m², to the other spawns or back",
+                       first_of(names).c_str(), fixed(ground->area, 1).c_str());
         }
     }
 }
@@ -210,6 +206,15 @@ void print_bypassed(const scene::Campus& campus, const WalkReport& report) {
 }
 
 }  // namespace
+
+std::string first_of(const std::vector<std::string>& words) {
+    constexpr std::size_t kMost = 8;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(words.size(), kMost); ++i) {
+        text.append(i == 0 ? "" : ", ").append(words[i]);
+    }
+    return words.size() > kMost ? text + " and " + std::to_string(words.size() - kMost) + " more" : text;
+}
 
 void print_report(const scene::Campus& campus, const WalkReport& report, const engine::AvatarProfile& avatar,
                   const std::vector<Finding>& findings) {

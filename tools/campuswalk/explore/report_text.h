@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "engine/walkspace/walk_report.h"
@@ -15,5 +16,8 @@ void print_report(const scene::Campus& campus, const engine::WalkReport& report,
 
 /// How much of that the walks visit, and which buildings and triggers they don't.
 void print_coverage(const engine::WalkReport& report, const Coverage& coverage);
+
+/// The first few of the words, with commas between, and how many more there are.
+std::string first_of(const std::vector<std::string>& words);
 
 }  // namespace campuswalk::tools::explore
