@@ -10,6 +10,7 @@
 #include "collision/geometry/disjoint_sets.h"
 #include "engine/walkspace/neighbour_joiner.h"
 #include "engine/walkspace/node_numbers.h"
+#include "engine/walkspace/paths_home.h"
 #include "engine/walkspace/strong_components.h"
 #include "engine/walkspace/worker_threads.h"
 
@@ -29,108 +30,6 @@ constexpr std::size_t kWindingStarts = 16;
 constexpr double kLeg = 1.0;
 /// From so many parts legs are walked before what they lead to is noted.
 constexpr std::size_t kPartsAtOnce = 64;
-
-/// Nodes between which one can walk back wherever one came from; known by the number of the first.
-using Part = std::uint32_t;
-
-class Parts {
-public:
-    explicit Parts(const WalkSpace& space) : space_(space), numbers_(space) {
-        collision::DisjointSets sets(numbers_.count());
-        for_each_stride([&](const WalkNodeId& from, const WalkNodeId& to) {
-            if (space_.node(to).returns == 1) {
-                sets.join(numbers_(to), numbers_(from));
-            }
-        });
-        part_of_ = std::move(sets).roots();
-    }
-
-    Part of(const WalkNodeId& node) const { return part_of_[numbers_(node)]; }
-    /// Of the node that the stride ended at.
-    std::optional<Part> at(const StrideEnd& end) const {
-        const auto node = end.kind == StrideEnd::Kind::grounded
-                              ? space_.find(space_.grid.cell_at(end.at.foot), end.at.foot.y())
-                              : std::nullopt;
-        return node ? std::optional(of(*node)) : std::nullopt;
-    }
-
-    template <typename Visit>
-    void for_each_node(const Visit& visit) const {
-        numbers_.for_each(visit);
-    }
-    /// Calls `visit(from, to)` for those that the space was explored by.
-    template <typename Visit>
-    void for_each_stride(const Visit& visit) const {
-        numbers_.for_each([&](const WalkNodeId& to) {
-            if (const auto from = space_.parent(to)) {
-                visit(*from, to);
-            }
-        });
-    }
-
-private:
-    const WalkSpace& space_;
-    NodeNumbers numbers_;
-    std::vector<Part> part_of_;  ///< by node number
-};
-
-/// From which parts one can walk home to a start, as far as it is known what leads where.
-class PathsHome {
-public:
-    PathsHome(const WalkSpace& space, const Parts& parts) {
-        for (const WalkNodeId& start : space.starts) {
-            home_.insert(parts.of(start));
-        }
-        parts.for_each_stride([&](const WalkNodeId& from, const WalkNodeId& to) {
-            if (space.node(to).returns == 0) {  // else they are of one part
-                add(parts.of(from), parts.of(to));
-            }
-        });
-    }
-
-    bool lead_from(Part part) const { return home_.contains(part); }
-
-    /// Calls `visit(from, into)` for what leads from one part that doesn't lead home into another.
-    template <typename Visit>
-    void for_each_other(const Visit& visit) const {
-        for (const auto& [into, sources] : sources_) {
-            for (const Part from : sources) {
-                if (!lead_from(from)) {
-                    visit(from, into);
-                }
-            }
-        }
-    }
-
-    /// One can walk from one part into the other.
-    void add(Part from, Part into) {
-        if (from == into || lead_from(from)) {
-            return;
-        }
-        if (lead_from(into)) {
-            mark_home(from);
-        } else {
-            sources_[into].insert(from);
-        }
-    }
-
-private:
-    /// The part leads home, and so does every part that leads into it.
-    void mark_home(Part part) {
-        std::vector<Part> marked{part};
-        while (!marked.empty()) {
-            const Part next = marked.back();
-            marked.pop_back();
-            if (home_.insert(next).second) {
-                const std::set<Part>& sources = sources_[next];
-                marked.insert(marked.end(), sources.begin(), sources.end());
-            }
-        }
-    }
-
-    std::set<Part> home_;
-    std::map<Part, std::set<Part>> sources_;  ///< of each part: those that lead into it
-};
 
 /// The exact states of nodes, asked for in order of their numbers: those of a tile by a stride from each to
 /// the next.
