@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/walkspace/walk_report.h"
+#include "scene/base/diagnostic.h"
 #include "tests/engine/small_campus.h"
 
 namespace campuswalk::tools::explore {
@@ -112,6 +113,56 @@ TEST(StoreyPlans, NumberFindingsWhereTheirGroundIs) {
             EXPECT_TRUE(is_on_ground(plan, mark.at)) << plan.title << ": " << mark.text;
         }
     }
+}
+
+/// Tops of things are no findings of their own, but this one is what a finding is about.
+TEST(StoreyPlans, ShowThePlatformThatAPlaceIsOn) {
+    scene::Campus campus = engine::walled_yard();
+    engine::add_box(campus, "platform", {2, 0, 2}, {5, 1.5, 5});
+    engine::add_box(campus, "block", {-5, 0, 2}, {-2, 1.5, 5});
+    campus.description.spawns.push_back({{}, "start", {0, 0, 0}});
+    campus.description.places.push_back({{}, "stage", {3.5, 1.5, 3.5}});
+    const Plans plans = plans_of(campus);
+    ASSERT_EQ(plans.list.size(), 1U);
+    EXPECT_EQ(cell_at(plans.list[0], 4.1, 4.1), PlanCell::unreached);
+    EXPECT_EQ(cell_at(plans.list[0], -4.1, 4.1), PlanCell::nothing);
+}
+
+/// Else the yard would be a dot on its own plan.
+TEST(StoreyPlans, LeaveWhatIsFarAwayBeyondTheirArea) {
+    scene::Campus campus = engine::walled_yard();
+    const double far = 1e6;
+    engine::add_box(campus, "slab", {far, -0.1, -3}, {far + 6, 0, 3});
+    campus.description.spawns.push_back({{}, "start", {0, 0, 0}});
+    campus.description.places.push_back({{}, "stray", {far + 3, 0, 0}});
+    campus.description.places.push_back({{}, "over-the-wall", {12, 0, 0}});
+    const Plans plans = plans_of(campus);
+    ASSERT_EQ(plans.list.size(), 1U);
+    const StoreyPlan& plan = plans.list[0];
+    EXPECT_EQ(points_on(plan), (std::set<std::string>{"start", "stray", "over-the-wall"}));
+    EXPECT_TRUE(plan.area.contains(Eigen::Vector2d(12, 0)));
+    EXPECT_LT(plan.area.sizes().maxCoeff(), 30.0);
+    EXPECT_LT(plan.raster.columns, 100);
+}
+
+TEST(StoreyPlans, AreNotMadeOfGroundsTooFarApart) {
+    scene::Campus campus = engine::walled_yard();
+    engine::add_box(campus, "slab", {9000, -0.1, 9000}, {9006, 0, 9006});
+    campus.description.spawns.push_back({{}, "here", {0, 0, 0}});
+    campus.description.spawns.push_back({{}, "there", {9003, 0, 9003}});
+    try {
+        plans_of(campus);
+        FAIL() << "81 km² on one plan";
+    } catch (const scene::InputError& error) {
+        EXPECT_EQ(error.diagnostics().front().code, "plan-too-large");
+    }
+}
+
+TEST(StoreyPlans, AreNoneIfNothingIsReached) {
+    scene::Campus campus = engine::walled_yard();
+    campus.description.spawns.push_back({{}, "outside", {100, 0, 0}});
+    campus.description.places.push_back({{}, "inside", {0, 0, 0}});
+    EXPECT_TRUE(plans_of(campus).list.empty());
 }
 
 /// From the gallery one falls into a cell on the ground that nothing leads out of.

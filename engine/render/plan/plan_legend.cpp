@@ -99,12 +99,22 @@ void PlanLegend::add_marks(const StoreyPlan& plan) {
     constexpr std::array kPoints = {std::pair(PlanPointKind::spawn, "spawn"),
                                     std::pair(PlanPointKind::place, "place")};
     for (const auto& [kind, text] : kPoints) {
-        if (std::ranges::count(plan.points, kind, &PlanPoint::kind) > 0) {
+        const auto is_drawn = [&, kind = kind](const PlanPoint& point) {
+            return point.kind == kind && plan.area.contains(point.at);
+        };
+        if (std::ranges::any_of(plan.points, is_drawn)) {
             const auto symbol = [kind = kind](const Canvas& canvas, const Vector2d& middle) {
                 draw_point_symbol(canvas, middle, kind);
             };
             add(kPointWidth, symbol, text);
         }
+    }
+    const auto is_beyond = [&](const auto& mark) { return !plan.area.contains(mark.at); };
+    if (std::ranges::any_of(plan.points, is_beyond) || std::ranges::any_of(plan.findings, is_beyond)) {
+        const auto arrow = [](const Canvas& canvas, const Vector2d& middle) {
+            draw_arrow_beyond(canvas, middle + Vector2d(0.5 * kPointWidth, 0.0), Vector2d::UnitX());
+        };
+        add(kPointWidth, arrow, "farther away");
     }
     for (std::size_t i = 0; i < plan.routes.size(); ++i) {
         const auto line = [i](const Canvas& canvas, const Vector2d& middle) {

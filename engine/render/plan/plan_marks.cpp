@@ -21,6 +21,7 @@ using Eigen::Vector2d;
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kSymbol = 6.0;     // half the size of a point's symbol, pixels
 constexpr double kNumber = 12.0;    // text of a marker, pixels
+constexpr double kArrow = 14.0;     // its length, pixels
 constexpr double kName = 12.5;      // text of a point, pixels
 constexpr double kRouteLine = 2.6;  // pixels
 
@@ -50,6 +51,23 @@ Vector2d marker_half(const Canvas& canvas, int number) {
     return {std::max(kMarker, 0.5 * text + 5.0), kMarker};
 }
 
+// Where a mark is drawn, pixels.
+struct MarkSpot {
+    Vector2d at;
+    Vector2d beyond = Vector2d::Zero();  // if its place is beyond the map: the direction, of length 1
+
+    Vector2d middle() const { return at - 0.5 * kArrow * beyond; }  // of its symbol
+};
+
+MarkSpot spot_of(const Vector2d& place, const PlanFrame& frame, const AlignedBox2d& map) {
+    const Vector2d pixel = frame.pixel_of(place);
+    if (map.contains(pixel)) {
+        return {pixel};
+    }
+    const Vector2d at = pixel.cwiseMax(map.min()).cwiseMin(map.max());
+    return {at, (pixel - at).normalized()};
+}
+
 // A place's own spot, then places on wider and wider rings around it.
 std::vector<Vector2d> ring_shifts() {
     constexpr int kRings = 7;
@@ -74,7 +92,7 @@ std::vector<AlignedBox2d> place_markers(const Canvas& canvas, const StoreyPlan& 
     const std::vector<Vector2d> shifts = ring_shifts();
     std::vector<AlignedBox2d> boxes;
     for (const PlanFinding& finding : plan.findings) {
-        const Vector2d at = frame.pixel_of(finding.at);
+        const Vector2d at = spot_of(finding.at, frame, map).at;
         const Vector2d half = marker_half(canvas, finding.number) + Vector2d(2, 2);
         boxes.push_back(free_box(map, at, half, shifts, taken).value_or(box_around(at, half)));
         taken.push_back(boxes.back());
@@ -97,18 +115,22 @@ void draw_name(const Canvas& canvas, const Vector2d& at, const std::string& name
 }
 
 void draw_findings(const Canvas& canvas, const StoreyPlan& plan, const PlanFrame& frame,
-                   const std::vector<AlignedBox2d>& boxes) {
+                   const AlignedBox2d& map, const std::vector<AlignedBox2d>& boxes) {
     cairo_t* cr = canvas.cairo();
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-        const Vector2d at = frame.pixel_of(plan.findings[i].at);
+        const auto [at, beyond] = spot_of(plan.findings[i].at, frame, map);
         if (!boxes[i].contains(at)) {
             cairo_move_to(cr, at.x(), at.y());
             cairo_line_to(cr, boxes[i].center().x(), boxes[i].center().y());
             canvas.set_color(kInk);
             cairo_set_line_width(cr, 1.4);
             cairo_stroke(cr);
-            cairo_arc(cr, at.x(), at.y(), 3.0, 0.0, kTurn);
-            cairo_fill(cr);
+            if (beyond.isZero()) {
+                cairo_arc(cr, at.x(), at.y(), 3.0, 0.0, kTurn);
+                cairo_fill(cr);
+            } else {
+                draw_arrow_beyond(canvas, at, beyond);
+            }
         }
     }
     for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -158,6 +180,19 @@ void draw_point_symbol(const Canvas& canvas, const Vector2d& at, PlanPointKind k
     }
 }
 
+void draw_arrow_beyond(const Canvas& canvas, const Vector2d& tip, const Vector2d& direction) {
+    constexpr double kHalfWidth = 6.0;
+    const Vector2d aside = kHalfWidth * Vector2d(-direction.y(), direction.x());
+    const Vector2d back = tip - kArrow * direction;
+    cairo_t* cr = canvas.cairo();
+    for (const Vector2d& vertex : {tip, Vector2d(back + aside), Vector2d(back - aside)}) {
+        cairo_line_to(cr, vertex.x(), vertex.y());
+    }
+    cairo_close_path(cr);
+    canvas.set_color(kInk);
+    cairo_fill(cr);
+}
+
 void draw_route(const Canvas& canvas, std::span<const Vector2d> points, std::size_t index) {
     if (points.size() < 2) {
         return;
@@ -199,15 +234,22 @@ void draw_plan_marks(const Canvas& canvas, const StoreyPlan& plan, const PlanFra
     }
     std::vector<AlignedBox2d> taken;
     for (const PlanPoint& point : plan.points) {
-        const Vector2d at = frame.pixel_of(point.at);
-        draw_point_symbol(canvas, at, point.kind);
-        taken.push_back(box_around(at, {kSymbol, kSymbol}));
+        const MarkSpot spot = spot_of(point.at, frame, map);
+        taken.push_back(box_around(spot.middle(), {kSymbol, kSymbol}));
+        if (spot.beyond.isZero()) {
+            draw_point_symbol(canvas, spot.at, point.kind);
+        } else {  // at the border, a name has few places
+            draw_arrow_beyond(canvas, spot.at, spot.beyond);
+            draw_name(canvas, spot.middle(), point.name, map, taken);
+        }
     }
     const std::vector<AlignedBox2d> markers = place_markers(canvas, plan, frame, map, taken);
     for (const PlanPoint& point : plan.points) {
-        draw_name(canvas, frame.pixel_of(point.at), point.name, map, taken);
+        if (const MarkSpot spot = spot_of(point.at, frame, map); spot.beyond.isZero()) {
+            draw_name(canvas, spot.at, point.name, map, taken);
+        }
     }
-    draw_findings(canvas, plan, frame, markers);
+    draw_findings(canvas, plan, frame, map, markers);
 }
 
 }  // namespace campuswalk::engine::render

@@ -33,6 +33,8 @@ struct PlanRaster {
 
 enum class PlanSeverity { error, warning, note };
 
+// Findings and points beyond the plan's area are drawn as arrows at its border.
+
 /// Drawn as a numbered marker; the text is listed in the legend.
 struct PlanFinding {
     int number = 0;

@@ -53,6 +53,12 @@ GroupKey key_of(const scene::Campus& campus, const engine::Barrier& barrier, con
     return key;
 }
 
+/// A finding even if nothing that somebody wants to get to is on it.
+bool is_notable(const engine::WalkReport& report, const engine::IslandReport& island) {
+    return island.island.area(report.space.grid) > engine::kNotableIsland && !is_top(island) &&
+           !island.hollow;
+}
+
 }  // namespace
 
 bool is_top(const engine::IslandReport& island) {
@@ -62,11 +68,6 @@ bool is_top(const engine::IslandReport& island) {
     const engine::Barrier& barrier = *island.barrier;
     const bool is_sequence = barrier.kind == engine::BarrierKind::sequence;
     return (is_sequence ? barrier.parts.back() : barrier).kind == engine::BarrierKind::ledge;
-}
-
-bool is_notable(const engine::WalkReport& report, const engine::IslandReport& island) {
-    return island.island.area(report.space.grid) > engine::kNotableIsland && !is_top(island) &&
-           !island.hollow;
 }
 
 std::vector<IslandGroup> group_islands(const scene::Campus& campus, const engine::WalkReport& report,

@@ -25,7 +25,4 @@ std::vector<IslandGroup> group_islands(const scene::Campus& campus, const engine
 /// Roofs, the tops of walls and the like: islands that are only reached over a ledge.
 bool is_top(const engine::IslandReport& island);
 
-/// Unreached ground that findings tell of and plans show: no roof, no hollow, and not small.
-bool is_notable(const engine::WalkReport& report, const engine::IslandReport& island);
-
 }  // namespace campuswalk::tools::explore

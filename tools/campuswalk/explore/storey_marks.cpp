@@ -7,8 +7,6 @@
 #include <map>
 #include <optional>
 
-#include "tools/campuswalk/explore/island_groups.h"
-
 namespace campuswalk::tools::explore {
 
 using collision::Vec3;
@@ -109,9 +107,6 @@ private:
 std::vector<StoreyMark> ground_marks(const WalkReport& report, const Finding& finding) {
     GroundByStorey ground;
     for (const std::size_t island : finding.islands) {
-        if (!is_notable(report, report.islands[island])) {
-            continue;
-        }
         const std::vector<engine::UnreachedSpot>& spots = report.islands[island].island.spots;
         const std::vector<std::size_t> storeys = storeys_of_island(report, report.islands[island].island);
         for (std::size_t i = 0; i < spots.size(); ++i) {
@@ -181,7 +176,7 @@ std::size_t storey_of(const WalkReport& report, const engine::Subject& subject) 
     if (subject.node) {
         return report.storeys.of(*subject.node);
     }
-    if (subject.island && is_notable(report, report.islands[*subject.island])) {
+    if (subject.island) {
         const engine::Island& island = report.islands[*subject.island].island;
         const auto nearest = std::ranges::min_element(
             island.spots, {},

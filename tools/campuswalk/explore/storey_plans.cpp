@@ -8,7 +8,7 @@
 
 #include "engine/events/decimals.h"
 #include "engine/walkspace/node_numbers.h"
-#include "tools/campuswalk/explore/island_groups.h"
+#include "scene/base/diagnostic.h"
 #include "tools/campuswalk/explore/storey_marks.h"
 
 namespace campuswalk::tools::explore {
@@ -25,6 +25,13 @@ namespace {
 /// White around what a plan shows, metres.
 constexpr double kMargin = 2.0;
 
+/// What is farther from the ground that is reached than this share of its longer side, and than so many
+/// metres, is off the plan, or there would be little room for that ground.
+constexpr double kFarShare = 0.5;
+constexpr double kLeastFar = 20.0;
+/// A plan of more cells would take too much memory: 25 km².
+constexpr double kMostCells = 4e8;
+
 /// The cells of one storey before they are laid out in rows.
 struct Cells {
     struct One {
@@ -32,57 +39,79 @@ struct Cells {
         PlanCell kind = PlanCell::nothing;
         float width = -1.0F;  ///< metres; negative: unknown
     };
-    std::vector<One> list;
-    GridCell low{1 << 30, 1 << 30};
-    GridCell high{-(1 << 30), -(1 << 30)};
+    std::vector<One> list;  ///< what is reached before what isn't
+    Eigen::AlignedBox2i box;
 
-    void add(const GridCell& cell, PlanCell kind, float width = -1.0F) {
-        list.push_back({cell, kind, width});
-        low = {std::min(low.x, cell.x), std::min(low.z, cell.z)};
-        high = {std::max(high.x, cell.x), std::max(high.z, cell.z)};
+    void add(const One& one) {
+        list.push_back(one);
+        box.extend(Eigen::Vector2i(one.cell.x, one.cell.z));
     }
 };
 
-std::vector<Cells> cells_by_storey(const engine::WalkReport& report, const GroundWidths& widths) {
-    std::vector<Cells> cells(report.storeys.list.size());
-    for (const engine::IslandReport& entry : report.islands) {
-        if (!is_notable(report, entry)) {
-            continue;
-        }
-        const std::vector<std::size_t> storeys = storeys_of_island(report, entry.island);
-        for (std::size_t i = 0; i < storeys.size(); ++i) {
-            cells[storeys[i]].add(report.space.grid.cell_at(entry.island.spots[i].at.foot),
-                                  PlanCell::unreached);
-        }
-    }
+void add_reached(const engine::WalkReport& report, const GroundWidths& widths, std::vector<Cells>& storeys) {
     std::set<WalkNodeId> trapped;
     for (const engine::Trap& trap : report.traps) {
         trapped.insert(trap.nodes.begin(), trap.nodes.end());
     }
     const engine::NodeNumbers numbers(report.space);
     numbers.for_each([&](const WalkNodeId& id) {
-        cells[report.storeys.of(id)].add(report.space.cell_of(id),
-                                         trapped.contains(id) ? PlanCell::no_return : PlanCell::reached,
-                                         widths.of_nodes.empty() ? -1.0F : widths.of_nodes[numbers(id)]);
+        storeys[report.storeys.of(id)].add({report.space.cell_of(id),
+                                            trapped.contains(id) ? PlanCell::no_return : PlanCell::reached,
+                                            widths.of_nodes.empty() ? -1.0F : widths.of_nodes[numbers(id)]});
     });
-    return cells;
 }
 
+/// The islands that findings are about, as far as they lie near what is reached.
+void add_unreached(const engine::WalkReport& report, const std::vector<Finding>& findings,
+                   std::vector<Cells>& storeys) {
+    std::vector<Eigen::AlignedBox2i> near;
+    for (const Cells& cells : storeys) {
+        const double size = report.space.grid.cell;
+        const int longer = cells.box.sizes().maxCoeff();
+        const int far = std::max(static_cast<int>(kLeastFar / size), static_cast<int>(kFarShare * longer));
+        near.emplace_back(cells.box.min().array() - far, cells.box.max().array() + far);
+    }
+    for (const Finding& finding : findings) {
+        for (const std::size_t i : finding.islands) {
+            const engine::Island& island = report.islands[i].island;
+            const std::vector<std::size_t> storey_of_spot = storeys_of_island(report, island);
+            for (std::size_t spot = 0; spot < storey_of_spot.size(); ++spot) {
+                const std::size_t storey = storey_of_spot[spot];
+                const GridCell cell = report.space.grid.cell_at(island.spots[spot].at.foot);
+                if (near[storey].contains(Eigen::Vector2i(cell.x, cell.z))) {
+                    storeys[storey].add({cell, PlanCell::unreached});
+                }
+            }
+        }
+    }
+}
+
+/// What is reached hides what isn't.
 engine::render::PlanRaster raster_of(const Cells& cells, double size, bool has_widths) {
     engine::render::PlanRaster raster;
     raster.cell_size = size;
-    raster.north_west = {cells.low.x * size, cells.low.z * size};
-    raster.columns = cells.high.x - cells.low.x + 1;
-    raster.rows = cells.high.z - cells.low.z + 1;
-    raster.cells.assign(static_cast<std::size_t>(raster.columns) * static_cast<std::size_t>(raster.rows),
-                        PlanCell::nothing);
+    raster.north_west = size * cells.box.min().cast<double>();
+    const Eigen::Vector2d count = cells.box.sizes().cast<double>().array() + 1.0;
+    if (count.prod() > kMostCells) {
+        throw scene::InputError(
+            {"--map", 1, 1}, "plan-too-large",
+            "the ground that is reached lies in places too far apart for one plan, within " +
+                fixed(size * count.x(), 0) + " m by " + fixed(size * count.y(), 0) +
+                " m; start with --from at spawns near each other");
+    }
+    raster.columns = static_cast<int>(count.x());
+    raster.rows = static_cast<int>(count.y());
+    raster.cells.assign(static_cast<std::size_t>(count.prod()), PlanCell::nothing);
     if (has_widths) {
         raster.widths.assign(raster.cells.size(), -1.0F);
     }
     for (const Cells::One& one : cells.list) {
-        const auto row = static_cast<std::size_t>(one.cell.z - cells.low.z);
-        const auto column = static_cast<std::size_t>(one.cell.x - cells.low.x);
+        const auto row = static_cast<std::size_t>(one.cell.z - cells.box.min().y());
+        const auto column = static_cast<std::size_t>(one.cell.x - cells.box.min().x());
         const std::size_t at = row * static_cast<std::size_t>(raster.columns) + column;
+        if (one.kind == PlanCell::unreached && raster.cells[at] != PlanCell::nothing) {
+            continue;
+        }
         raster.cells[at] = one.kind;
         if (has_widths) {
             raster.widths[at] = one.width;
@@ -124,14 +153,17 @@ void add_marks(const engine::WalkReport& report, const std::vector<Finding>& fin
     }
 }
 
-/// What the marks lie beyond the cells.
+/// By marks beside the ground; those far from it stay beyond.
 void extend_area(StoreyPlan& plan) {
-    for (const auto& point : plan.points) {
-        plan.area.extend(point.at);
-    }
-    for (const auto& finding : plan.findings) {
-        plan.area.extend(finding.at);
-    }
+    const double far = std::max(kLeastFar, kFarShare * plan.area.sizes().maxCoeff());
+    const Eigen::AlignedBox2d near(plan.area.min().array() - far, plan.area.max().array() + far);
+    const auto extend = [&](const auto& mark) {
+        if (near.contains(mark.at)) {
+            plan.area.extend(mark.at);
+        }
+    };
+    std::ranges::for_each(plan.points, extend);
+    std::ranges::for_each(plan.findings, extend);
     const Eigen::Vector2d margin(kMargin, kMargin);
     plan.area = {plan.area.min() - margin, plan.area.max() + margin};
 }
@@ -140,7 +172,12 @@ void extend_area(StoreyPlan& plan) {
 
 std::vector<StoreyPlan> storey_plans(const scene::Campus& campus, const engine::WalkReport& report,
                                      const std::vector<Finding>& findings, const GroundWidths& widths) {
-    const std::vector<Cells> cells = cells_by_storey(report, widths);
+    if (report.storeys.list.empty()) {
+        return {};
+    }
+    std::vector<Cells> cells(report.storeys.list.size());
+    add_reached(report, widths, cells);
+    add_unreached(report, findings, cells);
     const double size = report.space.grid.cell;
     std::vector<StoreyPlan> plans(cells.size());
     for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -159,9 +196,7 @@ std::vector<StoreyPlan> storey_plans(const scene::Campus& campus, const engine::
         plan.area.extend(plan.raster.north_west +
                          size * Eigen::Vector2d(plan.raster.columns, plan.raster.rows));
     }
-    if (!plans.empty()) {
-        add_marks(report, findings, plans);
-    }
+    add_marks(report, findings, plans);
     std::ranges::for_each(plans, extend_area);
     return plans;
 }

@@ -16,7 +16,9 @@ struct GroundWidths {
     double widest = 3.0;               ///< metres: what is wider is plain
 };
 
-/// A plan for each storey, with the findings on its ground under their numbers in the report.
+/// A plan for each storey, with the findings on its ground under their numbers in the report, and what isn't
+/// reached if a finding is about it. Throws scene::InputError of the option --map if what is reached on a
+/// storey lies too far apart for one plan.
 std::vector<engine::render::StoreyPlan> storey_plans(const scene::Campus& campus,
                                                      const engine::WalkReport& report,
                                                      const std::vector<Finding>& findings,

@@ -117,6 +117,16 @@ TEST_F(StoreyPlanImage, CellsWithoutReturnAreStriped) {
     EXPECT_EQ(count(image, kNoReturnStripe, {-1.5, 3.5}, 0.5), 0);
 }
 
+TEST_F(StoreyPlanImage, AnArrowAtTheBorderPointsToWhatIsFartherAway) {
+    plan_.points = {{{500, 3}, "stray", PlanPointKind::place}};
+    plan_.findings = {{1, {-3, -500}, "far north", PlanSeverity::error}};
+    const Image image = draw_storey_plan(plan_);
+    for (const Vector2d& middle : {Vector2d(9.7, 3), Vector2d(-3, -7.7)}) {
+        const PlanColor arrow = at(image, middle.x(), middle.y());
+        EXPECT_LT(static_cast<int>(arrow[0]) + arrow[1] + arrow[2], 150) << middle.transpose();
+    }
+}
+
 TEST_F(StoreyPlanImage, WidthsColorWhatIsReached) {
     fill({-8, -6}, {-6, -4}, PlanCell::unreached);
     widen({-10, -8}, {-2.5, 8}, 0.5F);
