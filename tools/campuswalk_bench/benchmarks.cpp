@@ -109,6 +109,7 @@ bool explore(const BenchOptions& options) {
     bench.csv = options.csv;
     bench.data = options.data;
     bench.campuses = options.campuses;
+    bench.allow = options.allow;
     if (options.walks) {
         bench.walks = static_cast<std::size_t>(*options.walks);
     }

@@ -18,6 +18,7 @@ struct BenchOptions {
     std::vector<std::filesystem::path> models;  ///< of import: more files to read
     std::filesystem::path data;         ///< of explore: the folder of models of others; empty: without them
     std::vector<std::string> campuses;  ///< of explore: only these; empty: all
+    std::vector<std::string> allow;     ///< of explore: run, jump
     std::optional<int> walks;           ///< of explore: random walks on each campus
     std::optional<int> steered_walks;   ///< of explore: likewise, steering in falls
     std::optional<int> routes;          ///< of explore: between random pairs of places

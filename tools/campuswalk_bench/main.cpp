@@ -58,6 +58,11 @@ void add_explore_options(Command& command, BenchOptions& options) {
         options.data);
     command.option({.names = "--campus", .help = "Only this one; may be repeated", .value = "NAME"},
                    options.campuses);
+    command.choices({.names = "--allow",
+                     .help = "What visitors do besides walking, in explorations and random walks; several "
+                             "with commas between",
+                     .is_list = true},
+                    {"run", "jump"}, options.allow);
     command.option({.names = "--walks", .help = "Random walks on each campus; 10000 by default"},
                    options.walks, {0, 10000000});
     command.option({.names = "--steered-walks",

@@ -23,6 +23,7 @@ using engine::WalkSpace;
 namespace {
 
 constexpr double kHighFall = 2.0;  ///< metres
+constexpr double kJumpsPerSecond = 1.0;
 /// Nodes are looked for in this many cells around.
 constexpr int kFarthest = 40;
 
@@ -58,13 +59,31 @@ double distance_to_nodes(const WalkSpace& space, const Vec3& foot, double step_h
     return least;
 }
 
-/// Turns at random times.
+/// What the body does next.
+struct Intent {
+    Vec3 direction;
+    engine::Gait gait = engine::Gait::walk;
+};
+
+/// Turns at random times, runs and jumps where that is allowed.
 class Steering {
 public:
-    explicit Steering(SplitMix& random) : random_(random) { turn(3.0); }
+    Steering(SplitMix& random, const engine::ExploreSettings& allowed) : random_(random), allowed_(allowed) {
+        turn(3.0);
+    }
 
-    /// The desired direction of the next tick.
-    const Vec3& next(double seconds, bool grounded, bool steers_in_falls) {
+    /// Of a tick; a jump is one until the body is on the ground again.
+    Intent next(double seconds, bool grounded, bool steers_in_falls) {
+        steer(seconds, grounded, steers_in_falls);
+        if (grounded) {
+            const bool jumps = allowed_.jump && random_.between(0.0, 1.0) < kJumpsPerSecond * seconds;
+            gait_ = jumps ? engine::Gait::jump : runs_ ? engine::Gait::run : engine::Gait::walk;
+        }
+        return {direction_, gait_};
+    }
+
+private:
+    void steer(double seconds, bool grounded, bool steers_in_falls) {
         left_ -= seconds;
         if (grounded && in_air_) {
             turn(3.0);  // it may have let go
@@ -75,20 +94,22 @@ public:
             }
         }
         in_air_ = !grounded && steers_in_falls;
-        return direction_;
     }
 
-private:
     /// Until some time has passed; short times are more frequent.
     void turn(double longest) {
         const auto angle = collision::sin_cos(random_.between(0.0, 2.0 * std::numbers::pi));
         direction_ = Vec3(angle.sin, 0.0, angle.cos);
         const double part = random_.between(0.0, 1.0);
         left_ = longest * part * part;
+        runs_ = allowed_.run && random_.between(0.0, 1.0) < 0.5;
     }
 
     SplitMix& random_;
+    const engine::ExploreSettings& allowed_;
     Vec3 direction_ = Vec3::Zero();
+    engine::Gait gait_ = engine::Gait::walk;
+    bool runs_ = false;
     double left_ = 0.0;
     bool in_air_ = false;
 };
@@ -120,7 +141,7 @@ private:
     void walk_from(const GroundState& start, std::uint64_t seed, SplitMix& random) {
         const engine::StrideSettings& strides = explored_.strides;
         const collision::CapsuleMover mover(world_, strides.body, explored_.solids);
-        Steering steering(random);
+        Steering steering(random, explored_);
         collision::MoverState state;
         state.foot = start.foot;
         state.support_y = start.support_y;
@@ -129,11 +150,14 @@ private:
         Vec3 left_ground = start.foot;
         const auto most = static_cast<std::size_t>(settings_.seconds / strides.seconds);
         for (std::size_t tick = 1; tick <= most && state.foot.y() >= bottom_; ++tick) {
-            const Vec3& direction = steering.next(strides.seconds, state.grounded, settings_.steers_in_falls);
+            const Intent intent = steering.next(strides.seconds, state.grounded, settings_.steers_in_falls);
             const Vec3 before = state.foot;
             const bool grounded = state.grounded;
-            mover.move(state, strides.walk_speed * strides.seconds * direction, strides.seconds, cache_,
-                       trace_);
+            if (grounded && intent.gait == engine::Gait::jump) {
+                mover.jump(state, strides.jump_speed);
+            }
+            const double speed = intent.gait == engine::Gait::walk ? strides.walk_speed : strides.run_speed;
+            mover.move(state, speed * strides.seconds * intent.direction, strides.seconds, cache_, trace_);
             ++result.ticks;
             result.falls += trace_.landed && trace_.fall_height > kHighFall ? 1U : 0U;
             if (grounded && !state.grounded) {

@@ -35,7 +35,8 @@ struct AdversaryResult {
 };
 
 /// Walks with the mover, one thread for each world: at the profile's pace, with turns by any angle
-/// at random times. Half of the walks start at the spawn, half at any node.
+/// at random times, and runs and jumps where the exploration did. Half of the walks start at the spawn, half
+/// at any node.
 AdversaryResult attack(const engine::WalkSpace& space, const engine::WorkerWorlds& worlds,
                        const engine::ExploreSettings& explored, const AdversarySettings& settings);
 

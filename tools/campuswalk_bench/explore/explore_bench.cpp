@@ -16,8 +16,12 @@ namespace {
 constexpr const char* kSteeredIn = "dungeon";
 constexpr std::size_t kQuickWalks = 20;
 
+bool has(const std::vector<std::string>& words, const std::string& word) {
+    return std::ranges::find(words, word) != words.end();
+}
+
 bool is_wanted(const ExploreBench& bench, const std::string& name) {
-    return bench.campuses.empty() || std::ranges::find(bench.campuses, name) != bench.campuses.end();
+    return bench.campuses.empty() || has(bench.campuses, name);
 }
 
 }  // namespace
@@ -43,7 +47,9 @@ bool run_explore_bench(const ExploreBench& bench) {
             settings.walks = settings.steered_walks = settings.routes = kQuickWalks;
         }
         try {
-            const ExploredCampus campus = source.load();
+            ExploredCampus campus = source.load();
+            campus.run = has(bench.allow, "run");
+            campus.jump = has(bench.allow, "jump");
             scores.push_back(explore_campus(campus, settings));
         } catch (const std::exception& error) {
             std::printf("\n  absent: %s: %s\n", source.name.c_str(), error.what());

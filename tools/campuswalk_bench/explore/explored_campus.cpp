@@ -99,6 +99,8 @@ engine::ExploreSettings ExploredCampus::settings() const {
     settings.strides.run_speed = engine::running_speed(avatar);
     settings.solids.ignored_layers = engine::ignored_layers(*campus, avatar);
     settings.starts = {spawn};
+    settings.run = run;
+    settings.jump = jump;
     return settings;
 }
 

@@ -20,6 +20,8 @@ struct ExploredCampus {
     std::shared_ptr<const scene::Campus> campus;
     collision::Vec3 spawn = collision::Vec3::Zero();
     engine::AvatarProfile avatar;
+    bool run = false;   ///< what its visitors are allowed besides walking
+    bool jump = false;  ///< likewise
 
     const collision::World& world() const { return campus->world; }
     engine::ExploreSettings settings() const;
