@@ -36,6 +36,9 @@ constexpr std::size_t kFallsAtOnce = 64;
 /// Nodes take their diagonal strides this much later than the others, metres of walking: somewhat more than
 /// the 0.1 m that they are longer, so that nearly all cells are reached by the shorter strides.
 constexpr double kDiagonalsLater = 0.19;
+/// Over ground where nothing is in the way they jump so much later, in lengths of a jump, walked: then what
+/// lies ahead is known, and there is hardly ever need to.
+constexpr double kJumpsLater = 2.0;
 
 class Exploration {
 public:
@@ -44,6 +47,8 @@ public:
         if (!has_goal()) {  // on a path to a goal they are as good
             diagonals_later_ = order_.ticks_in(kDiagonalsLater / settings_.strides.walk_speed);
         }
+        jumps_later_ =
+            order_.ticks_in(kJumpsLater * jump_length(settings_.strides) / settings_.strides.walk_speed);
         for (std::size_t i = 0; i < worlds.size(); ++i) {
             workers_.emplace_back(worlds[i], settings, space_, known_);
         }
@@ -260,12 +265,17 @@ private:
     }
 
     void stride_from(std::uint32_t tile, Pending from, StrideWorker& worker) {
+        if (from.next == Pending::Strides::jumps) {
+            jump_from(tile, from, worker);
+            return;
+        }
         const GridCell cell = space_.grid.cell_at(from.at.foot);
-        const std::uint8_t first = from.diagonals_left ? 4 : 0;
+        const std::uint8_t first = from.next == Pending::Strides::diagonal ? 4 : 0;
         for (std::uint8_t i = first; i < first + 4; ++i) {
             const GridDirection& direction = grid_directions()[i];
             const GridCell goal{cell.x + direction.x, cell.z + direction.z};
             if (worker.is_known(tile, from.at, i)) {
+                from.jumps_later |= bit_of(i);
                 continue;
             }
             const StrideEnd end = try_stride(tile, from, {.direction = i}, worker);
@@ -275,14 +285,35 @@ private:
             }
             if (settings_.jump && !end.clean) {
                 try_stride(tile, from, {.direction = i, .gait = Gait::jump}, worker);
+            } else {
+                from.jumps_later |= bit_of(i);
             }
         }
-        if (!from.diagonals_left) {
-            from.diagonals_left = true;
+        if (from.next == Pending::Strides::along_axes) {
+            from.next = Pending::Strides::diagonal;
             from.order += diagonals_later_;
             frontiers_[tile].push(from);
-        } else if (from.on_rim && settings_.keep_rim) {
+            return;
+        }
+        if (from.on_rim && settings_.keep_rim) {
             space_.tiles[tile].rim.push_back({from.node, from.at});
+        }
+        if (settings_.jump && from.jumps_later != 0) {
+            from.next = Pending::Strides::jumps;
+            from.order += jumps_later_;
+            frontiers_[tile].push(from);
+        }
+    }
+
+    static std::uint8_t bit_of(std::uint8_t direction) { return static_cast<std::uint8_t>(1U << direction); }
+
+    /// On to what lies ahead, over clear ground: what is high is got onto at the height of a jump.
+    void jump_from(std::uint32_t tile, const Pending& from, StrideWorker& worker) {
+        for (std::uint8_t i = 0; i < grid_directions().size(); ++i) {
+            if ((from.jumps_later & bit_of(i)) != 0 && !worker.is_jump_known(tile, from.at, i)) {
+                const Stride jump{.direction = i, .gait = Gait::jump};
+                note(tile, from, jump, worker.take(tile, from.at, jump), worker);
+            }
         }
     }
 
@@ -456,6 +487,7 @@ private:
     const ExploreSettings& settings_;
     const PathOrder order_;
     std::uint32_t diagonals_later_ = 0;  ///< ticks
+    std::uint32_t jumps_later_ = 0;      ///< likewise
     WalkSpace space_;
     std::vector<Frontier> frontiers_;  ///< by tile
     const KnownCells known_{settings_, space_, frontiers_};

@@ -11,13 +11,15 @@ namespace campuswalk::engine {
 
 /// A node whose strides are yet to be taken, or an arrival that is yet to become one.
 struct Pending {
+    enum class Strides : std::uint8_t { along_axes, diagonal, jumps };
     std::uint32_t order = 0;  ///< ticks, and those to the goal, if there is one
     std::uint32_t ticks = 0;  ///< of its chain
     std::uint16_t node = 0;   ///< or the number of a detour
     bool is_detour = false;
     std::uint8_t since_keyframe = 0;
-    bool diagonals_left = false;  ///< and nothing else
-    bool on_rim = false;          ///< one of the others didn't get to its cell
+    Strides next = Strides::along_axes;
+    bool on_rim = false;           ///< one of the earlier strides didn't get to its cell
+    std::uint8_t jumps_later = 0;  ///< a bit for each direction in which it hasn't jumped yet
     GroundState at;
 };
 

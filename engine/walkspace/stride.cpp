@@ -58,6 +58,11 @@ Strider::Strider(const collision::World& world, const StrideSettings& settings,
       mover_(world, settings.body, filter),
       touched_(world.size(), false) {}
 
+double jump_length(const StrideSettings& settings) {
+    const double seconds = 2.0 * settings.jump_speed / settings.body.gravity;
+    return seconds * settings.run_speed + settings.body.radius;
+}
+
 StrideEnd Strider::take(const GroundState& from, const Stride& stride, const WalkGrid& grid) {
     return take(from, stride, grid, [](const GroundState&, double) { return true; });
 }

@@ -75,6 +75,9 @@ struct StrideSettings {
     collision::MoverSettings upright_body() const;
 };
 
+/// How far ahead a jump may touch ground as high as where it started, metres.
+double jump_length(const StrideSettings& settings);
+
 /// A body in a world, for one thread. Each stride depends on its arguments alone.
 class Strider {
 public:

@@ -24,6 +24,10 @@ bool StrideWorker::is_known(std::uint32_t tile, const GroundState& from, std::ui
     return known_.has(ahead, y, hangs, tile) || (!hangs && known_.has_ahead(ahead, behind, y, tile));
 }
 
+bool StrideWorker::is_jump_known(std::uint32_t tile, const GroundState& from, std::uint8_t direction) const {
+    return known_.has_ground_ahead(from.foot, direction, jump_length(settings_.strides), tile);
+}
+
 StrideEnd StrideWorker::take(std::uint32_t tile, const GroundState& from, const Stride& stride) {
     ++strides_;
     // Whoever may jump gets away from what he stands against.

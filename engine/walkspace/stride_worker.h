@@ -31,6 +31,8 @@ public:
 
     /// Whether a stride in this direction would find nothing new.
     bool is_known(std::uint32_t tile, const GroundState& from, std::uint8_t direction) const;
+    /// Whether a jump in this direction would only lead to ground ahead that has nodes.
+    bool is_jump_known(std::uint32_t tile, const GroundState& from, std::uint8_t direction) const;
     /// A body that something is in the way of gives up once it can't get to a new cell any more.
     StrideEnd take(std::uint32_t tile, const GroundState& from, const Stride& stride);
     /// The fall steered elsewhere, with all ends but those at nodes. No thread may change anything meanwhile.

@@ -145,7 +145,7 @@ private:
         const StrideEnd walked = strider_.take(at, {.direction = direction}, space_.grid);
         return leads_home(walked, found) || (walked.left_ground && leads_there(Gait::walk, Stride::kLetGo)) ||
                (walked.left_ground && settings_.run && leads_there(Gait::run, Stride::kStraightOn)) ||
-               (settings_.jump && !walked.clean && leads_there(Gait::jump, Stride::kStraightOn));
+               (settings_.jump && leads_there(Gait::jump, Stride::kStraightOn));
     }
 
     bool leads_home(const StrideEnd& end, std::set<Part>& found) const {

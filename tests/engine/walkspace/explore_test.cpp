@@ -316,6 +316,21 @@ TEST(Explore, RunsAndJumpsWhereItMay) {
     EXPECT_TRUE(reaches(explored(campus.world, settings), {3, 1.5, 0}));
 }
 
+TEST(Explore, JumpsFromAsFarAsItTakes) {
+    // A slope of 15 degrees down to a block of 0.93 m. A body that jumps 0.4 m gets a hold on edges up to its
+    // radius of 0.3 m above its foot: beside the block that is too low, but 1.1 m before it the ground is 0.3
+    // m higher.
+    const double rise = 4.0 * 0.268;
+    const scene::Campus campus = floor_with(6.0, [&](TriangleMesh& mesh) {
+        support::add_box(mesh, {0, 0, -0.5}, {2, 0.93, 0.5});
+        support::add_quad(mesh, {-4, rise, 4}, {0, 0, 4}, {0, 0, -4}, {-4, rise, -4});
+    });
+    ExploreSettings settings = explore_from({-3, 1, 0});
+    EXPECT_FALSE(reaches(explored(campus.world, settings), {1, 0.93, 0}));
+    settings.jump = true;
+    EXPECT_TRUE(reaches(explored(campus.world, settings), {1, 0.93, 0}));
+}
+
 TEST(Explore, IgnoresDisabledObjects) {
     scene::Campus campus = level_campus(4.0);
     add_box(campus, "gate", {1, 0, -5}, {1.2, 3, 5});

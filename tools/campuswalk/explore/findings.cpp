@@ -121,6 +121,12 @@ void add_unreached(const scene::Campus& campus, const WalkReport& report,
     }
 }
 
+/// How one gets into a trap.
+std::string entry_text(double drop) {
+    constexpr double kLevel = 0.05;  // metres: no edge
+    return drop < kLevel ? "one gets in" : "one gets in over an edge of " + fixed(drop, 2) + " m";
+}
+
 void add_traps(const scene::Campus& campus, const WalkReport& report, std::vector<Finding>& findings) {
     const double cell = report.space.grid.cell * report.space.grid.cell;
     for (const engine::Trap& trap : report.traps) {
@@ -128,7 +134,7 @@ void add_traps(const scene::Campus& campus, const WalkReport& report, std::vecto
         const bool small = area < kStuckArea;
         findings.push_back({small ? FindingKind::stuck : FindingKind::trap,
                             (small ? "stuck spot of " : "trap of ") + area_text(area),
-                            "one gets in over an edge of " + fixed(trap.drop, 2) + " m and not out again" +
+                            entry_text(trap.drop) + " and not out again" +
                                 (trap.out ? ": " + engine::barrier_text(campus, *trap.out) : ""),
                             trap.edge});
     }
