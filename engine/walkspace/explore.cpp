@@ -307,12 +307,17 @@ private:
 
     static std::uint8_t bit_of(std::uint8_t direction) { return static_cast<std::uint8_t>(1U << direction); }
 
-    /// On to what lies ahead, over clear ground: what is high is got onto at the height of a jump.
+    /// On to what lies ahead, over clear ground: what is high is got onto at the height of a jump. Those out
+    /// of the world don't count: they lead over an edge that is nearer to other nodes.
     void jump_from(std::uint32_t tile, const Pending& from, StrideWorker& worker) {
         for (std::uint8_t i = 0; i < grid_directions().size(); ++i) {
-            if ((from.jumps_later & bit_of(i)) != 0 && !worker.is_jump_known(tile, from.at, i)) {
-                const Stride jump{.direction = i, .gait = Gait::jump};
-                note(tile, from, jump, worker.take(tile, from.at, jump), worker);
+            if ((from.jumps_later & bit_of(i)) == 0 || worker.is_jump_known(tile, from.at, i)) {
+                continue;
+            }
+            const Stride jump{.direction = i, .gait = Gait::jump};
+            const StrideEnd end = worker.take(tile, from.at, jump);
+            if (end.kind == StrideEnd::Kind::grounded) {
+                arrive(tile, from, jump, end, worker);
             }
         }
     }

@@ -30,6 +30,8 @@ std::vector<Hole> find_holes(const WalkSpace& space) {
         by_cell[space.grid.cell_at(edges[i].at)].push_back(i);
     }
     collision::DisjointSets sets(edges.size());
+    const auto is_jump = [&](std::size_t i) { return edges[i].stride.gait == Gait::jump; };
+    std::vector<bool> is_before_edge(edges.size(), false);  // a jump from before an edge that one walks over
     for (const auto& [cell, here] : by_cell) {
         for (int dx = 0; dx <= kSameHole; ++dx) {
             for (int dz = dx == 0 ? 0 : -kSameHole; dz <= kSameHole; ++dz) {
@@ -41,6 +43,8 @@ std::vector<Hole> find_holes(const WalkSpace& space) {
                     for (const std::size_t b : near->second) {
                         if (std::abs(edges[a].at.y() - edges[b].at.y()) <= kSameHeight) {
                             sets.join(a, b);
+                            is_before_edge[a] = is_before_edge[a] || (is_jump(a) && !is_jump(b));
+                            is_before_edge[b] = is_before_edge[b] || (is_jump(b) && !is_jump(a));
                         }
                     }
                 }
@@ -51,7 +55,7 @@ std::vector<Hole> find_holes(const WalkSpace& space) {
     std::map<std::size_t, std::set<GridCell>> cells;
     for (std::size_t i = 0; i < edges.size(); ++i) {
         const std::size_t root = sets.root(i);
-        if (cells[root].insert(space.grid.cell_at(edges[i].at)).second) {
+        if (!is_before_edge[i] && cells[root].insert(space.grid.cell_at(edges[i].at)).second) {
             holes[root].edges.push_back(edges[i]);
             holes[root].length += space.grid.cell;
         }

@@ -36,11 +36,12 @@ scene::Campus yard_with_gallery() {
 class Findings : public testing::Test {
 protected:
     /// Explores from the middle.
-    const WalkSpace& explored(const scene::Campus& campus) {
+    const WalkSpace& explored(const scene::Campus& campus, bool jump = false) {
         worlds_.emplace(campus.world, 1, WorkerWorlds::MakeBroadPhase());
         settings_ = explore_settings(campus, AvatarProfile(), 60);
         settings_.starts = {{0, 0, 0}};
         settings_.keep_rim = true;
+        settings_.jump = jump;
         space_.emplace(explore(*worlds_, settings_));
         return *space_;
     }
@@ -468,6 +469,9 @@ TEST_F(Findings, AGapInTheWallIsAHole) {
         EXPECT_GT(edge.at.z(), 0.0);
         EXPECT_LT(edge.at.z(), 3.0);
     }
+    const std::vector<Hole> by_jumps = find_holes(explored(campus, true));
+    ASSERT_EQ(by_jumps.size(), 1U);
+    EXPECT_NEAR(by_jumps[0].length, holes[0].length, 0.5) << "from before the edge: a cell more at each end";
 }
 
 }  // namespace
