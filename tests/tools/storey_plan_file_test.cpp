@@ -16,7 +16,7 @@ TEST(StoreyPlanFile, HoldsTheImage) {
     plan.area = {Eigen::Vector2d(0, 0), Eigen::Vector2d(10, 5)};
     const support::TemporaryFolder folder;
     const std::filesystem::path file = folder.path() / "plans/storey-1.png";
-    draw_storey_plan(plan, file);
+    draw_storey_plans({&plan, 1}, file);
     EXPECT_EQ(engine::render::read_png(file).rgba, engine::render::draw_storey_plan(plan).rgba);
 }
 

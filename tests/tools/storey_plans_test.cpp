@@ -1,4 +1,4 @@
-// The plans of storeys: what is on which of them.
+// The plans of storeys, of explorations and routes: what is on which of them.
 
 #include "tools/campuswalk/explore/storey_plans.h"
 
@@ -6,12 +6,16 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <variant>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "engine/walkspace/campus_route.h"
 #include "engine/walkspace/walk_report.h"
 #include "scene/base/diagnostic.h"
 #include "tests/engine/small_campus.h"
+#include "tools/campuswalk/route/route_plan.h"
 
 namespace campuswalk::tools::explore {
 namespace {
@@ -163,6 +167,38 @@ TEST(StoreyPlans, AreNoneIfNothingIsReached) {
     campus.description.spawns.push_back({{}, "outside", {100, 0, 0}});
     campus.description.places.push_back({{}, "inside", {0, 0, 0}});
     EXPECT_TRUE(plans_of(campus).list.empty());
+}
+
+std::vector<StoreyPlan> plans_of_route(const scene::Campus& campus, const collision::Vec3& to) {
+    const engine::RouteSettings settings = engine::route_settings(campus, engine::AvatarProfile(), nullptr);
+    engine::RouteRequest request;
+    request.from = engine::body_at({0, 0, 3}, campus, settings).value();
+    request.to.push_back({"goal", to, true});
+    const auto found = engine::route_or_reason(campus, settings, request);
+    return route::route_plans(campus, settings, std::get<engine::Route>(found), "start", "goal");
+}
+
+TEST(StoreyPlans, HaveTheirPartOfARoute) {
+    const scene::Campus campus = two_storeys();
+    const std::vector<StoreyPlan> below = plans_of_route(campus, {-2, 0, -5});
+    ASSERT_EQ(below.size(), 1U);
+    EXPECT_EQ(below[0].title, "small, start to goal");
+    EXPECT_EQ(points_on(below[0]), (std::set<std::string>{"start", "goal"}));
+
+    const std::vector<StoreyPlan> plans = plans_of_route(campus, {-2, 3, -5});
+    ASSERT_EQ(plans.size(), 2U);
+    EXPECT_EQ(plans[1].title, "small, start to goal, storey at 3.0 m");
+    EXPECT_EQ(points_on(plans[0]), std::set<std::string>{"start"});
+    EXPECT_EQ(points_on(plans[1]), std::set<std::string>{"goal"});
+    EXPECT_EQ(cell_at(plans[0], 4.1, 4.1), PlanCell::nothing) << "a table";
+    EXPECT_EQ(cell_at(plans[1], 0.1, -3.1), PlanCell::nothing) << "a table, under which one walks";
+    for (const StoreyPlan& plan : plans) {
+        ASSERT_EQ(plan.routes.size(), 1U);
+        ASSERT_EQ(plan.routes[0].parts.size(), 1U) << plan.title;
+    }
+    const Eigen::Vector2d up = plans[0].routes[0].parts[0].back();
+    EXPECT_EQ(up, plans[1].routes[0].parts[0].front()) << "where the other goes on";
+    EXPECT_LT(up.x(), -4.0) << "on the stairs";
 }
 
 /// From the gallery one falls into a cell on the ground that nothing leads out of.

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
 
 #include <cairo.h>
 
@@ -154,6 +157,27 @@ Image draw_storey_plan(const StoreyPlan& plan) {
     draw_plan_marks(canvas, plan, layout.frame, map);
     legend.draw(canvas, layout.legend.cast<double>());
     return canvas.image();
+}
+
+Image draw_storey_plans(std::span<const StoreyPlan> plans) {
+    std::vector<Image> images;
+    int width = 0;
+    int height = 0;
+    for (const StoreyPlan& plan : plans) {
+        images.push_back(draw_storey_plan(plan));
+        width = std::max(width, images.back().width);
+        height += images.back().height;
+    }
+    Image all = Image::filled(width, height, 255);
+    int top = 0;
+    for (const Image& image : images) {
+        const std::size_t row = image.offset(0, 1);
+        for (int y = 0; y < image.height; ++y) {
+            std::copy_n(&image.rgba[image.offset(0, y)], row, &all.rgba[all.offset(0, top + y)]);
+        }
+        top += image.height;
+    }
+    return all;
 }
 
 }  // namespace campuswalk::engine::render

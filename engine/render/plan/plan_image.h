@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include <Eigen/Geometry>
 
 #include "engine/render/image/image.h"
@@ -14,5 +16,7 @@ double round_resolution(const Eigen::AlignedBox2d& area);
 /// Draws the plan on white, with title, labelled grid, legend and a list of the findings. Needs no OpenGL;
 /// the same plan gives the same image.
 Image draw_storey_plan(const StoreyPlan& plan);
+/// Likewise, one below the other.
+Image draw_storey_plans(std::span<const StoreyPlan> plans);
 
 }  // namespace campuswalk::engine::render

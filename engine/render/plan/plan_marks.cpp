@@ -226,11 +226,13 @@ void draw_route(const Canvas& canvas, std::span<const Vector2d> points, std::siz
 void draw_plan_marks(const Canvas& canvas, const StoreyPlan& plan, const PlanFrame& frame,
                      const AlignedBox2d& map) {
     for (std::size_t i = 0; i < plan.routes.size(); ++i) {
-        std::vector<Vector2d> pixels;
-        for (const Vector2d& point : plan.routes[i].points) {
-            pixels.push_back(frame.pixel_of(point));
+        for (const std::vector<Vector2d>& part : plan.routes[i].parts) {
+            std::vector<Vector2d> pixels;
+            for (const Vector2d& point : part) {
+                pixels.push_back(frame.pixel_of(point));
+            }
+            draw_route(canvas, pixels, i);
         }
-        draw_route(canvas, pixels, i);
     }
     std::vector<AlignedBox2d> taken;
     for (const PlanPoint& point : plan.points) {

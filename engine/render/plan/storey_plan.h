@@ -52,8 +52,9 @@ struct PlanPoint {
 };
 
 struct PlanRoute {
-    std::vector<Eigen::Vector2d> points;  ///< x and z, metres; an arrow is at the last
-    std::string name;                     ///< in the legend; may be empty
+    std::string name;  ///< in the legend; may be empty
+    /// Its parts on this storey, x and z, metres; an arrow is at the end of each.
+    std::vector<std::vector<Eigen::Vector2d>> parts;
 };
 
 /// What files of plans name as their software.

@@ -234,7 +234,7 @@ void write_plans(const scene::Campus& campus, const engine::WalkReport& report,
     const std::vector<engine::render::StoreyPlan> plans =
         explore::storey_plans(campus, report, findings, widths);
     for (std::size_t i = 0; i < plans.size(); ++i) {
-        draw_storey_plan(plans[i], folder / ("storey-" + std::to_string(i) + ".png"));
+        draw_storey_plans({&plans[i], 1}, folder / ("storey-" + std::to_string(i) + ".png"));
     }
     explore::remove_earlier_plans(folder, plans.size());
     if (plans.empty()) {

@@ -121,10 +121,10 @@ int find_route(const RouteOptions& options) {
         write_steps(options, *campus, avatar, start, answer);
     }
     if (options.map) {
-        const auto plan =
-            answer.route ? route::route_plan(*campus, settings, *answer.route, options.from, options.to)
-                         : route::barrier_plan(*campus, settings, request, why, options.from, options.to);
-        draw_storey_plan(plan, *options.map);
+        const auto plans =
+            answer.route ? route::route_plans(*campus, settings, *answer.route, options.from, options.to)
+                         : route::barrier_plans(*campus, settings, request, why, options.from, options.to);
+        draw_storey_plans(plans, *options.map);
     }
     return answer.route ? kPass : kExpectationFailed;
 }

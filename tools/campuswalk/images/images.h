@@ -113,7 +113,7 @@ struct CampusImage {
 };
 void draw_campus(const scene::Campus& campus, const CampusImage& image);
 
-/// Draws the plan of a storey. Needs no backend.
-void draw_storey_plan(const engine::render::StoreyPlan& plan, const std::filesystem::path& file);
+/// Draws plans of storeys, one below the other. Needs no backend.
+void draw_storey_plans(std::span<const engine::render::StoreyPlan> plans, const std::filesystem::path& file);
 
 }  // namespace campuswalk::tools

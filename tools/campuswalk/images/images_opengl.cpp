@@ -99,8 +99,8 @@ void draw_campus(const scene::Campus& campus, const CampusImage& image) {
     }
 }
 
-void draw_storey_plan(const engine::render::StoreyPlan& plan, const std::filesystem::path& file) {
-    engine::render::write_png(engine::render::draw_storey_plan(plan), file, engine::render::kPlanSoftware);
+void draw_storey_plans(std::span<const engine::render::StoreyPlan> plans, const std::filesystem::path& file) {
+    engine::render::write_png(engine::render::draw_storey_plans(plans), file, engine::render::kPlanSoftware);
 }
 
 }  // namespace campuswalk::tools

@@ -74,7 +74,7 @@ void draw_campus(const scene::Campus&, const CampusImage&) {
     assert(false);
 }
 
-void draw_storey_plan(const engine::render::StoreyPlan&, const std::filesystem::path&) {
+void draw_storey_plans(std::span<const engine::render::StoreyPlan>, const std::filesystem::path&) {
     assert(false);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "engine/render/plan/storey_plan.h"
 #include "engine/script/route.h"
@@ -10,16 +11,19 @@
 
 namespace campuswalk::tools::route {
 
-/// The route on the ground around it that one can walk on, whatever its level.
-engine::render::StoreyPlan route_plan(const scene::Campus& campus, const engine::RouteSettings& settings,
-                                      const engine::Route& route, const std::string& from,
-                                      const std::string& to);
+/// The route on the ground around it that one can walk on: a plan of each storey that it leads over, from
+/// below, with its part there.
+std::vector<engine::render::StoreyPlan> route_plans(const scene::Campus& campus,
+                                                    const engine::RouteSettings& settings,
+                                                    const engine::Route& route, const std::string& from,
+                                                    const std::string& to);
 
 /// Likewise, where there is no route: the ground that one gets to, the request's last place, and what is in
-/// the way.
-engine::render::StoreyPlan barrier_plan(const scene::Campus& campus, const engine::RouteSettings& settings,
-                                        const engine::RouteRequest& request,
-                                        const engine::UnreachableReason& why, const std::string& from,
-                                        const std::string& to);
+/// the way, on the storeys of these.
+std::vector<engine::render::StoreyPlan> barrier_plans(const scene::Campus& campus,
+                                                      const engine::RouteSettings& settings,
+                                                      const engine::RouteRequest& request,
+                                                      const engine::UnreachableReason& why,
+                                                      const std::string& from, const std::string& to);
 
 }  // namespace campuswalk::tools::route

@@ -1,6 +1,7 @@
 #include "engine/render/plan/plan_image.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -179,7 +180,7 @@ TEST_F(StoreyPlanImage, PointsAndRoutesAreDrawn) {
     EXPECT_LT(spawn[0], 60) << "filled";
     EXPECT_EQ(at(points, -3, -4), (PlanColor{255, 255, 255})) << "hollow";
     EXPECT_LT(count(points, kReached, {-6, 2}, 0.5), count(bare, kReached, {-6, 2}, 0.5) - 60) << "its name";
-    plan_.routes = {{{{-7, 2}, {-7, -4}, {-3, -4}}, "gate to hall"}};
+    plan_.routes = {{"gate to hall", {{{-7, 2}, {-7, -4}, {-3, -4}}}}};
     const Image routes = draw_storey_plan(plan_);
     for (const Vector2d& on : {Vector2d(-7, -1.3), Vector2d(-5.2, -4)}) {
         const PlanColor line = at(routes, on.x(), on.y());
@@ -200,6 +201,19 @@ TEST_F(StoreyPlanImage, TheSamePlanGivesTheSameImage) {
     EXPECT_EQ(draw_storey_plan(plan_).rgba, fitted.rgba);
     EXPECT_EQ(image.rgba.size(),
               4U * static_cast<unsigned>(image.width) * static_cast<unsigned>(image.height));
+}
+
+TEST_F(StoreyPlanImage, SeveralPlansAreOneBelowTheOther) {
+    StoreyPlan wide = plan_;
+    wide.area.extend(Vector2d(30, 0));
+    const Image first = draw_storey_plan(plan_);
+    const Image second = draw_storey_plan(wide);
+    const Image both = draw_storey_plans(std::array{plan_, wide});
+    ASSERT_EQ(both.width, second.width);
+    ASSERT_EQ(both.height, first.height + second.height);
+    EXPECT_TRUE(std::equal(second.rgba.begin(), second.rgba.end(), &both.rgba[both.offset(0, first.height)]));
+    EXPECT_EQ(both.pixel(150, 150), first.pixel(150, 150));
+    EXPECT_EQ(both.pixel(both.width - 1, 150), kPaper) << "beside the narrower one";
 }
 
 TEST_F(StoreyPlanImage, TheLegendIsRightOfANarrowMap) {
