@@ -36,8 +36,8 @@ constexpr std::size_t kFallsAtOnce = 64;
 /// Nodes take their diagonal strides this much later than the others, metres of walking: somewhat more than
 /// the 0.1 m that they are longer, so that nearly all cells are reached by the shorter strides.
 constexpr double kDiagonalsLater = 0.19;
-/// Over ground where nothing is in the way they jump so much later, in lengths of a jump, walked: then what
-/// lies ahead is known, and there is hardly ever need to.
+/// Over ground where nothing is in the way they jump so much later, in lengths of a jump, walked: then the
+/// ground ahead is known.
 constexpr double kJumpsLater = 2.0;
 
 class Exploration {
@@ -307,11 +307,11 @@ private:
 
     static std::uint8_t bit_of(std::uint8_t direction) { return static_cast<std::uint8_t>(1U << direction); }
 
-    /// On to what lies ahead, over clear ground: what is high is got onto at the height of a jump. Those out
+    /// Onto what lies ahead, over clear ground: what is high is got onto at the height of a jump. Those out
     /// of the world don't count: they lead over an edge that is nearer to other nodes.
     void jump_from(std::uint32_t tile, const Pending& from, StrideWorker& worker) {
         for (std::uint8_t i = 0; i < grid_directions().size(); ++i) {
-            if ((from.jumps_later & bit_of(i)) == 0 || worker.is_jump_known(tile, from.at, i)) {
+            if ((from.jumps_later & bit_of(i)) == 0 || !worker.may_jump_up(tile, from.at, i)) {
                 continue;
             }
             const Stride jump{.direction = i, .gait = Gait::jump};

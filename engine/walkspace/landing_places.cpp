@@ -110,8 +110,7 @@ double LandingPlaces::seconds_to(const FallEdge& edge, double y) const {
 
 collision::Aabb LandingPlaces::region_below(const FallEdge& edge) const {
     const double reach = reach_after(edge, seconds_to(edge, bottom_));
-    const double upwards = edge.gait == Gait::jump ? settings_.strides.jump_speed : 0.0;
-    const double rise = 0.5 * upwards * upwards / settings_.strides.body.gravity;
+    const double rise = edge.gait == Gait::jump ? jump_height(settings_.strides) : 0.0;
     return {{edge.at.x() - reach, bottom_, edge.at.z() - reach},
             {edge.at.x() + reach, edge.at.y() + rise, edge.at.z() + reach}};
 }

@@ -58,6 +58,10 @@ Strider::Strider(const collision::World& world, const StrideSettings& settings,
       mover_(world, settings.body, filter),
       touched_(world.size(), false) {}
 
+double jump_height(const StrideSettings& settings) {
+    return 0.5 * settings.jump_speed * settings.jump_speed / settings.body.gravity;
+}
+
 double jump_length(const StrideSettings& settings) {
     const double seconds = 2.0 * settings.jump_speed / settings.body.gravity;
     return seconds * settings.run_speed + settings.body.radius;

@@ -75,6 +75,7 @@ struct StrideSettings {
     collision::MoverSettings upright_body() const;
 };
 
+double jump_height(const StrideSettings& settings);  ///< metres
 /// How far ahead a jump may touch ground as high as where it started, metres.
 double jump_length(const StrideSettings& settings);
 

@@ -1,5 +1,6 @@
 #include "engine/walkspace/stride_worker.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace campuswalk::engine {
@@ -24,8 +25,23 @@ bool StrideWorker::is_known(std::uint32_t tile, const GroundState& from, std::ui
     return known_.has(ahead, y, hangs, tile) || (!hangs && known_.has_ahead(ahead, behind, y, tile));
 }
 
-bool StrideWorker::is_jump_known(std::uint32_t tile, const GroundState& from, std::uint8_t direction) const {
-    return known_.has_ground_ahead(from.foot, direction, jump_length(settings_.strides), tile);
+bool StrideWorker::may_jump_up(std::uint32_t tile, const GroundState& from, std::uint8_t direction) {
+    const StrideSettings& strides = settings_.strides;
+    const double length = jump_length(strides);
+    if (known_.has_ground_ahead(from.foot, direction, length, tile)) {
+        return false;
+    }
+    // What carries a body may be as high as its middle, beside which its foot hangs.
+    const double low = strides.body.step_height;
+    const double high = jump_height(strides) + strides.body.radius;
+    const Vec3 start = from.foot + Vec3(0.0, 0.5 * (low + high), 0.0);
+    const Vec3 end = start + length * grid_directions()[direction].unit;
+    collision::gather_obstacles(strider_.world(), strider_.filter(), {start, end},
+                                std::max(0.5 * (high - low), strides.body.radius), ahead_);
+    return std::ranges::any_of(ahead_, [&](const collision::Obstacle& piece) {
+        const bool walkable = piece.solid == nullptr && std::abs(piece.normal.y()) >= strides.body.min_up;
+        return piece.top > from.foot.y() + low && (walkable || piece.top <= from.foot.y() + high);
+    });
 }
 
 StrideEnd StrideWorker::take(std::uint32_t tile, const GroundState& from, const Stride& stride) {

@@ -4,6 +4,7 @@
 #include <set>
 #include <vector>
 
+#include "collision/world/obstacle.h"
 #include "engine/walkspace/explore.h"
 #include "engine/walkspace/frontier.h"
 #include "engine/walkspace/known_cells.h"
@@ -31,8 +32,9 @@ public:
 
     /// Whether a stride in this direction would find nothing new.
     bool is_known(std::uint32_t tile, const GroundState& from, std::uint8_t direction) const;
-    /// Whether a jump in this direction would only lead to ground ahead that has nodes.
-    bool is_jump_known(std::uint32_t tile, const GroundState& from, std::uint8_t direction) const;
+    /// Whether a jump over clear ground in this direction may get onto something higher than a step that has
+    /// no nodes yet.
+    bool may_jump_up(std::uint32_t tile, const GroundState& from, std::uint8_t direction);
     /// A body that something is in the way of gives up once it can't get to a new cell any more.
     StrideEnd take(std::uint32_t tile, const GroundState& from, const Stride& stride);
     /// The fall steered elsewhere, with all ends but those at nodes. No thread may change anything meanwhile.
@@ -51,6 +53,7 @@ private:
     const WalkSpace& space_;
     const KnownCells& known_;
     Strider strider_;
+    std::vector<collision::Obstacle> ahead_;
     std::uint64_t strides_ = 0;
 };
 
