@@ -37,7 +37,7 @@ constexpr std::size_t kFallsAtOnce = 64;
 /// the 0.1 m that they are longer, so that nearly all cells are reached by the shorter strides.
 constexpr double kDiagonalsLater = 0.19;
 /// Over ground where nothing is in the way they jump so much later, in lengths of a jump, walked: then the
-/// ground ahead is known.
+/// ground ahead is mostly known.
 constexpr double kJumpsLater = 2.0;
 
 class Exploration {
@@ -45,10 +45,10 @@ public:
     Exploration(const WorkerWorlds& worlds, const ExploreSettings& settings)
         : worlds_(worlds), settings_(settings), order_(settings), space_(WalkGrid{cell_for(settings)}) {
         if (!has_goal()) {  // on a path to a goal they are as good
-            diagonals_later_ = order_.ticks_in(kDiagonalsLater / settings_.strides.walk_speed);
+            const StrideSettings& strides = settings_.strides;
+            diagonals_later_ = order_.ticks_in(kDiagonalsLater / strides.walk_speed);
+            jumps_later_ = order_.ticks_in(kJumpsLater * jump_length(strides) / strides.walk_speed);
         }
-        jumps_later_ =
-            order_.ticks_in(kJumpsLater * jump_length(settings_.strides) / settings_.strides.walk_speed);
         for (std::size_t i = 0; i < worlds.size(); ++i) {
             workers_.emplace_back(worlds[i], settings, space_, known_);
         }
@@ -316,8 +316,8 @@ private:
             }
             const Stride jump{.direction = i, .gait = Gait::jump};
             const StrideEnd end = worker.take(tile, from.at, jump);
-            if (end.kind == StrideEnd::Kind::grounded) {
-                arrive(tile, from, jump, end, worker);
+            if (end.kind != StrideEnd::Kind::gone) {
+                note(tile, from, jump, end, worker);
             }
         }
     }

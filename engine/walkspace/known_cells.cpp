@@ -64,28 +64,33 @@ bool KnownCells::has_all_near(const Vec3& foot, double metres, bool hangs, std::
     return true;
 }
 
-bool KnownCells::has_ground_ahead(const Vec3& foot, std::uint8_t direction, double metres,
-                                  std::uint32_t tile) const {
+std::optional<double> KnownCells::ground_ahead(const Vec3& foot, std::uint8_t direction, double metres,
+                                               std::uint32_t tile) const {
     const GridDirection& to = grid_directions()[direction];
     const bool is_diagonal = to.x != 0 && to.z != 0;
     const std::array<GridCell, 3> beside =
         is_diagonal ? std::array<GridCell, 3>{{{0, 0}, {-to.x, 0}, {0, -to.z}}}
                     : std::array<GridCell, 3>{{{0, 0}, {to.z, to.x}, {-to.z, -to.x}}};
     const double length = is_diagonal ? space_.grid.cell / kDiagonal : space_.grid.cell;
-    const int count = std::min(static_cast<int>(std::ceil(metres / length)), WalkTile::kCells - 1);
+    const int count = static_cast<int>(std::ceil(metres / length));
+    if (count >= WalkTile::kCells) {
+        return std::nullopt;
+    }
     const GridCell first = space_.grid.cell_at(foot);
-    return std::ranges::all_of(beside, [&](const GridCell& shift) {
+    double lowest = foot.y();
+    for (const GridCell& shift : beside) {
         double y = foot.y();
         for (int i = 1; i <= count; ++i) {
             const auto level =
                 level_in({first.x + i * to.x + shift.x, first.z + i * to.z + shift.z}, y, most_rise_, tile);
             if (!level) {
-                return false;
+                return std::nullopt;
             }
             y = *level;
+            lowest = std::min(lowest, y);
         }
-        return true;
-    });
+    }
+    return lowest;
 }
 
 /// The height of the cell's node nearest to a height; the cell is in the tile or beside it.

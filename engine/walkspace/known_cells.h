@@ -28,9 +28,9 @@ public:
     bool has_all_near(const collision::Vec3& foot, double metres, bool hangs, std::uint32_t tile) const;
 
     /// Whether the ground goes on from there in one of grid_directions(), level or up and down slopes, for so
-    /// many metres, but no farther than a tile is long; beside the straight line as well.
-    bool has_ground_ahead(const collision::Vec3& foot, std::uint8_t direction, double metres,
-                          std::uint32_t tile) const;
+    /// many metres, beside the straight line as well: its lowest height. None farther than a tile is long.
+    std::optional<double> ground_ahead(const collision::Vec3& foot, std::uint8_t direction, double metres,
+                                       std::uint32_t tile) const;
 
 private:
     std::optional<double> level_in(const GridCell& cell, double y, double tolerance,

@@ -28,12 +28,13 @@ bool StrideWorker::is_known(std::uint32_t tile, const GroundState& from, std::ui
 bool StrideWorker::may_jump_up(std::uint32_t tile, const GroundState& from, std::uint8_t direction) {
     const StrideSettings& strides = settings_.strides;
     const double length = jump_length(strides);
-    if (known_.has_ground_ahead(from.foot, direction, length, tile)) {
-        return false;
-    }
     // What carries a body may be as high as its middle, beside which its foot hangs.
     const double low = strides.body.step_height;
     const double high = jump_height(strides) + strides.body.radius;
+    const auto lowest = known_.ground_ahead(from.foot, direction, length, tile);
+    if (lowest && *lowest + strides.body.height >= from.foot.y() + high) {
+        return false;  // whatever is above the ground there is too high
+    }
     const Vec3 start = from.foot + Vec3(0.0, 0.5 * (low + high), 0.0);
     const Vec3 end = start + length * grid_directions()[direction].unit;
     collision::gather_obstacles(strider_.world(), strider_.filter(), {start, end},

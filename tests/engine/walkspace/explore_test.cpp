@@ -331,6 +331,22 @@ TEST(Explore, JumpsFromAsFarAsItTakes) {
     EXPECT_TRUE(reaches(explored(campus.world, settings), {1, 0.93, 0}));
 }
 
+TEST(Explore, JumpsOntoWhatItWalksUnder) {
+    AvatarProfile robot;
+    robot.height = 0.42;
+    robot.radius = 0.2;
+    robot.step_height = 0.2;
+    for (const double x : {0.5, 3.6}) {  // in a tile, and across a border
+        const scene::Campus campus = floor_with(6.0, [&](TriangleMesh& mesh) {
+            support::add_box(mesh, {x, 0.53, 1.6}, {x + 0.8, 0.56, 2.4});
+        });
+        ExploreSettings settings = explore_from({-2, 0, 0}, robot);
+        EXPECT_FALSE(reaches(explored(campus.world, settings), {x + 0.4, 0.56, 2}));
+        settings.jump = true;
+        EXPECT_TRUE(reaches(explored(campus.world, settings), {x + 0.4, 0.56, 2})) << x;
+    }
+}
+
 TEST(Explore, IgnoresDisabledObjects) {
     scene::Campus campus = level_campus(4.0);
     add_box(campus, "gate", {1, 0, -5}, {1.2, 3, 5});
