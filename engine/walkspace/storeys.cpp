@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -100,6 +101,50 @@ void describe(const WalkSpace& space, const NodeNumbers& numbers, Storeys& store
 }
 
 }  // namespace
+
+std::size_t storey_at_height(const Storeys& storeys, double y) {
+    constexpr double kAround = 0.6;
+    constexpr double kOutside = 1e6;
+    std::size_t best = 0;
+    double least = std::numeric_limits<double>::max();
+    for (std::size_t i = 0; i < storeys.list.size(); ++i) {
+        const Storey& s = storeys.list[i];
+        const double outside = std::max({s.low - kAround - y, y - s.high - kAround, 0.0});
+        const double apart = std::abs(s.main_height - y) + (outside > 0.0 ? kOutside * outside : 0.0);
+        if (apart < least) {
+            least = apart;
+            best = i;
+        }
+    }
+    return best;
+}
+
+std::optional<WalkNodeId> node_near(const WalkSpace& space, const collision::Vec3& at, double around) {
+    constexpr double kFar = 1e9;
+    constexpr double kHigher = 0.7;  // metres: ground that one is beside rather than below
+    constexpr double kOverhead = 1e6;
+    std::optional<WalkNodeId> nearest;
+    double least = std::numeric_limits<double>::max();
+    for (const WalkNodeId& node : space.nodes_in(
+             {{at.x() - around, -kFar, at.z() - around}, {at.x() + around, kFar, at.z() + around}})) {
+        const collision::Vec3 foot = space.position(node);
+        const double apart = (foot - at).norm() + (foot.y() > at.y() + kHigher ? kOverhead : 0.0);
+        if (apart < least) {
+            least = apart;
+            nearest = node;
+        }
+    }
+    return nearest;
+}
+
+std::size_t storey_near(const WalkSpace& space, const Storeys& storeys, const collision::Vec3& at) {
+    for (const double around : {2.0, 8.0, 32.0}) {
+        if (const auto node = node_near(space, at, around)) {
+            return storeys.of(*node);
+        }
+    }
+    return storey_at_height(storeys, at.y());
+}
 
 Storeys find_storeys(const WalkSpace& space) {
     Storeys storeys;

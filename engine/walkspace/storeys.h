@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "engine/walkspace/walk_space.h"
@@ -26,6 +27,15 @@ struct Storeys {
 
 /// What lies less than this above other ground is no storey above it: stairs, furniture. Metres.
 inline constexpr double kLeastStoreyHeight = 1.8;
+
+/// The reached node that is nearest to a point: below it if there is one within so many metres to the side,
+/// seen from above.
+std::optional<WalkNodeId> node_near(const WalkSpace& space, const collision::Vec3& at, double around);
+/// The storey of the ground that is reached there or near it; without any, of what is as high. There must be
+/// one.
+std::size_t storey_near(const WalkSpace& space, const Storeys& storeys, const collision::Vec3& at);
+/// Of the storeys whose range has this height, that with most of its ground near it.
+std::size_t storey_at_height(const Storeys& storeys, double y);
 
 /// A node's storey is how many floors lie below it. Where a level floor lies only partly above others, all of
 /// it counts.

@@ -175,7 +175,11 @@ std::vector<StoreyPlan> plans_of_route(const scene::Campus& campus, const collis
     request.from = engine::body_at({0, 0, 3}, campus, settings).value();
     request.to.push_back({"goal", to, true});
     const auto found = engine::route_or_reason(campus, settings, request);
-    return route::route_plans(campus, settings, std::get<engine::Route>(found), "start", "goal");
+    if (const auto* route = std::get_if<engine::Route>(&found)) {
+        return route::route_plans(campus, settings, *route, "start", "goal");
+    }
+    return route::barrier_plans(campus, settings, request, std::get<engine::UnreachableReason>(found),
+                                "start", "goal");
 }
 
 TEST(StoreyPlans, HaveTheirPartOfARoute) {
@@ -199,6 +203,29 @@ TEST(StoreyPlans, HaveTheirPartOfARoute) {
     const Eigen::Vector2d up = plans[0].routes[0].parts[0].back();
     EXPECT_EQ(up, plans[1].routes[0].parts[0].front()) << "where the other goes on";
     EXPECT_LT(up.x(), -4.0) << "on the stairs";
+}
+
+TEST(StoreyPlans, HaveAGoalThatNobodyGetsToOnItsStorey) {
+    scene::Campus campus = two_storeys();
+    for (const double z : {-6.0, -2.2}) {  // a closed room on the gallery
+        engine::add_box(campus, "across-" + std::to_string(z), {-4, 3, z}, {1, 6, z + 0.2});
+    }
+    for (const double x : {-4.0, 0.8}) {
+        engine::add_box(campus, "along-" + std::to_string(x), {x, 3, -6}, {x + 0.2, 6, -2});
+    }
+    const std::vector<StoreyPlan> plans = plans_of_route(campus, {-1.5, 3, -4});
+    ASSERT_EQ(plans.size(), 2U);
+    EXPECT_EQ(points_on(plans[0]), std::set<std::string>{"start"});
+    EXPECT_EQ(points_on(plans[1]), std::set<std::string>{"goal"});
+    EXPECT_TRUE(plans[0].findings.empty());
+    EXPECT_EQ(plans[1].findings.size(), 1U);
+}
+
+TEST(StoreyPlans, OfARouteLeaveAGoalFarAwayBeyondTheirArea) {
+    const std::vector<StoreyPlan> plans = plans_of_route(two_storeys(), {1e6, 0, 1e6});
+    ASSERT_EQ(plans.size(), 1U);
+    EXPECT_EQ(points_on(plans[0]), (std::set<std::string>{"start", "goal"}));
+    EXPECT_LT(plans[0].area.sizes().maxCoeff(), 60.0);
 }
 
 /// From the gallery one falls into a cell on the ground that nothing leads out of.

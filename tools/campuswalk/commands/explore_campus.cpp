@@ -228,11 +228,21 @@ void check_options(const ExploreOptions& options) {
     }
 }
 
-void write_plans(const scene::Campus& campus, const engine::WalkReport& report,
-                 const std::vector<explore::Finding>& findings, const explore::GroundWidths& widths,
-                 const std::filesystem::path& folder) {
-    const std::vector<engine::render::StoreyPlan> plans =
-        explore::storey_plans(campus, report, findings, widths);
+std::vector<engine::render::StoreyPlan> make_plans(const ExploreOptions& options, const scene::Campus& campus,
+                                                   const engine::AvatarProfile& avatar,
+                                                   const engine::WorkerWorlds& worlds,
+                                                   const engine::ExploreSettings& settings,
+                                                   const engine::WalkReport& report,
+                                                   const std::vector<explore::Finding>& findings) {
+    explore::GroundWidths widths;
+    if (options.min_width > 0.0) {
+        widths = {engine::passage_widths(worlds, settings, report.space, options.min_width),
+                  2.0 * avatar.radius, options.min_width};
+    }
+    return explore::storey_plans(campus, report, findings, widths);
+}
+
+void write_plans(const std::vector<engine::render::StoreyPlan>& plans, const std::filesystem::path& folder) {
     for (std::size_t i = 0; i < plans.size(); ++i) {
         draw_storey_plans({&plans[i], 1}, folder / ("storey-" + std::to_string(i) + ".png"));
     }
@@ -306,6 +316,10 @@ int explore_campus(const ExploreOptions& options, std::string* json) {
     });
     progress.hide();
     const std::vector<explore::Finding> findings = explore::find_findings(*campus, report);
+    std::vector<engine::render::StoreyPlan> plans;
+    if (options.map) {  // before anything is written: it may be too large for plans
+        plans = make_plans(options, *campus, avatar, worlds, settings, report, findings);
+    }
     explore::print_report(*campus, report, avatar, findings);
     std::optional<explore::Coverage> coverage;
     if (!walks.empty()) {
@@ -325,12 +339,7 @@ int explore_campus(const ExploreOptions& options, std::string* json) {
         scene::write_file_atomically(*options.geojson, explore::report_geojson(*campus, report, findings));
     }
     if (options.map) {
-        explore::GroundWidths widths;
-        if (options.min_width > 0.0) {
-            widths = {engine::passage_widths(worlds, settings, report.space, options.min_width),
-                      2.0 * avatar.radius, options.min_width};
-        }
-        write_plans(*campus, report, findings, widths, *options.map);
+        write_plans(plans, *options.map);
     }
     if (options.walks) {
         write_walks(options, *campus, avatar, settings, report, findings);

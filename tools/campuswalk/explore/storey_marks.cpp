@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <map>
 #include <optional>
 
@@ -17,54 +16,6 @@ namespace {
 /// A finding's ground that is smaller, and a smaller share of it, needs no number of its own: m².
 constexpr double kGoodPart = 5.0;
 constexpr double kGoodShare = 0.1;
-
-/// Of the storeys whose range has this height, that with most of its ground near it.
-std::size_t storey_at_height(const std::vector<engine::Storey>& storeys, double y) {
-    constexpr double kAround = 0.6;
-    constexpr double kOutside = 1e6;
-    std::size_t best = 0;
-    double least = 1e300;
-    for (std::size_t i = 0; i < storeys.size(); ++i) {
-        const engine::Storey& s = storeys[i];
-        const double outside = std::max({s.low - kAround - y, y - s.high - kAround, 0.0});
-        const double apart = std::abs(s.main_height - y) + (outside > 0.0 ? kOutside * outside : 0.0);
-        if (apart < least) {
-            least = apart;
-            best = i;
-        }
-    }
-    return best;
-}
-
-/// The reached node that is nearest to a point: below it if there is one within so many metres, seen from
-/// above.
-std::optional<engine::WalkNodeId> node_near(const WalkReport& report, const Vec3& at, double around) {
-    constexpr double kFar = 1e9;
-    constexpr double kHigher = 0.7;  // metres: ground that one is beside rather than below
-    constexpr double kOverhead = 1e6;
-    std::optional<engine::WalkNodeId> nearest;
-    double least = std::numeric_limits<double>::max();
-    for (const engine::WalkNodeId& node : report.space.nodes_in(
-             {{at.x() - around, -kFar, at.z() - around}, {at.x() + around, kFar, at.z() + around}})) {
-        const Vec3 foot = report.space.position(node);
-        const double apart = (foot - at).norm() + (foot.y() > at.y() + kHigher ? kOverhead : 0.0);
-        if (apart < least) {
-            least = apart;
-            nearest = node;
-        }
-    }
-    return nearest;
-}
-
-/// The storey of the ground that is reached there or near it.
-std::size_t storey_near(const WalkReport& report, const Vec3& at) {
-    for (const double around : {2.0, 8.0, 32.0}) {
-        if (const auto node = node_near(report, at, around)) {
-            return report.storeys.of(*node);
-        }
-    }
-    return storey_at_height(report.storeys.list, at.y());
-}
 
 Eigen::Vector2d on_plan(const Vec3& at) {
     return {at.x(), at.z()};
@@ -133,7 +84,8 @@ std::size_t storey_before(const WalkReport& report, const Finding& finding) {
         case FindingKind::island:  // its place is the first spot
             return storeys_of_island(report, report.islands[finding.islands.front()].island).front();
         default:
-            return storey_near(report, finding.barrier ? finding.barrier->from : *finding.at);
+            return engine::storey_near(report.space, report.storeys,
+                                       finding.barrier ? finding.barrier->from : *finding.at);
     }
 }
 
@@ -144,7 +96,7 @@ std::vector<std::size_t> storeys_of_island(const WalkReport& report, const engin
     std::vector<std::optional<std::size_t>> beside;
     std::map<double, std::size_t> by_height;
     for (const engine::UnreachedSpot& spot : island.spots) {
-        auto node = node_near(report, spot.at.foot, kBeside);
+        auto node = engine::node_near(report.space, spot.at.foot, kBeside);
         if (node &&
             std::abs(report.space.position(*node).y() - spot.at.foot.y()) >= engine::kLeastStoreyHeight) {
             node.reset();
@@ -163,7 +115,7 @@ std::vector<std::size_t> storeys_of_island(const WalkReport& report, const engin
         }
         return nearest != by_height.end() && std::abs(nearest->first - y) < engine::kLeastStoreyHeight
                    ? nearest->second
-                   : storey_at_height(report.storeys.list, y);
+                   : engine::storey_at_height(report.storeys, y);
     };
     std::vector<std::size_t> storeys;
     for (std::size_t i = 0; i < beside.size(); ++i) {
@@ -183,7 +135,7 @@ std::size_t storey_of(const WalkReport& report, const engine::Subject& subject) 
             [&](const engine::UnreachedSpot& spot) { return (spot.at.foot - subject.at).squaredNorm(); });
         return storeys_of_island(report, island)[static_cast<std::size_t>(nearest - island.spots.begin())];
     }
-    return storey_near(report, subject.at);
+    return engine::storey_near(report.space, report.storeys, subject.at);
 }
 
 std::vector<StoreyMark> marks_of(const WalkReport& report, const Finding& finding) {

@@ -29,8 +29,13 @@ constexpr double kMargin = 2.0;
 /// metres, is off the plan, or there would be little room for that ground.
 constexpr double kFarShare = 0.5;
 constexpr double kLeastFar = 20.0;
-/// A plan of more cells would take too much memory: 25 km².
+/// A plan of more cells would take too much memory; 25 km² in cells of 0.25 m.
 constexpr double kMostCells = 4e8;
+
+/// Columns and rows.
+Eigen::Vector2d count_of(const Eigen::AlignedBox2i& cells) {
+    return cells.sizes().cast<double>().array() + 1.0;
+}
 
 /// The cells of one storey before they are laid out in rows.
 struct Cells {
@@ -69,7 +74,8 @@ void add_unreached(const engine::WalkReport& report, const std::vector<Finding>&
         const double size = report.space.grid.cell;
         const int longer = cells.box.sizes().maxCoeff();
         const int far = std::max(static_cast<int>(kLeastFar / size), static_cast<int>(kFarShare * longer));
-        near.emplace_back(cells.box.min().array() - far, cells.box.max().array() + far);
+        const Eigen::AlignedBox2i around(cells.box.min().array() - far, cells.box.max().array() + far);
+        near.push_back(count_of(around).prod() > kMostCells ? cells.box : around);
     }
     for (const Finding& finding : findings) {
         for (const std::size_t i : finding.islands) {
@@ -91,7 +97,7 @@ engine::render::PlanRaster raster_of(const Cells& cells, double size, bool has_w
     engine::render::PlanRaster raster;
     raster.cell_size = size;
     raster.north_west = size * cells.box.min().cast<double>();
-    const Eigen::Vector2d count = cells.box.sizes().cast<double>().array() + 1.0;
+    const Eigen::Vector2d count = count_of(cells.box);
     if (count.prod() > kMostCells) {
         throw scene::InputError(
             {"--map", 1, 1}, "plan-too-large",
