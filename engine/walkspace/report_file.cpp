@@ -21,6 +21,10 @@ namespace {
 
 /// Reasons within reasons within islands.
 constexpr int kDeepest = 12;
+/// Nothing is farther from the origin, metres, nor are cells smaller: they are numbered by `int`.
+constexpr double kFarthest = 2e7;
+constexpr double kSmallestCell = 0.01;
+constexpr int kFarthestCell = 2'000'000'000;
 
 template <typename Enum>
 constexpr std::uint32_t kEnd = 0;  ///< the number of enumerators
@@ -105,7 +109,7 @@ private:
     void take(ObjectId& id) { id = static_cast<ObjectId>(in_.take_below(objects_, "an object")); }
     void take(Vec3& p) {
         (*this)(p.x(), p.y(), p.z());
-        if (!p.allFinite()) {
+        if (!p.allFinite() || p.cwiseAbs().maxCoeff() > kFarthest) {
             throw DamagedFile("a place in it is nowhere");
         }
     }
@@ -182,6 +186,8 @@ void take_tile(ArchiveReader& in, Reader& fields, WalkSpace& space) {
     GridCell first_cell;
     fields(first_cell);
     const std::size_t number = space.tiles.size();
+    const auto is_near = [](int at) { return at >= -kFarthestCell && at <= kFarthestCell; };
+    require(is_near(first_cell.x) && is_near(first_cell.z), "a place in it is nowhere");
     require(first_of_square(first_cell, WalkTile::kCells) == first_cell &&
                 space.add_tile_at(first_cell) == number,
             "its tiles overlap");
@@ -253,7 +259,7 @@ WalkSpace take_space(ArchiveReader& in, Reader& fields, std::size_t objects) {
     constexpr std::size_t kMinTileBytes = 40;
     WalkSpace space{WalkGrid{}};
     fields(space.grid.cell, space.touched, space.bounds, space.ticks, space.strides);
-    require(space.grid.cell > 0.0 && space.touched.size() == objects, "it is of another campus");
+    require(space.grid.cell >= kSmallestCell && space.touched.size() == objects, "it is of another campus");
     const std::size_t tiles = in.take_count(kMinTileBytes);
     for (std::size_t i = 0; i < tiles; ++i) {
         take_tile(in, fields, space);

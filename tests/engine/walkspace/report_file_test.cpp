@@ -146,6 +146,17 @@ TEST(ReportFile, IsRejectedWhenItsChainsGoInACircle) {
     EXPECT_THROW(read_report_file(archive_report(was.report), was.campus.objects.size()), scene::DamagedFile);
 }
 
+/// Cells and their neighbours are numbered by `int`.
+TEST(ReportFile, IsRejectedWhenItsGroundIsTooFarAway) {
+    Reported was = reported();
+    was.report.space.tiles.front().first_cell = {2'147'483'632, 0};
+    EXPECT_THROW(read_report_file(archive_report(was.report), was.campus.objects.size()), scene::DamagedFile);
+    Reported other = reported();
+    other.report.holes.front().edges.front().at.x() = 1e12;
+    EXPECT_THROW(read_report_file(archive_report(other.report), other.campus.objects.size()),
+                 scene::DamagedFile);
+}
+
 /// The bodies of files that the fuzzer begins with. Whenever the format changes, they are to be written anew:
 /// `campuswalk explore --min-width 1` keeps them in its cache, behind a header.
 TEST(ReportFile, FuzzersSeedsAreStillReadable) {
