@@ -131,13 +131,18 @@ void report_subjects(const WorkerWorlds& worlds, const ExploreSettings& settings
 
 WalkReport report_walks(const scene::Campus& campus, const AvatarProfile& avatar, const WorkerWorlds& worlds,
                         ExploreSettings settings, double min_width,
-                        const std::function<void(const std::string&)>& on_stage) {
-    const auto tell = [&](const std::string& stage) {
+                        const std::function<void(const ReportStage&)>& on_stage) {
+    const bool looks_for_narrow = min_width > 2.0 * settings.strides.body.radius;
+    ReportStage stage{.number = 0, .count = looks_for_narrow ? 6 : 5, .text = {}};
+    const auto tell = [&](std::string text) {
+        ++stage.number;
+        stage.text = std::move(text);
         if (on_stage) {
             on_stage(stage);
         }
     };
     settings.keep_rim = true;
+    tell("exploring");
     WalkReport report{explore(worlds, settings)};
     tell("looking for ground that isn't reached");
     report.storeys = find_storeys(report.space);
@@ -163,7 +168,7 @@ WalkReport report_walks(const scene::Campus& campus, const AvatarProfile& avatar
     report.overhangs = find_trigger_overhangs(campus, worlds, settings, report.space, report.storeys);
     report.hot_spots = find_hot_spots(worlds, settings, report.space);
     report.separate = find_separate_grounds(report.space, settings.strides.body.step_height);
-    if (min_width > 2.0 * settings.strides.body.radius) {
+    if (looks_for_narrow) {
         tell("looking for narrow passages");
         report.narrow = find_narrow_passages(worlds, settings, report.space, min_width, &nodes);
         report.bottlenecks = find_bottlenecks(worlds, settings, report.space, min_width);

@@ -51,13 +51,20 @@ struct WalkReport {
     std::vector<SeparateGround> separate = {};  ///< none if all starts' ground is one
 };
 
+/// What a report is at.
+struct ReportStage {
+    int number = 1;    ///< from 1 on: the exploration
+    int count = 1;     ///< of all
+    std::string text;  ///< a clause: "looking for traps"
+};
+
 /// Explores the campus and finds all that a report tells. `settings` as for `explore`; the campus and what
 /// they refer to must outlive the call. Passages narrower than `min_width` (metres, at most the body's
-/// height) are looked for if that is more than the body's own width. `on_stage` is called with what comes
-/// next, as a clause: "looking for traps"; before that, `settings.progress` is.
+/// height) are looked for if that is more than the body's own width. `on_stage` is called
+/// as each begins; during the first, `settings.progress` is.
 WalkReport report_walks(const scene::Campus& campus, const AvatarProfile& avatar, const WorkerWorlds& worlds,
                         ExploreSettings settings, double min_width = 0.0,
-                        const std::function<void(const std::string&)>& on_stage = {});
+                        const std::function<void(const ReportStage&)>& on_stage = {});
 
 /// Of a body of this profile, on a campus from all its spawns.
 ExploreSettings explore_settings(const scene::Campus& campus, const AvatarProfile& avatar,

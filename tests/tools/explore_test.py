@@ -3,8 +3,10 @@
 
 import json
 import os
+import pty
 import re
 import shutil
+import subprocess
 
 import jsonschema
 
@@ -50,6 +52,36 @@ class Explore(ProgramCase):
         super().setUp()
         self.write("floor.obj", FLOOR)
         self.write("yard.campus.yaml", YARD)
+
+    def shown_on_terminal(self, *arguments):
+        """What it writes to standard error if that is a terminal."""
+        terminal, its_end = pty.openpty()
+        with subprocess.Popen([self.program, "explore", "yard.campus.yaml", *arguments], cwd=self.folder,
+                              stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=its_end) as process:
+            os.close(its_end)
+            shown = b""
+            try:
+                while part := os.read(terminal, 4096):
+                    shown += part
+            except OSError:  # the program has closed its end
+                pass
+            self.assertEqual(0, process.wait())
+        os.close(terminal)
+        return shown.decode()
+
+    def test_on_a_terminal_a_bar_shows_how_far_it_is(self):
+        for arguments, count in (((), 5), (("--min-width", "1"), 6)):
+            shown = self.shown_on_terminal("--no-cache", *arguments)
+            stages = re.findall(r"\[(#*)(\.*)\] (\d)/(\d) ", shown)
+            self.assertEqual({str(count)}, {stage[3] for stage in stages})
+            numbers = [int(stage[2]) for stage in stages]
+            self.assertEqual(numbers, sorted(numbers))
+            self.assertEqual(set(range(1, count + 1)), set(numbers))
+            for done, left, number, _ in stages:
+                self.assertEqual((20 * (int(number) - 1) // count, 20), (len(done), len(done + left)))
+            self.assertRegex(shown, r"1/%d explored \d+ places" % count)
+            self.assertTrue(shown.endswith("\r\x1b[K"), "it is cleared")
+        self.assertNotIn("/5", self.run_program("explore", "yard.campus.yaml", "--no-cache").err)
 
     def report(self, *arguments, code=0):
         done = self.run_program("explore", "yard.campus.yaml", "--json", "report.json", *arguments)

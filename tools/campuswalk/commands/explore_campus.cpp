@@ -228,6 +228,14 @@ void check_options(const ExploreOptions& options) {
     }
 }
 
+/// "[####..............] 2/5": how many of its stages are done.
+std::string progress_bar(const engine::ReportStage& stage) {
+    constexpr int kWidth = 20;
+    const auto done = static_cast<std::size_t>(kWidth * (stage.number - 1) / stage.count);
+    return "[" + std::string(done, '#') + std::string(kWidth - done, '.') + "] " +
+           std::to_string(stage.number) + "/" + std::to_string(stage.count);
+}
+
 std::vector<engine::render::StoreyPlan> make_plans(const ExploreOptions& options, const scene::Campus& campus,
                                                    const engine::AvatarProfile& avatar,
                                                    const engine::WorkerWorlds& worlds,
@@ -303,8 +311,9 @@ int explore_campus(const ExploreOptions& options, std::string* json) {
     const engine::WorkerWorlds worlds(campus->world, workers_of(options), collision::make_bullet_broad_phase);
     StatusLine progress(isatty(STDERR_FILENO) == 1);
     engine::ExploreSettings settings = settings_for(options, *campus, avatar, disabled);
+    engine::ReportStage stage;
     settings.progress = [&](std::size_t nodes) {
-        progress.show("explored " + std::to_string(nodes) + " places");
+        progress.show(progress_bar(stage) + " explored " + std::to_string(nodes) + " places");
     };
     const scene::CacheFolder* cache = model_cache();
     const explore::ReportInputs inputs{
@@ -312,7 +321,10 @@ int explore_campus(const ExploreOptions& options, std::string* json) {
         campus->objects.size(), avatar, settings, options.min_width};
     const engine::WalkReport report = explore::cached_report(inputs, cache, [&] {
         return engine::report_walks(*campus, avatar, worlds, settings, options.min_width,
-                                    [&](const std::string& stage) { progress.show(stage); });
+                                    [&](const engine::ReportStage& next) {
+                                        stage = next;
+                                        progress.show(progress_bar(stage) + " " + stage.text);
+                                    });
     });
     progress.hide();
     const std::vector<explore::Finding> findings = explore::find_findings(*campus, report);
