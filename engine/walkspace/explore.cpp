@@ -33,22 +33,11 @@ constexpr std::uint32_t kTicksOfGoalRound = 30;
 constexpr double kHighFall = 2.0;
 /// So many falls are steered before what they lead to becomes nodes.
 constexpr std::size_t kFallsAtOnce = 64;
-/// Nodes take their diagonal strides this much later than the others, metres of walking: somewhat more than
-/// the 0.1 m that they are longer, so that nearly all cells are reached by the shorter strides.
-constexpr double kDiagonalsLater = 0.19;
-/// Over ground where nothing is in the way they jump so much later, in lengths of a jump, walked: then the
-/// ground ahead is mostly known.
-constexpr double kJumpsLater = 2.0;
 
 class Exploration {
 public:
     Exploration(const WorkerWorlds& worlds, const ExploreSettings& settings)
         : worlds_(worlds), settings_(settings), order_(settings), space_(WalkGrid{cell_for(settings)}) {
-        if (!has_goal()) {  // on a path to a goal they are as good
-            const StrideSettings& strides = settings_.strides;
-            diagonals_later_ = order_.ticks_in(kDiagonalsLater / strides.walk_speed);
-            jumps_later_ = order_.ticks_in(kJumpsLater * jump_length(strides) / strides.walk_speed);
-        }
         for (std::size_t i = 0; i < worlds.size(); ++i) {
             workers_.emplace_back(worlds[i], settings, space_, known_);
         }
@@ -112,7 +101,7 @@ private:
 
     /// Without steering in falls.
     void explore_ground() {
-        const std::uint32_t round = has_goal() ? kTicksOfGoalRound : kTicksOfRound;
+        const std::uint32_t round = order_.has_goal() ? kTicksOfGoalRound : kTicksOfRound;
         std::uint32_t limit = 0;
         while (const auto earliest = space_.goal ? std::nullopt : earliest_pending()) {
             if (*earliest >= settings_.max_ticks) {
@@ -183,8 +172,6 @@ private:
         frontiers_.resize(space_.tiles.size());
         return tile;
     }
-
-    bool has_goal() const { return settings_.towards || settings_.is_goal; }
 
     void note_goal() {
         for (std::uint32_t i = 0; i < frontiers_.size() && !space_.goal; ++i) {
@@ -291,7 +278,7 @@ private:
         }
         if (from.next == Pending::Strides::along_axes) {
             from.next = Pending::Strides::diagonal;
-            from.order += diagonals_later_;
+            from.order += order_.diagonals_later();
             frontiers_[tile].push(from);
             return;
         }
@@ -300,7 +287,7 @@ private:
         }
         if (settings_.jump && from.jumps_later != 0) {
             from.next = Pending::Strides::jumps;
-            from.order += jumps_later_;
+            from.order += order_.jumps_later();
             frontiers_[tile].push(from);
         }
     }
@@ -491,8 +478,6 @@ private:
     const WorkerWorlds& worlds_;
     const ExploreSettings& settings_;
     const PathOrder order_;
-    std::uint32_t diagonals_later_ = 0;  ///< ticks
-    std::uint32_t jumps_later_ = 0;      ///< likewise
     WalkSpace space_;
     std::vector<Frontier> frontiers_;  ///< by tile
     const KnownCells known_{settings_, space_, frontiers_};

@@ -12,7 +12,13 @@ namespace campuswalk::engine {
 class PathOrder {
 public:
     /// `settings` must outlive it.
-    explicit PathOrder(const ExploreSettings& settings) : settings_(settings) {}
+    explicit PathOrder(const ExploreSettings& settings);
+
+    bool has_goal() const { return settings_.towards || settings_.is_goal; }
+    /// So many ticks after its strides along the axes, a node takes the diagonal ones.
+    std::uint32_t diagonals_later() const { return diagonals_later_; }
+    /// And so many after these, it jumps over ground where nothing is in the way.
+    std::uint32_t jumps_later() const { return jumps_later_; }
 
     std::uint32_t ticks_in(double seconds) const;
     /// Straight on, as the strides go: along the axes and diagonals.
@@ -22,6 +28,8 @@ public:
 
 private:
     const ExploreSettings& settings_;
+    std::uint32_t diagonals_later_ = 0;
+    std::uint32_t jumps_later_ = 0;
 };
 
 }  // namespace campuswalk::engine
