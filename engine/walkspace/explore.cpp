@@ -297,7 +297,7 @@ private:
     /// Onto what lies ahead, over clear ground: what is high is got onto at the height of a jump. Those out
     /// of the world don't count: they lead over an edge that is nearer to other nodes.
     void jump_from(std::uint32_t tile, const Pending& from, StrideWorker& worker) {
-        for (std::uint8_t i = 0; i < grid_directions().size(); ++i) {
+        for (std::uint8_t i = 0; i < 8; ++i) {
             if ((from.jumps_later & bit_of(i)) == 0 || !worker.may_jump_up(tile, from.at, i)) {
                 continue;
             }

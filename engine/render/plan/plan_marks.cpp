@@ -227,10 +227,9 @@ void draw_plan_marks(const Canvas& canvas, const StoreyPlan& plan, const PlanFra
                      const AlignedBox2d& map) {
     for (std::size_t i = 0; i < plan.routes.size(); ++i) {
         for (const std::vector<Vector2d>& part : plan.routes[i].parts) {
-            std::vector<Vector2d> pixels;
-            for (const Vector2d& point : part) {
-                pixels.push_back(frame.pixel_of(point));
-            }
+            std::vector<Vector2d> pixels(part.size());
+            std::ranges::transform(part, pixels.begin(),
+                                   [&](const Vector2d& point) { return frame.pixel_of(point); });
             draw_route(canvas, pixels, i);
         }
     }
