@@ -29,6 +29,11 @@ constexpr double kMargin = 2.0;
 /// metres, is off the plan, or there would be little room for that ground.
 constexpr double kFarShare = 0.5;
 constexpr double kLeastFar = 20.0;
+
+double far_from(double longer_side) {
+    return std::max(kLeastFar, kFarShare * longer_side);
+}
+
 /// A plan of more cells would take too much memory; 25 km² in cells of 0.25 m.
 constexpr double kMostCells = 4e8;
 
@@ -72,8 +77,7 @@ void add_unreached(const engine::WalkReport& report, const std::vector<Finding>&
     std::vector<Eigen::AlignedBox2i> near;
     for (const Cells& cells : storeys) {
         const double size = report.space.grid.cell;
-        const int longer = cells.box.sizes().maxCoeff();
-        const int far = std::max(static_cast<int>(kLeastFar / size), static_cast<int>(kFarShare * longer));
+        const int far = static_cast<int>(far_from(size * cells.box.sizes().maxCoeff()) / size);
         const Eigen::AlignedBox2i around(cells.box.min().array() - far, cells.box.max().array() + far);
         near.push_back(count_of(around).prod() > kMostCells ? cells.box : around);
     }
@@ -161,7 +165,7 @@ void add_marks(const engine::WalkReport& report, const std::vector<Finding>& fin
 
 /// By marks beside the ground; those far from it stay beyond.
 void extend_area(StoreyPlan& plan) {
-    const double far = std::max(kLeastFar, kFarShare * plan.area.sizes().maxCoeff());
+    const double far = far_from(plan.area.sizes().maxCoeff());
     const Eigen::AlignedBox2d near(plan.area.min().array() - far, plan.area.max().array() + far);
     const auto extend = [&](const auto& mark) {
         if (near.contains(mark.at)) {
