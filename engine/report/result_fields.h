@@ -79,6 +79,13 @@ void list_fields(Fields& fields, MaybeConst<WalkResult> auto& result) {
 }
 
 template <typename Fields>
+void list_fields(Fields& fields, MaybeConst<RunFingerprint> auto& fingerprint) {
+    fields("program", fingerprint.program);
+    fields("options", fingerprint.options);
+    fields("files", fingerprint.files);
+}
+
+template <typename Fields>
 void list_fields(Fields& fields, MaybeConst<RunPlan> auto& plan) {
     fields("cases", plan.cases);
     fields("shard", plan.shard);
@@ -86,6 +93,7 @@ void list_fields(Fields& fields, MaybeConst<RunPlan> auto& plan) {
     fields("all_cases", plan.all_cases);
     fields("contents", plan.contents);
     fields("division", plan.division);
+    fields("fingerprint", plan.fingerprint);
     fields("start", plan.start);
 }
 

@@ -98,16 +98,21 @@ std::vector<std::filesystem::path> with_scene(const SceneFile& file, const Found
     return files;
 }
 
+/// What an import of the same file with the same settings looked up; nullopt if the cache doesn't know.
+std::optional<std::vector<FileRequest>> find_requests(const ContentHash& key, const CacheFolder& cache) {
+    const auto requests_file = cache.find(key, kRequestsKind);
+    return requests_file ? std::optional(read_requests(requests_file->bytes())) : std::nullopt;
+}
+
 std::optional<LoadedModel> find_model(const SceneFile& file, const ContentHash& key,
                                       const ContentHash& contents, const CacheFolder& cache) {
     try {
-        const auto requests_file = cache.find(key, kRequestsKind);
-        if (!requests_file) {
+        const std::optional<std::vector<FileRequest>> requests = find_requests(key, cache);
+        if (!requests) {
             return std::nullopt;
         }
-        const std::vector<FileRequest> requests = read_requests(requests_file->bytes());
-        const FoundFiles found = find_files(file, requests);
-        const ContentHash model_key = key_with_files(key, file, contents, requests, found, cache);
+        const FoundFiles found = find_files(file, *requests);
+        const ContentHash model_key = key_with_files(key, file, contents, *requests, found, cache);
         const auto cached = cache.find(model_key, kModelKind);
         if (!cached) {
             return std::nullopt;
@@ -155,6 +160,21 @@ LoadedModel load_model(const SceneFile& file, EmptyModel if_empty, const Importe
         }
     }
     return import_and_cache(file, if_empty, importer, cache, contents);
+}
+
+std::vector<std::filesystem::path> files_of_model(const SceneFile& file, EmptyModel if_empty,
+                                                  const Importer& importer, const CacheFolder* cache) {
+    const std::optional<ContentHash> contents =
+        cache != nullptr ? hash_of_file(file.path, cache) : std::nullopt;
+    if (contents) {
+        try {
+            if (const auto requests = find_requests(key_of(file, if_empty, *contents, *cache), *cache)) {
+                return with_scene(file, find_files(file, *requests));
+            }
+        } catch (const DamagedFile&) {  // treated as a miss
+        }
+    }
+    return load_model(file, if_empty, importer, cache).files;
 }
 
 }  // namespace campuswalk::scene

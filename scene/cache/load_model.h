@@ -24,4 +24,9 @@ struct LoadedModel {
 LoadedModel load_model(const SceneFile& file, EmptyModel if_empty, const Importer& importer,
                        const CacheFolder* cache);
 
+/// Only the files that the model is read from, the scene file first. A cache that knows them spares the
+/// import. Throws what the importer throws.
+std::vector<std::filesystem::path> files_of_model(const SceneFile& file, EmptyModel if_empty,
+                                                  const Importer& importer, const CacheFolder* cache);
+
 }  // namespace campuswalk::scene

@@ -131,8 +131,8 @@ class Replay(Compare):
 
     def report(self, *results, missing=0):
         planned = len(results) + missing
-        header = {"campuswalk_results": 4, "cases": planned, "shard": 1, "shards": 1, "all_cases": planned,
-                  "contents": "0a", "division": "1b", "start": ""}
+        header = {"campuswalk_results": 5, "cases": planned, "shard": 1, "shards": 1, "all_cases": planned,
+                  "contents": "0a", "division": "1b", "fingerprint": {"program": "", "options": "", "files": ""}, "start": ""}
         self.write("r.jsonl", "\n".join((json.dumps(header), *results)) + "\n")
 
     def test_a_replayed_log_prints_the_same(self):

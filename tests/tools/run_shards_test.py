@@ -137,5 +137,134 @@ class Shards(ProgramCase):
         self.assertRegex(outcome.err, r"^a.jsonl: error incomplete-report: ")
 
 
+class TwoShards(ProgramCase):
+    """The first plays on room.obj, the second on other.obj."""
+
+    KEY = "0123456789abcdef0123"
+
+    def setUp(self):
+        super().setUp()
+        self.write("other.obj", self.read("room.obj"))
+        self.write("other.campus.yaml", self.read("small.campus.yaml").replace(b"room.obj", b"other.obj"))
+        self.write("a.walk.yaml", WALK)
+        self.write("b.walk.yaml", WALK.replace("small", "other"))
+        os.remove(self.path("short.walk.yaml"))
+
+    def environment(self, key):
+        return {**os.environ, "CAMPUSWALK_RUN_KEY": key}
+
+    def shard(self, number, *arguments, key=""):
+        self.passes("run", "-q", "--rendering-backend", "none", f"--shard={number}/2", "--reporter", f"jsonl={number}.jsonl",
+                    *arguments, env=self.environment(key))
+
+    def merged(self, *arguments, key=""):
+        return self.run_program("merge-reports", "1.jsonl", "2.jsonl", *arguments, env=self.environment(key))
+
+
+class Fingerprints(TwoShards):
+    """What shards must have in common: whatever their results depend on. What they may differ in."""
+
+    def assert_refused_because(self, words):
+        outcome = self.merged()
+        self.assertEqual(outcome.code, 1, outcome.out)
+        self.assertIn("2.jsonl: error other-run: ", outcome.err)
+        self.assertIn(words, outcome.err)
+
+    def test_shards_that_differ_in_what_may_differ_merge(self):
+        self.shard(1, "--output", "here", "-j1")
+        self.shard(2, "--output", "there", "-j2", "--reporter", "junit=j.xml")
+        self.assertEqual(self.merged().code, 0)
+
+    def test_every_file_that_any_shard_reads_counts(self):
+        """A change of either's is seen by both."""
+        material = b"mtllib room.mtl\n"
+        self.write("room.mtl", "newmtl a\nKd 1 0 0\n")
+        self.write("room.obj", material + self.read("room.obj"))
+        for name in ("room.obj", "other.obj", "room.mtl", "a.walk.yaml-snapshots/log.jsonl", "b.walk.yaml-snapshots/far.png"):
+            for cached in ((), ("--no-cache",)):
+                with self.subTest(name=name, cached=cached):
+                    self.shard(1, *cached)
+                    before = self.read(name) if os.path.exists(self.path(name)) else b""
+                    self.write(name, before + b"# changed\n")
+                    self.shard(2, *cached)
+                    self.assert_refused_because("on other files")
+                    self.shard(1, *cached)
+                    self.assertEqual(self.merged().code, 0)
+
+    def test_every_option_that_results_depend_on_counts(self):
+        for options in (("--strict",), ("--require-identical",), ("--record", "csv")):
+            with self.subTest(options=options):
+                self.shard(1)
+                self.shard(2, *options)
+                self.assert_refused_because("with other options")
+        self.shard(2, "--timeout", "7")
+        self.assertIn("error other-plan: ", self.merged().err)
+
+    def test_another_version_counts(self):
+        self.shard(1)
+        self.shard(2)
+        self.write("2.jsonl", self.read("2.jsonl").replace(b'{"program":"', b'{"program":"9.'))
+        self.assert_refused_because("by another version")
+
+    def test_a_campus_that_another_shard_cannot_read_is_in_both(self):
+        self.write("other.obj", "v 0 0\nf 1 2 3\n")
+        for cached in ((), ("--no-cache",)):
+            for number in (1, 2):
+                self.run_program("run", "-q", f"--shard={number}/2", "--reporter", f"jsonl={number}.jsonl", *cached)
+            self.assertNotIn("other-run", self.merged().err)
+            self.assertEqual(self.merged().code, 2)
+
+    def test_what_was_not_evaluated_does_not_pass(self):
+        for name in ("a", "b"):
+            self.write(f"{name}.walk.yaml", WALK.replace("  - turn: 180", "  - snapshot: far") + "  - snapshot: far\n")
+            self.shard(1)
+        self.shard(2)
+        outcome = self.merged()
+        self.assertEqual(outcome.code, 1, outcome.out)
+        self.assert_diagnostics(outcome.err_lines, "1.jsonl: error unevaluated-walks: 1", "2.jsonl: error unevaluated-walks: 2")
+
+
+class Signatures(TwoShards):
+    """With CAMPUSWALK_RUN_KEY."""
+
+    def shard(self, number, *arguments, key=TwoShards.KEY):
+        super().shard(number, *arguments, key=key)
+
+    def assert_foreign(self, place):
+        outcome = self.merged(key=self.KEY)
+        self.assertEqual(outcome.out, "")
+        self.assert_refused(outcome, place + ": error foreign-results: CAMPUSWALK_RUN_KEY")
+
+    def test_signed_shards_merge_and_the_merged_report_is_signed(self):
+        self.shard(1)
+        self.shard(2)
+        outcome = self.merged("--reporter", "jsonl=all.jsonl", key=self.KEY)
+        self.assertEqual((outcome.code, outcome.err), (0, ""))
+        self.assertEqual(self.run_program("merge-reports", "all.jsonl", env=self.environment(self.KEY)).code, 0)
+        self.assertEqual(self.merged().code, 0)  # whoever has no key can read them: a fork's secret is empty
+
+    def test_unsigned_shards_are_refused(self):
+        self.shard(1)
+        self.shard(2, key="")
+        self.assert_foreign("2.jsonl:1:1")
+
+    def test_shards_signed_with_another_key_are_refused(self):
+        self.shard(1)
+        self.shard(2, key="another key of 21 bytes")
+        self.assert_foreign("2.jsonl:1:1")
+
+    def test_a_line_that_was_changed_or_moved_is_refused(self):
+        self.shard(1)
+        self.shard(2)
+        genuine = self.read("2.jsonl")
+        header, line = genuine.splitlines(keepends=True)
+        for forged, number in ((genuine.replace(b'"outcome":"passed"', b'"outcome":"skipped"'), 2),
+                               (genuine.replace(b'"shard":2', b'"shard":1'), 1),
+                               (header + self.read("1.jsonl").splitlines(keepends=True)[1], 2),
+                               (header + b"{" + line.split(b",", 1)[1], 2)):
+            self.write("2.jsonl", forged)
+            self.assert_foreign(f"2.jsonl:{number}:1")
+
+
 if __name__ == "__main__":
     main()

@@ -239,8 +239,9 @@ TEST(JsonlReporter, PrintsAHeaderAndOneLinePerResult) {
     const RunReport report = mixed_report();
     const std::vector<std::string> lines = lines_of(written("jsonl", report));
     ASSERT_EQ(lines.size(), report.results.size() + 1);
-    EXPECT_EQ(lines[0], R"({"campuswalk_results":4,"cases":9,"shard":1,"shards":1,"all_cases":9,)"
-                        R"("contents":"0a1b","division":"2c3d","start":""})");
+    EXPECT_EQ(lines[0], R"({"campuswalk_results":5,"cases":9,"shard":1,"shards":1,"all_cases":9,)"
+                        R"("contents":"0a1b","division":"2c3d",)"
+                        R"("fingerprint":{"program":"","options":"","files":""},"start":""})");
     for (std::size_t i = 0; i < report.results.size(); ++i) {
         EXPECT_EQ(lines[i + 1], to_json_line(report.results[i]));
     }

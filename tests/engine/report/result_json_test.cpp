@@ -204,6 +204,7 @@ TEST(ResultJson, RoundTripsAPlan) {
                        .all_cases = 11,
                        .contents = "0a",
                        .division = "1b",
+                       .fingerprint = {"0.1.0", "2c", "3d"},
                        .start = "campus"};
     const std::string line = to_header_line(plan);
     const std::optional<RunPlan> back = plan_from_header_line(line);
@@ -211,6 +212,7 @@ TEST(ResultJson, RoundTripsAPlan) {
     EXPECT_EQ(to_header_line(*back), line);
     EXPECT_EQ(back->shard, 2);
     EXPECT_EQ(back->all_cases, 11U);
+    EXPECT_EQ(back->fingerprint, plan.fingerprint);
 }
 
 TEST(ResultJson, TellsOtherFilesFromDamagedHeaders) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,8 @@ struct MergeOfTasks {
 };
 
 /// `inputs` is the one folder that run_on_slurm() has made. Throws scene::InputError (bad-value, bad-report,
-/// missing-file).
-MergeOfTasks merge_of_tasks(const std::string& job, const std::vector<std::filesystem::path>& inputs);
+/// missing-file, foreign-results: without the signature of `key`, if there is one).
+MergeOfTasks merge_of_tasks(const std::string& job, const std::vector<std::filesystem::path>& inputs,
+                            const std::optional<std::string>& key);
 
 }  // namespace campuswalk::tools

@@ -23,6 +23,7 @@
 #include "tools/campuswalk/run/plan/run_settings.h"
 #include "tools/campuswalk/run/results/reports.h"
 #include "tools/campuswalk/run/results/result_file.h"
+#include "tools/campuswalk/run/results/run_key.h"
 
 namespace campuswalk::tools {
 
@@ -103,7 +104,9 @@ public:
         }
         clear_job(folder_);
         fs::create_directories(folder_.saved());
-        scene::write_file_atomically(folder_.plan(), engine::to_header_line(plan) + "\n");
+        scene::write_file_atomically(
+            folder_.plan(),
+            report_line(engine::to_header_line(plan), "", shared_run_key(environment_variable)) + "\n");
         const ArrayJob job = array_job(plan, sbatch);
         write_scripts(job);
         if (slurm_.mode == SlurmMode::script) {

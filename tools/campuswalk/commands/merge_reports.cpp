@@ -20,6 +20,7 @@
 #include "tools/campuswalk/run/plan/run_settings.h"
 #include "tools/campuswalk/run/results/merged_run.h"
 #include "tools/campuswalk/run/results/reports.h"
+#include "tools/campuswalk/run/results/run_key.h"
 #include "tools/campuswalk/run/results/verdict.h"
 
 namespace campuswalk::tools {
@@ -39,9 +40,11 @@ struct MergeOptions {
 /// Merges the reports of a run's shards. Returns the exit code that the whole run would have had, but none
 /// that means success if something is missing.
 int merge_reports(const MergeOptions& options) {
+    const std::optional<std::string> key = shared_run_key(environment_variable);
     const std::optional<MergeOfTasks> tasks =
-        options.slurm_job ? std::optional(merge_of_tasks(*options.slurm_job, options.inputs)) : std::nullopt;
-    const MergedRun merged = tasks ? tasks->run : MergedRun(open_result_files(options.inputs));
+        options.slurm_job ? std::optional(merge_of_tasks(*options.slurm_job, options.inputs, key))
+                          : std::nullopt;
+    const MergedRun merged = tasks ? tasks->run : MergedRun(open_result_files(options.inputs, key));
     std::vector<std::string> problems = merged.problems();
     if (tasks) {
         problems.insert(problems.begin(), tasks->problems.begin(), tasks->problems.end());
@@ -65,7 +68,7 @@ int merge_reports(const MergeOptions& options) {
     }
     html.start = style.start;
     style.html = [&html](engine::TextSink sink) { return make_html_reporter(html, std::move(sink)); };
-    Reports reports(settings.reports, style, false);
+    Reports reports(settings.reports, style, false, key);
     reports.begin(merged.plan());
     std::set<engine::Outcome> outcomes;
     merged.for_each([&](engine::WalkResult&& result) {

@@ -17,6 +17,7 @@
 #include "tools/campuswalk/run/plan/find_walks.h"
 #include "tools/campuswalk/run/results/merged_run.h"
 #include "tools/campuswalk/run/results/reports.h"
+#include "tools/campuswalk/run/results/run_key.h"
 
 namespace campuswalk::tools {
 
@@ -53,7 +54,8 @@ void refuse_inputs(const Options& options, const std::vector<ResultFile>& inputs
 
 int report(const Options& options) {
     require_html_reports("report");
-    const std::vector<ResultFile> inputs = open_result_files(options.inputs);
+    const std::vector<ResultFile> inputs =
+        open_result_files(options.inputs, shared_run_key(environment_variable));
     refuse_inputs(options, inputs);
     const std::vector<ReportTarget> targets = {{"html", as_seen_from_here(options.file)}};
     check_targets(targets);

@@ -9,6 +9,7 @@
 #include "engine/simulation/check_walk.h"
 #include "engine/simulation/route_folder.h"
 #include "scene/base/installation.h"
+#include "scene/cache/load_model.h"
 #include "tools/campuswalk/loading/cache_choice.h"
 #include "tools/campuswalk/loading/campus_hash.h"
 #include "tools/campuswalk/loading/model_importer.h"
@@ -30,6 +31,19 @@ fs::path profiles_folder(const fs::path& installed) {
     }
     const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
     return program.parent_path().parent_path().parent_path() / "config";
+}
+
+std::vector<bool> images_beside(const scene::CampusDescription& description) {
+    std::vector<bool> beside;
+    for (const scene::SceneFile& scene : description.scenes) {
+        beside.push_back(scene.images_beside);
+    }
+    return beside;
+}
+
+fs::path as_key(const fs::path& file) {
+    std::error_code ignored;
+    return fs::weakly_canonical(file, ignored);
 }
 
 }  // namespace
@@ -104,26 +118,59 @@ std::shared_ptr<const scene::Campus> WalkLoader::load_campus(const fs::path& cam
     return campus;
 }
 
+const std::set<fs::path>& WalkLoader::files_of(const fs::path& campus_file,
+                                               const scene::CampusDescription& description) {
+    const auto [known, is_new] =
+        files_.try_emplace(SourceKey{as_key(campus_file), images_beside(description)});
+    if (is_new) {
+        std::set<fs::path>& files = known->second;
+        files.insert(description.place_files.begin(), description.place_files.end());
+        for (const scene::SceneFile& scene : description.scenes) {
+            files.insert(scene.path);
+            if (unreadable_->contains(scene.path)) {
+                continue;
+            }
+            try {
+                const std::vector<fs::path> read =
+                    scene::files_of_model(scene, scene::EmptyModel::refuse, importer(1), model_cache());
+                files.insert(read.begin(), read.end());
+            } catch (const scene::InputError&) {
+                continue;  // building the campus says why
+            }
+        }
+    }
+    return known->second;
+}
+
+scene::Importer WalkLoader::importer(std::size_t at_once) {
+    return [unreadable = unreadable_.get(), import = model_importer(at_once)](const scene::SceneFile& file,
+                                                                              scene::EmptyModel if_empty) {
+        try {
+            return import(file, if_empty);
+        } catch (const scene::InputError&) {
+            unreadable->add(file.path);
+            throw;
+        }
+    };
+}
+
 const WalkLoader::BuiltCampus& WalkLoader::build(const fs::path& file,
                                                  const scene::CampusDescription& description,
                                                  collision::TreeKind tree,
                                                  std::vector<scene::Diagnostic>& warnings) {
-    std::error_code ignored;
-    const fs::path key = fs::weakly_canonical(file, ignored);
+    const fs::path key = as_key(file);
     if (const auto known = broken_.find(key); known != broken_.end()) {
         throw known->second;  // models take long to read, and a thousand walks may use them
     }
-    std::vector<bool> images_beside;
-    for (const scene::SceneFile& scene : description.scenes) {
-        images_beside.push_back(scene.images_beside);
-    }
-    BuiltCampus& built = campuses_[{key, tree, images_beside}];
+    const SourceKey source{key, images_beside(description)};
+    BuiltCampus& built = campuses_[{source, tree}];
     if (!built.campus) {
         try {
             const std::size_t at_once = imports_at_once(description.scenes.size());
             built.campus = std::make_shared<scene::Campus>(
                 scene::load_campus(description, collision::make_bullet_broad_phase(), warnings,
-                                   model_importer(at_once), model_cache(), at_once, tree));
+                                   importer(at_once), model_cache(), at_once, tree));
+            files_[source] = built.campus->files;
             if (const scene::CacheFolder* cache = model_cache()) {
                 if (const auto contents = hash_of_campus(*built.campus, file, *cache)) {
                     built.routes->store = std::make_shared<engine::RouteFolder>(*cache, *contents);

@@ -4,7 +4,8 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <tuple>
+#include <mutex>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,23 @@ struct LoadedWalk {
     engine::Walk walk;
     std::shared_ptr<const scene::Campus> campus;
     std::shared_ptr<engine::RouteMemory> routes;  ///< of the campus; for one thread
+};
+
+/// Models whose import failed, which may take as long as an import may. Several threads may add some.
+class UnreadableModels {
+public:
+    void add(const std::filesystem::path& model) {
+        const std::lock_guard lock(mutex_);
+        models_.insert(model);
+    }
+    bool contains(const std::filesystem::path& model) const {
+        const std::lock_guard lock(mutex_);
+        return models_.contains(model);
+    }
+
+private:
+    mutable std::mutex mutex_;
+    std::set<std::filesystem::path> models_;
 };
 
 /// Reads walks; those on the same campus with the same kind of trees share it. Warnings are reported at once;
@@ -50,23 +68,32 @@ public:
 
     std::shared_ptr<const scene::Campus> load_campus(const std::filesystem::path& campus_file);
 
+    /// What the campus is read from besides its YAML file: models, buffers, textures and files of places, as
+    /// far as the models can be read. A campus that wasn't built isn't built for that.
+    const std::set<std::filesystem::path>& files_of(const std::filesystem::path& campus_file,
+                                                    const scene::CampusDescription& description);
+
 private:
     struct BuiltCampus {
         std::shared_ptr<const scene::Campus> campus;
         std::shared_ptr<engine::RouteMemory> routes = std::make_shared<engine::RouteMemory>();
     };
 
+    /// Notes which models it can't import.
+    scene::Importer importer(std::size_t at_once);
     const BuiltCampus& build(const std::filesystem::path& file, const scene::CampusDescription& description,
                              collision::TreeKind tree, std::vector<scene::Diagnostic>& warnings);
 
     Warn warn_;
     config::SearchPaths search_;
     config::RunLoader loader_;
-    /// The campus' file, the kind of trees, and of each scene whether images may come from beside its folder:
-    /// that depends on the project.
-    using CampusKey = std::tuple<std::filesystem::path, collision::TreeKind, std::vector<bool>>;
-    std::map<CampusKey, BuiltCampus> campuses_;
+    /// The campus' file, and of each scene whether images may come from beside its folder: that depends on
+    /// the project.
+    using SourceKey = std::pair<std::filesystem::path, std::vector<bool>>;
+    std::map<SourceKey, std::set<std::filesystem::path>> files_;
+    std::map<std::pair<SourceKey, collision::TreeKind>, BuiltCampus> campuses_;
     std::map<std::filesystem::path, scene::InputError> broken_;  ///< why campuses can't be built
+    std::unique_ptr<UnreadableModels> unreadable_ = std::make_unique<UnreadableModels>();
 };
 
 /// `--root`, for commands that read walks or campuses.

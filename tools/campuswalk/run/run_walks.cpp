@@ -295,11 +295,11 @@ private:
         }
     }
 
-    /// Besides files and cases, what results depend on.
-    std::string settings_of_results() const {
+    /// Besides files and cases, what results depend on. Reports may want more recorded than the options say.
+    std::string options_of_results() const {
         const SequenceRequest& sequence = options_.sequence;
         return json_text(Json{images_, settings_.strict, static_cast<int>(settings_.update),
-                              options_.require_identical, settings_.records, json_of(settings_.tolerance),
+                              options_.require_identical, options_.records, json_of(settings_.tolerance),
                               sequence.every.value_or(0.0), sequence.contact_sheet, sequence.animations,
                               sequence.video, sequence.view ? static_cast<int>(sequence.view->index()) : -1,
                               sequence.width.value_or(0)});
@@ -310,7 +310,7 @@ private:
             return nullptr;
         }
         const fs::path& file = settings_.saved;
-        const std::string plan_hash = run_fingerprint(plan, settings_of_results());
+        const std::string plan_hash = resume_fingerprint(plan.summary, json_text(Json(settings_.records)));
         std::string key = run_key(environment_variable);
         if (!options_.resume || !last_run_) {
             return std::make_unique<LastRunWriter>(file, plan_hash, std::move(key));
@@ -335,6 +335,7 @@ private:
                              (not_evaluated == 1 ? " expectation about them isn't evaluated"
                                                  : " expectations about them aren't evaluated"));
         }
+        plan.summary.fingerprint = run_fingerprint(plan, options_of_results());
         const std::unique_ptr<LastRunWriter> last_run = open_last_run(plan);
         const bool plays =
             std::ranges::any_of(plan.cases, [](const Case& each) { return each.walk != nullptr; });
@@ -343,7 +344,7 @@ private:
         if (records_for_reports() && !shows) {  // an html report bundles them itself, while walks are played
             write_campus_bundles(settings_.output, campuses_of(plan), options_.report_geometry);
         }
-        Reports reports(settings_.reports, report_style(plan), plays);
+        Reports reports(settings_.reports, report_style(plan), plays, shared_run_key(environment_variable));
         std::unique_ptr<LogOutput> events;
         if (options_.jsonl && plays) {
             events = std::make_unique<LogOutput>(false, options_.jsonl);

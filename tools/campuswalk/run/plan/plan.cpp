@@ -10,6 +10,7 @@
 #include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/text.h"
+#include "tools/campuswalk/logs/golden_log.h"
 #include "tools/campuswalk/run/plan/balance.h"
 #include "tools/campuswalk/run/plan/case_times.h"
 #include "tools/campuswalk/run/plan/find_walks.h"
@@ -34,6 +35,14 @@ struct Candidate {
     WalkResult result;
     std::string folder;
     std::optional<config::SharedRun> run;  ///< nullopt if it has errors
+};
+
+/// What a candidate is read from, kept for those of other shards as well.
+struct Sources {
+    fs::path walk;
+    std::string project;
+    fs::path campus_file;
+    std::shared_ptr<const scene::CampusDescription> campus;  ///< null if the walk isn't played
 };
 
 class Planner {
@@ -62,10 +71,12 @@ public:
         if (options_.summary_only) {
             return plan;
         }
+        const std::vector<Sources> sources = sources_of_candidates();
         keep_shard();
         for (Candidate& candidate : candidates_) {
             add_cases(candidate, plan.cases);
         }
+        plan.inputs = inputs_of(sources);  // of campuses that are built by now, nothing is looked up again
         plan.summary.cases = plan.cases.size();
         return plan;
     }
@@ -240,6 +251,38 @@ private:
         plan.contents = contents.hash();
         plan.division = division.hash();
         return plan;
+    }
+
+    std::vector<Sources> sources_of_candidates() const {
+        std::vector<Sources> sources;
+        for (const Candidate& candidate : candidates_) {
+            Sources& each = sources.emplace_back();
+            each.walk = candidate.result.file;
+            each.project = candidate.result.project;
+            if (candidate.run && candidate.result.outcome != Outcome::skipped) {
+                each.campus_file = candidate.run->walk.campus;
+                each.campus = candidate.run->campus;
+            }
+        }
+        return sources;
+    }
+
+    std::vector<fs::path> inputs_of(const std::vector<Sources>& sources) {
+        std::vector<fs::path> inputs;
+        std::set<const scene::CampusDescription*> listed;
+        std::set<fs::path> folders;
+        for (const Sources& each : sources) {
+            if (each.campus && listed.insert(each.campus.get()).second) {
+                const std::set<fs::path>& files = loader_.files_of(each.campus_file, *each.campus);
+                inputs.insert(inputs.end(), files.begin(), files.end());
+            }
+            const fs::path goldens = golden_log_file(each.walk, each.project).parent_path();
+            if (folders.insert(goldens).second) {
+                const std::set<fs::path> files = reference_files(goldens);
+                inputs.insert(inputs.end(), files.begin(), files.end());
+            }
+        }
+        return inputs;
     }
 
     void keep_shard() {

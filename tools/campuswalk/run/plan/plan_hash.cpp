@@ -32,6 +32,8 @@ void PlanContents::add(const engine::WalkResult& planned, const config::SharedRu
     add_once(planned.file);
     add_once(planned.config);
     if (run != nullptr) {
+        hasher_.add_number(run->walk.timeout.value_or(-1.0));
+        hasher_.add_number(static_cast<std::uint64_t>(run->walk.sim.tree));
         add_once(run->walk.campus);
         for (const fs::path& profile : run->profiles) {
             add_once(profile);

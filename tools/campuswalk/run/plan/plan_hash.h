@@ -20,7 +20,8 @@ private:
     std::map<std::filesystem::path, scene::ContentHash> known_;
 };
 
-/// Identifies the cases of a run by their names and by the contents of the YAML files that they consist of.
+/// Identifies the cases of a run by their names, by the contents of the YAML files that they consist of, and
+/// by what the command line changes about them: limits of time and the kind of trees.
 class PlanContents {
 public:
     /// `run` is null for a walk with errors: then only its own file is included.

@@ -11,16 +11,21 @@ namespace campuswalk::tools {
 
 namespace fs = std::filesystem;
 
+std::set<fs::path> reference_files(const fs::path& folder) {
+    std::error_code ignored;
+    std::set<fs::path> files;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+        files.insert(entry.path());
+    }
+    return files;
+}
+
 std::vector<scene::Diagnostic> reference_errors(const fs::path& walk_file) {
     const config::ReadRoots roots = config::read_roots(walk_file, search_paths());
     const fs::path folder = golden_log_file(walk_file, "").parent_path();
     std::error_code ignored;
-    std::set<fs::path> files;  // in an order that doesn't depend on the file system
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-        files.insert(entry.path());
-    }
     scene::DiagnosticList errors;
-    for (const fs::path& file : files) {
+    for (const fs::path& file : reference_files(folder)) {
         const scene::SourceMark mark{file.generic_string(), 0, 0};
         if (const std::string why = roots.why_unreadable(file); !why.empty()) {
             errors.error(mark, "outside-project", "this golden file " + why);

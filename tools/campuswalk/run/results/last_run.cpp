@@ -4,17 +4,16 @@
 
 #include <cerrno>
 #include <chrono>
-#include <span>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
 
 #include "engine/report/result_json.h"
 #include "scene/base/diagnostic.h"
-#include "scene/cache/content_hash.h"
 #include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/base/read_lines.h"
 #include "tools/campuswalk/run/plan/case_times.h"
+#include "tools/campuswalk/run/results/signed_line.h"
 
 namespace campuswalk::tools {
 
@@ -25,8 +24,6 @@ using engine::Outcome;
 namespace {
 
 constexpr const char* kHeaderKey = "campuswalk_last_run";
-const std::string kCodeBegin = "{\"code\":\"";
-const std::string kCodeEnd = "\",";
 const std::string kTimeBegin = std::string("{\"") + kMicroseconds + "\":";
 constexpr double kSyncEvery = 0.2;  // seconds: a sync takes a disk milliseconds, and a walk takes less
 
@@ -37,29 +34,6 @@ double seconds_now() {
 [[noreturn]] void refuse(const fs::path& file, int line, const std::string& why) {
     throw scene::InputError({file.generic_string(), line, line > 0 ? 1 : 0}, "bad-last-run",
                             why + "; delete the file and run everything again");
-}
-
-std::span<const std::byte> bytes_of(std::string_view text) {
-    return std::as_bytes(std::span(text));
-}
-
-/// A line's JSON object begins with a code that only somebody with the key can compute from the plan and the
-/// rest of the line.
-std::string with_code(const std::string& object, const std::string& plan, const std::string& key) {
-    const std::string signed_text = plan + "\n" + object;
-    return kCodeBegin + to_string(scene::keyed_hash_of(bytes_of(signed_text), bytes_of(key))) + kCodeEnd +
-           object.substr(1);
-}
-
-/// The object without its code, as it was written. Throws std::runtime_error if the line has none.
-std::string without_code(const std::string& line) {
-    const std::size_t code_size = 2 * sizeof(scene::ContentHash);
-    const std::size_t prefix = kCodeBegin.size() + code_size + kCodeEnd.size();
-    if (!line.starts_with(kCodeBegin) || line.size() < prefix ||
-        line.compare(kCodeBegin.size() + code_size, kCodeEnd.size(), kCodeEnd) != 0) {
-        throw std::runtime_error("not a line that a run has saved");
-    }
-    return "{" + line.substr(prefix);
 }
 
 /// Besides the result, a line says how long the case took: equal results have equal lines elsewhere.
@@ -83,7 +57,7 @@ std::optional<LastRun> read_last_run(const fs::path& file, const std::string& ke
     }
     const std::string bytes = read_bytes(file);
     LastRun run;
-    run.authentic = !key.empty();
+    run.authentic = true;
     int number = 0;
     for (std::size_t start = 0; start < bytes.size();) {
         const std::size_t end = bytes.find('\n', start);
@@ -93,13 +67,13 @@ std::optional<LastRun> read_last_run(const fs::path& file, const std::string& ke
         const std::string line = bytes.substr(start, end - start);
         ++number;
         try {
-            const std::string object = without_code(line);
+            const std::string object = unsigned_line(line);
             if (number == 1) {
                 run.plan = Json::parse(object).at(kHeaderKey).get<std::string>();
             } else {
                 run.results.push_back(engine::result_from_json_line(without_time(object)));
             }
-            run.authentic = run.authentic && with_code(object, run.plan, key) == line;
+            run.authentic = run.authentic && is_authentic(line, run.plan, key);
         } catch (const std::exception& error) {
             refuse(file, number, error.what());
         }
@@ -147,7 +121,7 @@ void LastRunWriter::add(const std::string& result_line, std::optional<std::uint6
 }
 
 void LastRunWriter::write_line(const std::string& object) {
-    const std::string line = with_code(object, plan_, key_);
+    const std::string line = signed_line(object, plan_, key_);
     const bool written = file_ && std::fwrite(line.data(), 1, line.size(), file_.get()) == line.size() &&
                          std::fputc('\n', file_.get()) != EOF && std::fflush(file_.get()) == 0;
     if (!written) {

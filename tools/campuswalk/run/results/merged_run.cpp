@@ -18,6 +18,22 @@ namespace fs = std::filesystem;
 using engine::RunPlan;
 using engine::WalkResult;
 
+namespace {
+
+/// How a shard's fingerprint differs from another's; empty if it doesn't.
+std::string other_part(const engine::RunFingerprint& shard, const engine::RunFingerprint& other) {
+    if (shard.program != other.program) {
+        return "by another version of campuswalk";
+    }
+    if (shard.options != other.options) {
+        return "with other options, such as --strict,";
+    }
+    return shard.files == other.files ? ""
+                                      : "on other files (models, textures, lists of places or golden files)";
+}
+
+}  // namespace
+
 MergedRun::MergedRun(const std::vector<ResultFile>& files)
     : MergedRun(files.front().plan(), files.front().file(), files) {}
 
@@ -55,6 +71,9 @@ void MergedRun::note(const fs::path& subject, const char* code, const std::strin
 
 void MergedRun::add(const ResultFile& file) {
     const RunPlan& plan = file.plan();
+    if (run_.fingerprint == engine::RunFingerprint()) {  // a job's plan is made before any file is read
+        run_.fingerprint = plan.fingerprint;
+    }
     const bool same_run = plan.shards == run_.shards && plan.all_cases == run_.all_cases &&
                           plan.contents == run_.contents && plan.division == run_.division &&
                           plan.start == run_.start;
@@ -63,6 +82,13 @@ void MergedRun::add(const ResultFile& file) {
              "this report is of a run of other walks or in other shards; merge those of one run");
         return;
     }
+    if (const std::string other = other_part(plan.fingerprint, run_.fingerprint); !other.empty()) {
+        note(file.file(), "other-run",
+             "this shard was run " + other + " than " + first_file_.generic_string() +
+                 "; run all shards from one commit, with the same options");
+        return;
+    }
+    first_file_ = first_file_.empty() ? file.file() : first_file_;
     const auto [there, is_new] = shards_.try_emplace(plan.shard, file);
     if (!is_new) {
         note(file.file(), "duplicate-shard",
@@ -95,7 +121,9 @@ void MergedRun::check_cases() {
     WalkResult last;
     for (const auto& [shard, file] : shards_) {
         std::set<engine::Outcome> outcomes;
+        std::size_t not_evaluated = 0;
         const std::size_t results = file.for_each([&, shard = shard](WalkResult&& result) {
+            not_evaluated += result.not_evaluated > 0 ? 1U : 0U;
             divided.add(shard, result.id);
             whole.add(1, result.id);
             outcomes.insert(result.outcome);
@@ -105,6 +133,12 @@ void MergedRun::check_cases() {
         cases += results;
         const std::size_t planned = file.plan().cases;
         states_[shard] = {results == planned, exit_code_of(outcomes)};
+        if (not_evaluated > 0) {
+            note(file.file(), "unevaluated-walks",
+                 "expectations of " + scene::plural(not_evaluated, "walk") +
+                     " about pictures weren't evaluated; run shard " + std::to_string(shard) +
+                     " where pictures are drawn");
+        }
         if (results != planned) {
             note(file.file(), "incomplete-report",
                  "it has " + std::to_string(results) + " of " + scene::plural(planned, "result") +

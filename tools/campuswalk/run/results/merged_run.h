@@ -44,8 +44,9 @@ private:
     void check_cases();
 
     engine::RunPlan run_;
-    std::filesystem::path run_file_;  ///< what problems of the whole run are about
-    std::string division_;            ///< of all cases in one shard
+    std::filesystem::path run_file_;    ///< what problems of the whole run are about
+    std::filesystem::path first_file_;  ///< of the first shard that belongs to the run
+    std::string division_;              ///< of all cases in one shard
     std::map<int, ResultFile> shards_;
     std::map<int, ShardState> states_;
     std::vector<std::string> problems_;

@@ -11,6 +11,7 @@
 
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/writable_path.h"
+#include "tools/campuswalk/run/results/result_file.h"
 
 namespace campuswalk::tools {
 
@@ -37,7 +38,7 @@ bool begins_like(std::string_view kind, const fs::path& file) {
         {"junit", {"<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"campuswalk\""}},
         {"tap", {"TAP version 14"}},
         {"json", {"{\"campuswalk_report\":"}},
-        {"jsonl", {"{\"campuswalk_results\":"}},
+        {"jsonl", {"{\"campuswalk_results\":", "{\"code\":\""}},
         {"github", {"::error ", "::notice title=campuswalk::"}},
         {"markdown", {"## campuswalk: "}},
         {"html",
@@ -80,6 +81,15 @@ void check_target(const ReportTarget& target) {
     }
 }
 
+/// Signs what the jsonl reporter writes: a line at a time, the header first.
+engine::TextSink signing(engine::TextSink sink, const std::string& key) {
+    return [sink = std::move(sink), key, header = std::string()](std::string_view line) mutable {
+        const std::string object(line.substr(0, line.size() - 1));
+        sink(report_line(object, header, key) + "\n");
+        header = header.empty() ? object : header;
+    };
+}
+
 /// Whether a reader needs the report's end to make sense of it. Devices and pipes are streams, and so is a
 /// file whose folder can't be changed.
 bool is_whole(const ReportTarget& target) {
@@ -115,12 +125,13 @@ void check_targets(const std::vector<ReportTarget>& reports) {
     }
 }
 
-Reports::Reports(const std::vector<ReportTarget>& targets, const engine::ReportStyle& style, bool with_logs) {
+Reports::Reports(const std::vector<ReportTarget>& targets, const engine::ReportStyle& style, bool with_logs,
+                 const std::optional<std::string>& key) {
     for (const ReportTarget& target : targets) {
         if (target.name != "log") {
             engine::ReportStyle own = style;
             own.color = style.color && !target.file;
-            reporters_.push_back(engine::make_reporter(target.name, sink_for(target), own));
+            reporters_.push_back(engine::make_reporter(target.name, sink_for(target, key), own));
             prints_outcomes_ = prints_outcomes_ || !target.file;
         } else if (with_logs) {
             outputs_.push_back(std::make_unique<LogOutput>(!target.file, target.file));
@@ -129,7 +140,7 @@ Reports::Reports(const std::vector<ReportTarget>& targets, const engine::ReportS
     }
 }
 
-engine::TextSink Reports::sink_for(const ReportTarget& target) {
+engine::TextSink Reports::sink_for(const ReportTarget& target, const std::optional<std::string>& key) {
     if (target.file && is_whole(target)) {
         outdated_.push_back(fs::weakly_canonical(*target.file));
         whole_files_.push_back(std::make_unique<scene::AtomicFile>(outdated_.back()));
@@ -139,7 +150,10 @@ engine::TextSink Reports::sink_for(const ReportTarget& target) {
     }
     const bool commands = target.name == "github";
     outputs_.push_back(std::make_unique<LogOutput>(!target.file, target.file, commands));
-    return [output = outputs_.back().get()](std::string_view text) { output->write(text); };
+    const engine::TextSink sink = [output = outputs_.back().get()](std::string_view text) {
+        output->write(text);
+    };
+    return target.name == "jsonl" && key ? signing(sink, *key) : sink;
 }
 
 void Reports::begin(const engine::RunPlan& plan) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,8 +24,9 @@ public:
     /// Opens the files, with the folders that they need. Streams are truncated; files that make sense only as
     /// a whole (junit, json, html, markdown) are removed by begin(), written beside their place and renamed
     /// at the end, so that what is there is neither half a report nor another run's. Leaves "log" out unless
-    /// `with_logs`.
-    Reports(const std::vector<ReportTarget>& targets, const engine::ReportStyle& style, bool with_logs);
+    /// `with_logs`. With a key, the lines of jsonl reports are signed with it.
+    Reports(const std::vector<ReportTarget>& targets, const engine::ReportStyle& style, bool with_logs,
+            const std::optional<std::string>& key = {});
 
     bool has_log() const { return !logs_.empty(); }
     /// Whether a report on standard output says how the walks ended.
@@ -36,7 +38,7 @@ public:
     void end(const engine::ResultSequence& results);
 
 private:
-    engine::TextSink sink_for(const ReportTarget& target);
+    engine::TextSink sink_for(const ReportTarget& target, const std::optional<std::string>& key);
 
     std::vector<std::unique_ptr<LogOutput>> outputs_;
     std::vector<std::filesystem::path> outdated_;  ///< the places of whole files

@@ -16,12 +16,16 @@
 #include "scene/base/diagnostic.h"
 #include "scene/process/pipe.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
+#include "tools/campuswalk/run/results/signed_line.h"
 
 namespace campuswalk::tools {
 
 namespace fs = std::filesystem;
 
 namespace {
+
+/// What the lines of reports are signed for: no other signed line can stand among them.
+const std::string kSignedLines = "campuswalk results\n";
 
 scene::InputError about(const fs::path& file, int line, const std::string& message) {
     return {{file.generic_string(), line, line > 0 ? 1 : 0}, "bad-report", message};
@@ -48,7 +52,19 @@ bool next_line(std::istream& stream, std::string& line) {
     return static_cast<bool>(std::getline(stream, line)) && !stream.eof();
 }
 
-std::vector<ResultFile> open_folder(const fs::path& folder) {
+/// The line without its signature, which must be the key's if there is one.
+std::string opened(std::string_view line, const std::string& header, const std::optional<std::string>& key,
+                   const fs::path& file, int number) {
+    if (key && !is_authentic(line, kSignedLines + header, *key)) {
+        throw scene::InputError(
+            {file.generic_string(), number, 1}, "foreign-results",
+            "this line wasn't signed with CAMPUSWALK_RUN_KEY; merge what runs with the same "
+            "key have reported");
+    }
+    return has_signature(line) ? unsigned_line(line) : std::string(line);
+}
+
+std::vector<ResultFile> open_folder(const fs::path& folder, const std::optional<std::string>& key) {
     std::set<fs::path> files;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
         if (entry.is_regular_file() && entry.path().extension() == ".jsonl") {
@@ -57,7 +73,7 @@ std::vector<ResultFile> open_folder(const fs::path& folder) {
     }
     std::vector<ResultFile> reports;
     for (const fs::path& file : files) {
-        if (std::optional<ResultFile> report = ResultFile::open(file)) {  // event logs may be there, too
+        if (std::optional<ResultFile> report = ResultFile::open(file, key)) {  // event logs may be there, too
             reports.push_back(std::move(*report));
         }
     }
@@ -69,23 +85,41 @@ std::vector<ResultFile> open_folder(const fs::path& folder) {
 
 }  // namespace
 
-std::optional<ResultFile> ResultFile::open(const fs::path& file) {
+std::string report_line(const std::string& object, const std::string& header,
+                        const std::optional<std::string>& key) {
+    return key ? signed_line(object, kSignedLines + header, *key) : object;
+}
+
+std::optional<ResultFile> ResultFile::open(const fs::path& file, const std::optional<std::string>& key) {
     std::ifstream stream = open_stream(file);
     std::string line;
     if (!next_line(stream, line)) {
         return std::nullopt;
     }
+    ResultFile report;
+    report.file_ = file;
+    report.header_ = has_signature(line) ? unsigned_line(line) : line;
+    report.key_ = key;
     try {
-        if (const std::optional<engine::RunPlan> plan = engine::plan_from_header_line(line)) {
-            ResultFile report;
-            report.file_ = file;
-            report.plan_ = *plan;
-            return report;
+        const std::optional<engine::RunPlan> plan = engine::plan_from_header_line(report.header_);
+        if (!plan) {
+            return std::nullopt;
         }
+        report.plan_ = *plan;
     } catch (const std::runtime_error& error) {
         throw about_line(file, 1, error);
     }
-    return std::nullopt;
+    opened(line, "", key, file, 1);
+    return report;
+}
+
+engine::WalkResult ResultFile::result_of(std::string_view line, int number) const {
+    const std::string object = opened(line, header_, key_, file_, number);
+    try {
+        return engine::with_paths_in_run(plan_.start, engine::result_from_json_line(object));
+    } catch (const std::runtime_error& error) {
+        throw about_line(file_, number, error);
+    }
 }
 
 std::size_t ResultFile::for_each(const ResultVisitor& visit) const {
@@ -97,7 +131,7 @@ engine::WalkResult ResultFile::read_at(std::streamoff offset) const {
     std::string line;
     stream.seekg(offset);
     next_line(stream, line);
-    return engine::with_paths_in_run(plan_.start, engine::result_from_json_line(line));
+    return result_of(line, 0);
 }
 
 std::size_t ResultFile::for_each_located(
@@ -109,13 +143,7 @@ std::size_t ResultFile::for_each_located(
     std::streamoff offset = stream.tellg();
     for (int number = 2; next_line(stream, line);
          ++number, ++count, offset += static_cast<std::streamoff>(line.size()) + 1) {
-        std::optional<engine::WalkResult> result;
-        try {
-            result = engine::with_paths_in_run(plan_.start, engine::result_from_json_line(line));
-        } catch (const std::runtime_error& error) {
-            throw about_line(file_, number, error);
-        }
-        visit(offset, std::move(*result));
+        visit(offset, result_of(line, number));
     }
     return count;
 }
@@ -130,11 +158,7 @@ std::optional<engine::WalkResult> ResultBlocks::next() {
         used_ = 0;
         return std::nullopt;
     }
-    try {
-        return engine::with_paths_in_run(file_->plan().start, engine::result_from_json_line(*line));
-    } catch (const std::runtime_error& error) {
-        throw about_line(file_->file(), line_, error);
-    }
+    return file_->result_of(*line, line_);
 }
 
 std::optional<std::string_view> ResultBlocks::next_line() {
@@ -172,17 +196,18 @@ bool ResultBlocks::read_block() {
     return count > 0;
 }
 
-std::vector<ResultFile> open_result_files(const std::vector<fs::path>& inputs) {
+std::vector<ResultFile> open_result_files(const std::vector<fs::path>& inputs,
+                                          const std::optional<std::string>& key) {
     std::vector<ResultFile> files;
     for (const fs::path& input : inputs) {
         std::error_code ignored;
         if (fs::is_directory(input, ignored)) {
-            for (ResultFile& report : open_folder(input)) {
+            for (ResultFile& report : open_folder(input, key)) {
                 files.push_back(std::move(report));
             }
             continue;
         }
-        std::optional<ResultFile> report = ResultFile::open(input);
+        std::optional<ResultFile> report = ResultFile::open(input, key);
         if (!report) {
             throw about(input, 1, "this isn't what --reporter jsonl=FILE writes");
         }

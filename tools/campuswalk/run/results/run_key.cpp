@@ -59,14 +59,22 @@ void make_key(const fs::path& file) {
 
 }  // namespace
 
+std::optional<std::string> shared_run_key(const Environment& environment) {
+    const std::optional<std::string> shared = environment(kVariable);
+    if (!shared || shared->empty()) {  // as a secret that a fork's pipeline doesn't get
+        return std::nullopt;
+    }
+    constexpr std::size_t kMinCharacters = 16;
+    if (shared->size() < kMinCharacters) {
+        throw error_about(kVariable, "bad-value",
+                          "a key needs at least " + std::to_string(kMinCharacters) +
+                              " characters; make one with: openssl rand -hex 32");
+    }
+    return shared;
+}
+
 std::string run_key(const Environment& environment) {
-    if (const std::optional<std::string> shared = environment(kVariable)) {
-        constexpr std::size_t kMinCharacters = 16;
-        if (shared->size() < kMinCharacters) {
-            throw error_about(kVariable, "bad-value",
-                              "a key needs at least " + std::to_string(kMinCharacters) +
-                                  " characters; make one with: openssl rand -hex 32");
-        }
+    if (const std::optional<std::string> shared = shared_run_key(environment)) {
         return *shared;
     }
     const fs::path file = key_file(environment);

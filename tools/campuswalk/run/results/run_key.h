@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "tools/campuswalk/base/environment.h"
@@ -11,5 +12,9 @@ namespace campuswalk::tools {
 /// `campuswalk/run.key` in XDG_STATE_HOME (~/.local/state), which is made the first time. Empty if there is
 /// no such folder. Throws scene::InputError (bad-value) for a variable that is too short to be a secret.
 std::string run_key(const Environment& environment);
+
+/// Only the one that machines share: whoever merges the reports of several can check none but that. nullopt
+/// if the variable isn't set, or empty.
+std::optional<std::string> shared_run_key(const Environment& environment);
 
 }  // namespace campuswalk::tools
