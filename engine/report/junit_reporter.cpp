@@ -87,7 +87,7 @@ void append_error(pugi::xml_node test, const WalkResult& result) {
 std::string attachments_of(const WalkResult& result, const std::string& folder) {
     std::string text;
     for (const Artifact& artifact : result.artifacts) {
-        text += "[[ATTACHMENT|" + printable(path_in_repository(folder, artifact.path)) + "]]\n";
+        text += "[[ATTACHMENT|" + printable(published_path(folder, artifact.path)) + "]]\n";
     }
     return text;
 }

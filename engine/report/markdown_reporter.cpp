@@ -157,7 +157,7 @@ private:
 
     /// Without an address where it can be seen, its place among the job's artifacts.
     void write_image(const Artifact& artifact) {
-        const std::string path = path_in_repository(folder_, artifact.path);
+        const std::string path = published_path(folder_, artifact.path);
         if (images_url_.empty()) {
             write("- " + markdown_text(artifact.name) + ": " + markdown_text(path));
         } else {

@@ -51,6 +51,10 @@ std::string path_in_repository(const std::string& start, const std::string& path
     return start.empty() ? path : (fs::path(start) / path).lexically_normal().generic_string();
 }
 
+std::string published_path(const std::string& folder, const std::string& path) {
+    return folder == ".." || folder.starts_with("../") ? path : path_in_repository(folder, path);
+}
+
 WalkResult with_paths_in_repository(const std::string& start, WalkResult result) {
     return start.empty() ? std::move(result)
                          : with_changed_paths(std::move(result), [&](const std::string& path) {

@@ -12,6 +12,11 @@ namespace campuswalk::engine {
 
 std::string path_in_repository(const std::string& start, const std::string& path);
 
+/// A file of the run's output folder, as whoever publishes it knows it: as seen from the repository's root;
+/// if the folder lies outside of the repository (`../…`), as seen from the folder, which is published by
+/// itself then.
+std::string published_path(const std::string& folder, const std::string& path);
+
 /// Of the case's id, its files, and the places of its failures and diagnostics. Artifacts stay below the
 /// output folder.
 WalkResult with_paths_in_repository(const std::string& start, WalkResult result);

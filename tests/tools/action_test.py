@@ -131,10 +131,12 @@ class Action(ProgramCase):
         runner = Runner(self.path(name), **options)
         self.passes("init", "--template", "stairs", runner.workspace + "/campus")
         os.makedirs(runner.workspace + "/.git")
+        runner.before = self.checkout(runner)
         return runner
 
     def narrow_the_door(self, runner):
         narrow_the_door(os.path.join(runner.workspace, "campus/school.obj"))
+        runner.before = self.checkout(runner)
 
     def digest(self):
         with open(self.package, "rb") as file:
@@ -152,9 +154,20 @@ class Action(ProgramCase):
         inputs.setdefault("html", "false")
         return runner.run(working_directory="campus", **inputs)
 
+    def assert_uploads_a_new_folder(self, runner):
+        """In the runner's temporary folder; the checkout is as it was."""
+        (upload,) = runner.uploads.values()
+        self.assertTrue(upload.startswith(runner.temp + "/campuswalk/output-"), upload)
+        self.assertEqual(upload, runner.outputs["run"]["output"])
+        self.assertEqual(self.checkout(runner), runner.before)
+
+    def checkout(self, runner):
+        return {name: content for name, content in self.contents().items()
+                if name.startswith(os.path.relpath(runner.workspace, self.folder) + "/")}
+
     def assert_nothing_of_this_machine(self, runner):
         texts = [runner.summary]
-        for name in glob.glob(runner.workspace + "/campus/out/*.*"):
+        for name in glob.glob(runner.uploads["campuswalk"] + "/*.*"):
             with open(name, encoding="utf-8") as file:
                 texts.append(file.read())
         self.assertGreater(len(texts), 2)
@@ -164,7 +177,7 @@ class Action(ProgramCase):
     def test_a_run_that_passes(self):
         runner = self.runner()
         self.assertEqual(self.run_action(runner), 0, runner.output)
-        self.assertEqual(runner.uploads, {"campuswalk": "campus/out"})
+        self.assert_uploads_a_new_folder(runner)
         self.assertIn("::notice title=campuswalk::4 passed", runner.output)
         self.assertIn("## campuswalk: 4 passed", runner.summary)
         self.assertIn("| ✅ | campus/walks/visit.walk.yaml |", runner.summary)
@@ -180,11 +193,11 @@ class Action(ProgramCase):
         self.assertEqual(self.run_action(runner), 1, runner.output)
         self.assertIn("::error file=campus/walks/visit.walk.yaml,line=7,col=14,", runner.output)
         self.assertIn("| ❌ | campus/walks/visit.walk.yaml |", runner.summary)
-        pictures = re.findall(r"(?m)^- failure.*: (campus/out/.*png)$", runner.summary.replace("\\", ""))
+        pictures = re.findall(r"(?m)^- failure.*: (visit/.*png)$", runner.summary.replace("\\", ""))
         self.assertEqual(len(pictures), 6, runner.summary)
         for picture in pictures:
-            self.assertTrue(os.path.isfile(os.path.join(runner.workspace, picture)), picture)
-        self.assertEqual(runner.uploads, {"campuswalk": "campus/out"})
+            self.assertTrue(os.path.isfile(os.path.join(runner.uploads["campuswalk"], picture)), picture)
+        self.assert_uploads_a_new_folder(runner)
         self.assertEqual(runner.outputs["run"]["exit-code"], "1")
         self.assert_nothing_of_this_machine(runner)
 
@@ -192,7 +205,7 @@ class Action(ProgramCase):
         runner = self.runner()
         self.narrow_the_door(runner)
         self.run_action(runner, pictures_url="https://pictures.example/42", paths="walks/visit.walk.yaml\n")
-        self.assertRegex(runner.summary, r"!\[failure.*\]\(<https://pictures\.example/42/campus/out/visit/failure-.*\.png>\)")
+        self.assertRegex(runner.summary, r"!\[failure.*\]\(<https://pictures\.example/42/visit/failure-.*\.png>\)")
 
     def test_bad_input_is_annotated(self):
         runner = self.runner()
@@ -208,42 +221,126 @@ class Action(ProgramCase):
             file.write("status: only\n")
         self.assertEqual(self.run_action(runner), 2, runner.output)
 
-    def differing(self, one, other):
-        """The files that both folders have and that aren't the same: one would replace the other where artifacts are joined."""
-        common = [os.path.relpath(name, one) for name in glob.glob(one + "/**", recursive=True)
-                  if os.path.isfile(name) and os.path.exists(os.path.join(other, os.path.relpath(name, one)))]
-        return [name for name in common if not filecmp.cmp(os.path.join(one, name), os.path.join(other, name), shallow=False)]
+    def play_shards(self, prepare, count=2):
+        """Each on a machine of its own, with what `prepare` makes of its checkout. Downloads their artifacts as the next job gets
+        them, each in a folder of its name, and returns their exit codes."""
+        codes = []
+        for i in range(1, count + 1):
+            shard = self.runner(f"shard-{i}")
+            prepare(shard)
+            codes.append(self.run_action(shard, shard=f"{i}/{count}", artifact=f"campuswalk-{i}"))
+            self.assertIn("## campuswalk: ", shard.summary)
+            shutil.copytree(shard.uploads[f"campuswalk-{i}"], self.path(f"merge/temp/shards/campuswalk-{i}"))
+        return codes
+
+    def merge_shards(self, prepare=lambda runner: None, **inputs):
+        shutil.rmtree(self.path("merge/workspace"), ignore_errors=True)
+        merging = self.runner("merge")
+        prepare(merging)
+        code = self.run_action(merging, merge=merging.temp + "/shards", **inputs)
+        return merging, code
 
     def test_shards_and_their_merged_report(self):
         whole = self.runner("whole")
         self.narrow_the_door(whole)
         self.assertEqual(self.run_action(whole), 1, whole.output)
-        for i in (1, 2):
-            shard = self.runner(f"shard-{i}")
-            self.narrow_the_door(shard)
-            code = self.run_action(shard, shard=f"{i}/2", artifact=f"campuswalk-{i}")
-            self.assertIn(code, (0, 1), shard.output)
-            self.assertIn("## campuswalk: ", shard.summary)
-            self.assertEqual(self.differing(os.path.join(shard.workspace, "campus/out"), self.path("downloaded")), [])
-            shutil.copytree(os.path.join(shard.workspace, shard.uploads[f"campuswalk-{i}"]), self.path("downloaded"),
-                            dirs_exist_ok=True)
-        merging = self.runner("merge")
-        shutil.copytree(self.path("downloaded"), os.path.join(merging.workspace, "campus/shards"))
-        self.assertEqual(self.run_action(merging, merge="shards"), 1, merging.output)
+        self.assertLessEqual(set(self.play_shards(self.narrow_the_door)), {0, 1})
+        merging, code = self.merge_shards()
+        self.assertEqual(code, 1, merging.output)
         self.assertEqual(merging.summary, whole.summary)
-        for name in ("junit.xml", "results.jsonl"):
-            self.assertEqual(self.read(f"merge/workspace/campus/out/{name}"), self.read(f"whole/workspace/campus/out/{name}"))
-        os.remove(os.path.join(merging.workspace, "campus/shards/results-2.jsonl"))
-        shutil.rmtree(os.path.join(merging.workspace, "campus/out"))
-        self.assertEqual(self.run_action(merging, merge="shards"), 1)
+        pictures = [os.path.relpath(name, whole.uploads["campuswalk"])
+                    for name in glob.glob(whole.uploads["campuswalk"] + "/visit/*.png")]
+        self.assertGreater(len(pictures), 5)
+        for name in ("junit.xml", "results.jsonl", *pictures):
+            self.assertTrue(filecmp.cmp(os.path.join(merging.uploads["campuswalk"], name),
+                                        os.path.join(whole.uploads["campuswalk"], name), shallow=False), name)
+        self.assert_uploads_a_new_folder(merging)
+
+    def test_a_shard_that_is_missing_fails(self):
+        self.play_shards(self.narrow_the_door)
+        shutil.rmtree(self.path("merge/temp/shards/campuswalk-2"))
+        merging, code = self.merge_shards()
+        self.assertEqual(code, 1)
         self.assertIn("missing-shard", merging.output)
+
+    def plant_results(self, runner):
+        """A pull request whose walk fails, with results that say it passes, wherever an output or a shard's artifact could be."""
+        self.narrow_the_door(runner)
+        for number in (1, 2):
+            for folder in ("out", "shards", f"campuswalk-{number}", f"shards/campuswalk-{number}", "out/shards"):
+                os.makedirs(f"{runner.workspace}/campus/{folder}", exist_ok=True)
+                shutil.copy(self.path(f"forged-{number}.jsonl"), f"{runner.workspace}/campus/{folder}/results-{number}.jsonl")
+        runner.before = self.checkout(runner)
+
+    def test_results_in_a_checkout_replace_no_shards(self):
+        forging = self.runner("forging")
+        for number in (1, 2):
+            self.run_program("run", "-q", "--strict", f"--shard={number}/2", "--output", self.path("elsewhere"), "--reporter",
+                             f"jsonl={self.path(f'forged-{number}.jsonl')}", cwd=forging.workspace + "/campus")
+        self.assertIn(1, self.play_shards(self.plant_results))
+        for number in (1, 2):
+            self.assertNotIn(f"results-{3 - number}.jsonl", os.listdir(self.path(f"merge/temp/shards/campuswalk-{number}")))
+        merging, code = self.merge_shards(self.plant_results)
+        self.assertEqual(code, 1, merging.output)
+        shutil.rmtree(self.path("merge/temp/shards/campuswalk-1"))
+        merging, code = self.merge_shards(self.plant_results)
+        self.assertEqual(code, 1, merging.output)
+        self.assertIn("missing-shard", merging.output)
+
+    def test_artifacts_in_the_checkout_are_not_merged(self):
+        self.play_shards(lambda runner: None)
+        merging = self.runner("merge")
+        shutil.copytree(merging.temp + "/shards", merging.workspace + "/campus/shards")
+        os.symlink(merging.temp + "/shards", merging.workspace + "/campus/link")
+        os.symlink(merging.workspace + "/campus/shards", merging.temp + "/link")
+        for folder in ("shards", "link", merging.workspace + "/campus/shards", merging.temp + "/link", "../campus/link/../shards"):
+            with self.subTest(folder=folder):
+                self.assertEqual(self.run_action(merging, merge=folder), 2, merging.output)
+                self.assertEqual(merging.uploads, {})
+
+    def test_the_results_of_another_shard_in_an_artifact_are_refused(self):
+        self.play_shards(self.narrow_the_door)
+        shards = self.path("merge/temp/shards")
+        shutil.copy(shards + "/campuswalk-1/results-1.jsonl", shards + "/campuswalk-2/results-2.jsonl")
+        merging, code = self.merge_shards()
+        self.assertEqual(code, 2, merging.output)
+        self.assertIn("foreign-results", merging.output)
+
+    def test_links_in_a_checkout_lead_nowhere(self):
+        runner = self.runner()
+        actions = os.path.join(runner.folder, "actions")
+        os.makedirs(actions)
+        self.write("job/actions/index.js", "genuine\n")
+        self.write("job/secret", "key\n")
+        for name in ("out", "campus/out", "campus/shards"):
+            os.symlink(actions, os.path.join(runner.workspace, name))
+        self.assertEqual(self.run_action(runner), 0, runner.output)
+        (upload,) = runner.uploads.values()
+        for base, folders, names in os.walk(upload):
+            self.assertEqual([name for name in folders + names if os.path.islink(os.path.join(base, name))], [])
+        self.assertEqual(os.listdir(actions), ["index.js"])
+
+    def test_after_a_refusal_nothing_is_uploaded(self):
+        runner = self.runner()
+        self.assertEqual(self.run_action(runner, arguments="--min-cases=99"), 2, runner.output)
+        self.assertEqual((runner.uploads, runner.summary), ({}, ""))
+        self.assertEqual(runner.outputs["run"], {"exit-code": "2"})
+
+    def test_the_sandbox_is_required_unless_somebody_says_otherwise(self):
+        self.write("package/campuswalk-9.9.9/bin/campuswalk", '#!/bin/sh\necho "[$*]"\n')
+        with tarfile.open(self.package, "w:xz") as archive:
+            archive.add(self.path("package/campuswalk-9.9.9"), "campuswalk-9.9.9")
+        for name, arguments, expected in (("a", "--strict", True), ("b", "--strict\n--sandbox=auto", False), ("c", "--sandbox\noff", False)):
+            runner = self.runner(name)
+            self.run_action(runner, arguments=arguments)
+            self.assertEqual("--sandbox require" in runner.output, expected, runner.output)
 
     def test_a_report_in_html(self):
         if not self.with_html:
             self.skipTest("this build has no HTML reports")
         runner = self.runner()
         self.assertEqual(self.run_action(runner, html="true"), 0, runner.output)
-        self.assertTrue(os.path.isfile(runner.workspace + "/campus/out/report.html"))
+        self.assertTrue(os.path.isfile(runner.uploads["campuswalk"] + "/report.html"))
 
     def test_inputs_are_words_not_commands(self):
         runner = self.runner()
@@ -280,6 +377,17 @@ class Action(ProgramCase):
         for package in ("nothing.tar.xz", self.path("room.obj")):
             refused = self.runner("refused-" + package[:3].strip("/"))
             self.assertEqual(self.run_action(refused, package=package), 2)
+
+    def test_a_package_in_the_checkout_needs_its_hash(self):
+        for name, package in (("a", "campus/package.tar.xz"), ("b", "campus/link.tar.xz"), ("c", "../workspace/campus/package.tar.xz")):
+            runner = self.runner(name)
+            shutil.copy(self.package, runner.workspace + "/campus/package.tar.xz")
+            os.symlink(self.package, runner.workspace + "/campus/link.tar.xz")
+            with self.subTest(package=package):
+                self.assertEqual(self.run_action(runner, package=package), 2)
+                self.assertIn("is in the checkout", runner.output)
+                self.assertNotIn("passed", runner.output)
+                self.assertEqual(self.run_action(runner, package=package, sha256=self.digest()), 0, runner.output)
 
     def test_a_download_that_nobody_vouches_for_is_not_run(self):
         runner = self.runner()

@@ -18,6 +18,7 @@
 #include "tools/campuswalk/cluster/job_scripts.h"
 #include "tools/campuswalk/cluster/slurm_job.h"
 #include "tools/campuswalk/cluster/submission.h"
+#include "tools/campuswalk/run/output/output_folder.h"
 #include "tools/campuswalk/run/plan/case_times.h"
 #include "tools/campuswalk/run/plan/plan.h"
 #include "tools/campuswalk/run/plan/run_settings.h"
@@ -95,6 +96,8 @@ public:
         check_targets(settings_.reports);
         check_name_for_scripts(folder_.root);
         require_writable_folder(folder_.root, "the job's files can't be written here");
+        const OutputFolder output(settings_.output, run_key(environment_variable),
+                                  {.all = !settings_.ci, .paths = {folder_.root.filename()}});
         const std::vector<std::string> sbatch = sbatch_options(slurm_);
         refuse_if_busy(folder_);
         const engine::RunPlan plan = options_.resume ? planned_again() : planned();
@@ -104,9 +107,8 @@ public:
         }
         clear_job(folder_);
         fs::create_directories(folder_.saved());
-        scene::write_file_atomically(
-            folder_.plan(),
-            report_line(engine::to_header_line(plan), "", shared_run_key(environment_variable)) + "\n");
+        scene::write_file_atomically(folder_.plan(),
+                                     report_line(engine::to_header_line(plan), "", key_of_tasks()) + "\n");
         const ArrayJob job = array_job(plan, sbatch);
         write_scripts(job);
         if (slurm_.mode == SlurmMode::script) {

@@ -27,15 +27,10 @@ namespace {
 
 /// Machines that continue each other's shards need the same key. It isn't written into a script.
 std::vector<std::string> shared_key() {
-    const std::string name = "CAMPUSWALK_RUN_KEY";
-    const std::string own = run_key(environment_variable);
-    if (environment_variable(name) || own.empty()) {
-        return {};
-    }
-    const std::string purpose = "slurm";
-    return {
-        name + "=" +
-        to_string(scene::keyed_hash_of(std::as_bytes(std::span(purpose)), std::as_bytes(std::span(own))))};
+    const std::optional<std::string> key = key_of_tasks();
+    return shared_run_key(environment_variable) || !key
+               ? std::vector<std::string>()
+               : std::vector<std::string>{"CAMPUSWALK_RUN_KEY=" + *key};
 }
 
 /// What the merge has printed, as if this process had.
@@ -72,6 +67,17 @@ void refuse_if_busy(const JobFolder& folder) {
                               " still uses this folder; wait for it, or end it with: scancel " +
                               earlier->array + " " + earlier->merge);
     }
+}
+
+std::optional<std::string> key_of_tasks() {
+    if (const std::optional<std::string> shared = shared_run_key(environment_variable)) {
+        return shared;
+    }
+    const std::string own = run_key(environment_variable);
+    const std::string purpose = "slurm";
+    return own.empty() ? std::nullopt
+                       : std::optional(to_string(scene::keyed_hash_of(std::as_bytes(std::span(purpose)),
+                                                                      std::as_bytes(std::span(own)))));
 }
 
 void clear_job(const JobFolder& folder) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "tools/campuswalk/cluster/job_folder.h"
@@ -14,6 +15,10 @@ std::string this_program();
 
 /// Throws scene::InputError (job-unfinished) while a job that was submitted from the folder waits or runs.
 void refuse_if_busy(const JobFolder& folder);
+
+/// What the tasks sign their results with, and the merge demands: CAMPUSWALK_RUN_KEY, or else a key made from
+/// this user's own. nullopt if there is neither.
+std::optional<std::string> key_of_tasks();
 
 /// Removes what an earlier job has left, but for its results, and makes the folders that tasks write to.
 void clear_job(const JobFolder& folder);

@@ -9,12 +9,16 @@
 #include "config/loader/yaml/wording.h"
 #include "engine/report/make_reporter.h"
 #include "engine/report/report_paths.h"
+#include "scene/lint/wording.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/print.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/repository.h"
 #include "tools/campuswalk/cluster/merge_of_tasks.h"
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/html/html_reports.h"
+#include "tools/campuswalk/run/output/output_folder.h"
+#include "tools/campuswalk/run/output/shard_artifacts.h"
 #include "tools/campuswalk/run/plan/find_walks.h"
 #include "tools/campuswalk/run/plan/run_options.h"
 #include "tools/campuswalk/run/plan/run_settings.h"
@@ -28,14 +32,30 @@ namespace campuswalk::tools {
 namespace {
 
 struct MergeOptions {
-    std::vector<std::filesystem::path> inputs;  ///< jsonl reports, or folders to look for them in
-    std::vector<std::string> reporters;         ///< NAME or NAME=FILE; `list` if there are none
-    std::filesystem::path output = "out";       ///< folder of the images that reports name
-    std::string images_url;                     ///< where the repository's files can be seen; empty: nowhere
-    std::optional<std::string> slurm_job;       ///< the array whose tasks wrote the reports
+    std::vector<std::filesystem::path> inputs;       ///< jsonl reports, or folders to look for them in
+    std::optional<std::filesystem::path> artifacts;  ///< instead: a folder with those of the shards' jobs
+    std::vector<std::string> reporters;              ///< NAME or NAME=FILE; `list` if there are none
+    std::filesystem::path output = "out";            ///< folder of the images that reports name
+    std::string images_url;                ///< where the repository's files can be seen; empty: nowhere
+    std::optional<std::string> slurm_job;  ///< the array whose tasks wrote the reports
     bool quiet = false;
     ColorChoice color = ColorChoice::automatic;
 };
+
+std::vector<ResultFile> results_of(const std::vector<ShardArtifact>& artifacts) {
+    std::vector<ResultFile> results;
+    for (const ShardArtifact& artifact : artifacts) {
+        results.push_back(artifact.results);
+    }
+    return results;
+}
+
+void gather(const std::vector<ShardArtifact>& artifacts, const std::filesystem::path& output) {
+    if (const std::size_t missing = gather_files(artifacts, output); missing > 0) {
+        print_error_line(scene::plural(missing, "file") + " that the results name " +
+                         (missing == 1 ? "isn't" : "aren't") + " in the shards' artifacts");
+    }
+}
 
 /// Merges the reports of a run's shards. Returns the exit code that the whole run would have had, but none
 /// that means success if something is missing.
@@ -44,7 +64,13 @@ int merge_reports(const MergeOptions& options) {
     const std::optional<MergeOfTasks> tasks =
         options.slurm_job ? std::optional(merge_of_tasks(*options.slurm_job, options.inputs, key))
                           : std::nullopt;
-    const MergedRun merged = tasks ? tasks->run : MergedRun(open_result_files(options.inputs, key));
+    std::vector<ShardArtifact> artifacts;
+    if (options.artifacts) {
+        artifacts = open_shard_artifacts(*options.artifacts, key);
+    }
+    const MergedRun merged =
+        tasks ? tasks->run
+              : MergedRun(options.artifacts ? results_of(artifacts) : open_result_files(options.inputs, key));
     std::vector<std::string> problems = merged.problems();
     if (tasks) {
         problems.insert(problems.begin(), tasks->problems.begin(), tasks->problems.end());
@@ -54,9 +80,15 @@ int merge_reports(const MergeOptions& options) {
     run.color = options.color;
     const RunSettings settings = resolve_report_settings(run, environment_variable);
     check_targets(settings.reports);
+    std::optional<OutputFolder> output;
+    if (options.artifacts) {
+        output.emplace(options.output, run_key(environment_variable),
+                       OutputFolder::Tolerance{.all = !settings.ci, .paths = {}});
+        gather(artifacts, options.output);
+    }
     HtmlRequest html;
     html.output = as_seen_from_here(options.output);
-    html.title = title_of_inputs(options.inputs);
+    html.title = title_of_inputs(options.artifacts ? std::vector{*options.artifacts} : options.inputs);
     html.problems = problems;
     engine::ReportStyle style{settings.color, options.quiet};
     style.start = merged.plan().start;
@@ -78,6 +110,9 @@ int merge_reports(const MergeOptions& options) {
     reports.end(engine::ResultSequence([&](const engine::ResultSequence::Visit& visit) {
         merged.for_each([&](engine::WalkResult&& result) { visit(result); });
     }));
+    if (output) {
+        output->save_list(1);
+    }
     for (const std::string& problem : problems) {
         print_error_line(problem);
     }
@@ -95,16 +130,21 @@ void add_merge_reports(Command program, CommandAction& chosen) {
     Command command = program.add("merge-reports", "Merge the reports of a run's shards");
     command.option({.names = "REPORT",
                     .help = "What --reporter jsonl=FILE wrote, or folders to look for that in",
-                    .value = "PATH",
-                    .required = true},
+                    .value = "PATH"},
                    options->inputs);
+    command.option(
+        {.names = "--artifacts",
+         .help = "Instead of reports: a folder with the artifacts of the shards' jobs, such as "
+                 "campuswalk-3 with results-3.jsonl; the files that results name are copied to --output",
+         .value = "DIR"},
+        options->artifacts);
     command.option({.names = "--reporter",
                     .help = config::listed(engine::reporter_names()) +
                             "; =FILE writes it to a file; may be repeated [list]",
                     .value = "NAME[=FILE]"},
                    options->reporters);
     command.option({.names = "--output",
-                    .help = "Folder of the pictures that the reports name",
+                    .help = "Folder of the pictures that the reports name, to which --artifacts copies them",
                     .value = "DIR",
                     .show_default = true},
                    options->output);
@@ -129,7 +169,13 @@ void add_merge_reports(Command program, CommandAction& chosen) {
     command.footer(
         "Exit code: that of the whole run; 1 if a shard's report is missing, incomplete, there twice, or of "
         "another run;\n3 if a task of --slurm didn't come to its end.");
-    command.choose(chosen, [options] { return merge_reports(*options); });
+    command.choose(chosen, [options] {
+        if (options->inputs.empty() == !options->artifacts) {
+            throw error_about("REPORT", "bad-value",
+                              "name reports, or the folder of their artifacts with --artifacts");
+        }
+        return merge_reports(*options);
+    });
 }
 
 }  // namespace campuswalk::tools

@@ -8,9 +8,10 @@
 #include "scene/base/atomic_file.h"
 #include "scene/cache/content_hash.h"
 #include "tools/campuswalk/base/json_text.h"
+#include "tools/campuswalk/base/read_below.h"
 #include "tools/campuswalk/base/text.h"
 #include "tools/campuswalk/html/packed_glb.h"
-#include "tools/campuswalk/html/run_files.h"
+#include "tools/campuswalk/run/output/output_folder.h"
 
 namespace campuswalk::tools {
 
@@ -37,7 +38,8 @@ engine::ReportCampus report_campus(const scene::Campus& campus, const std::strin
 std::string bundle_name(const std::string& file) {
     constexpr std::size_t kDigits = 8;
     const std::string hash = scene::to_string(scene::hash_of(std::as_bytes(std::span(file))));
-    return "campuses/" + without_ending(fs::path(file).filename().generic_string(), ".campus.yaml") + "-" +
+    return std::string(kBundleFolder) + "/" +
+           without_ending(fs::path(file).filename().generic_string(), ".campus.yaml") + "-" +
            hash.substr(0, kDigits);
 }
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "tools/campuswalk/html/run_files.h"
+#include "tools/campuswalk/base/read_below.h"
 #include "tools/campuswalk/run/results/result_file.h"
 
 namespace campuswalk::tools {

@@ -10,11 +10,11 @@
 #include "tools/campuswalk/base/canonical_paths.h"
 #include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/base/print.h"
+#include "tools/campuswalk/base/read_below.h"
 #include "tools/campuswalk/base/read_lines.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/html/campus_bundle.h"
 #include "tools/campuswalk/html/compared_run.h"
-#include "tools/campuswalk/html/run_files.h"
 #include "tools/campuswalk/html/viewer_bundle.h"
 #include "tools/campuswalk/loading/walk_loader.h"
 

@@ -25,6 +25,8 @@
 #include "tools/campuswalk/logs/golden_log.h"
 #include "tools/campuswalk/run/cases/records.h"
 #include "tools/campuswalk/run/cases/run_fingerprint.h"
+#include "tools/campuswalk/run/output/output_folder.h"
+#include "tools/campuswalk/run/output/tolerated_output.h"
 #include "tools/campuswalk/run/plan/find_walks.h"
 #include "tools/campuswalk/run/plan/plan.h"
 #include "tools/campuswalk/run/plan/run_settings.h"
@@ -155,7 +157,12 @@ public:
             return kBadInput;  // which has been reported, and no report needs it
         }
         check_outputs(plan);
-        return play(std::move(plan));
+        const OutputFolder output(settings_.output, run_key(environment_variable),
+                                  tolerated_output(settings_, plan, options_.resume && last_run_));
+        const int shard = plan.summary.shard;
+        const int exit_code = play(std::move(plan));
+        output.save_list(shard);
+        return exit_code;
     }
 
 private:
@@ -267,7 +274,7 @@ private:
             check_folders_of_walks(plan);
         }
         if (records_for_reports()) {
-            require_writable_folder(settings_.output / "campuses", "campuses can't be saved here");
+            require_writable_folder(settings_.output / kBundleFolder, "campuses can't be saved here");
         }
         if (!settings_.single) {
             require_writable_file(settings_.saved, "results can't be saved here");

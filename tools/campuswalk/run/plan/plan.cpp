@@ -72,7 +72,7 @@ public:
             return plan;
         }
         const std::vector<Sources> sources = sources_of_candidates();
-        keep_shard();
+        plan.other_folders = keep_shard();
         for (Candidate& candidate : candidates_) {
             add_cases(candidate, plan.cases);
         }
@@ -285,14 +285,19 @@ private:
         return inputs;
     }
 
-    void keep_shard() {
+    /// Returns the folders of the others.
+    std::vector<std::string> keep_shard() {
         std::vector<Candidate> own;
+        std::vector<std::string> others;
         for (std::size_t i = 0; i < candidates_.size(); ++i) {
             if (shard_of_[i] == settings_.shard.value_or(Shard()).index) {
                 own.push_back(std::move(candidates_[i]));
+            } else {
+                others.push_back(candidates_[i].folder);
             }
         }
         candidates_ = std::move(own);
+        return others;
     }
 
     void add_cases(Candidate& candidate, std::vector<Case>& cases) {

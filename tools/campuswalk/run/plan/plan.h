@@ -31,6 +31,7 @@ struct Plan {
     std::size_t files = 0;     ///< number of walk files found
     std::size_t walks = 0;     ///< number of selected walk files, of all shards
     std::size_t left_out = 0;  ///< number of selected walks that aren't marked `only` where others are
+    std::vector<std::string> other_folders;  ///< as Case::folder, of the walks in other shards
     /// What the walks of all shards are read from or compared with besides YAML files: models, buffers,
     /// textures, lists of places, golden files. Walk after walk, each campus's files once.
     std::vector<std::filesystem::path> inputs;

@@ -216,9 +216,10 @@ RunSettings resolve_settings(const RunOptions& options, const Environment& envir
                                                    : config.max_failures;
     settings.timeout = options.timeout ? options.timeout : config.timeout;
     settings.kill_after = options.kill_after ? options.kill_after : config.kill_after.value_or(kKillAfter);
+    settings.ci = is_ci(environment);
     settings.strict = options.strict || config.strict;
     settings.min_cases = options.min_cases.value_or(config.min_cases.value_or(0));
-    settings.forbid_only = options.forbid_only || config.forbid_only || settings.strict || is_ci(environment);
+    settings.forbid_only = options.forbid_only || config.forbid_only || settings.strict || settings.ci;
     settings.tolerance = engine::changed({}, config.snapshots);
     settings.output = options.output  ? as_seen_from_here(*options.output)
                       : config.output ? inside_project(config, *config.output)
@@ -233,6 +234,7 @@ RunSettings resolve_settings(const RunOptions& options, const Environment& envir
 
 RunSettings resolve_report_settings(const RunOptions& options, const Environment& environment) {
     RunSettings settings;
+    settings.ci = is_ci(environment);
     settings.reports = reports_for(options, WalksConfig(), false);
     settings.color = uses_color(options.color, environment);
     return settings;

@@ -37,6 +37,7 @@ struct RunSettings {
     std::optional<double> timeout;
     std::optional<double> kill_after;
     bool forbid_only = false;
+    bool ci = false;      ///< CI is set: the project is a checkout of what anybody may have written
     bool strict = false;  ///< see strict_rules.h; images that can't be evaluated are failures
     int min_cases = 0;    ///< a run of fewer walks is an error
     std::filesystem::path output;

@@ -14,7 +14,7 @@ namespace campuswalk::tools {
 std::string run_key(const Environment& environment);
 
 /// Only the one that machines share: whoever merges the reports of several can check none but that. nullopt
-/// if the variable isn't set, or empty.
+/// if the variable is unset or empty, as a secret that a fork's pipeline doesn't get.
 std::optional<std::string> shared_run_key(const Environment& environment);
 
 }  // namespace campuswalk::tools

@@ -5,9 +5,9 @@
 
 namespace campuswalk::tools {
 
-// Lines of JSON objects that prove who wrote them: the object begins with a code that only somebody with the key
-// can compute from the context and the rest of the line. `context` is what the line belongs to, such as a run's
-// fingerprint, so that a line can't be moved elsewhere.
+// Lines of JSON objects that prove who wrote them: the object begins with a code that only somebody with the
+// key can compute from the context and the rest of the line. `context` is what the line belongs to, such as a
+// run's fingerprint, so that a line can't be moved elsewhere.
 
 /// The object, on one line, with its code. With an empty key the code proves nothing.
 std::string signed_line(std::string_view object, std::string_view context, std::string_view key);

@@ -1,4 +1,4 @@
-#include "tools/campuswalk/html/run_files.h"
+#include "tools/campuswalk/base/read_below.h"
 
 #include <system_error>
 

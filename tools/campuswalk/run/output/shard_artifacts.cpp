@@ -1,0 +1,126 @@
+#include "tools/campuswalk/run/output/shard_artifacts.h"
+
+#include <charconv>
+#include <map>
+#include <set>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "scene/base/new_file.h"
+#include "tools/campuswalk/base/read_below.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
+#include "tools/campuswalk/run/output/output_folder.h"
+
+namespace campuswalk::tools {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The number that a name such as campuswalk-3 ends in; nullopt without one.
+std::optional<int> number_of(std::string_view name) {
+    const std::size_t dash = name.rfind('-');
+    int number = 0;
+    const char* end = name.data() + name.size();
+    if (dash == std::string_view::npos ||
+        std::from_chars(name.data() + dash + 1, end, number) != std::from_chars_result{end, std::errc()}) {
+        return std::nullopt;
+    }
+    return number > 0 ? std::optional(number) : std::nullopt;
+}
+
+std::multimap<int, fs::path> numbered_folders(const fs::path& folder) {
+    std::multimap<int, fs::path> folders;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+        const std::optional<int> number = number_of(entry->path().filename().native());
+        if (number && entry->symlink_status().type() == fs::file_type::directory) {
+            folders.emplace(*number, entry->path());
+        }
+    }
+    if (error) {
+        throw error_about(folder, "missing-file", "the shards' artifacts can't be looked for here: " + error.message());
+    }
+    return folders;
+}
+
+std::vector<std::string> bundles_in(const fs::path& folder) {
+    std::vector<std::string> bundles;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder / kBundleFolder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        bundles.push_back(kBundleFolder + ("/" + entry->path().filename().string()));
+    }
+    return bundles;
+}
+
+/// Copies files into a folder, of which each name is taken once.
+class Gathering {
+public:
+    explicit Gathering(const fs::path& output) : output_(output) {}
+
+    void add(const fs::path& from, const std::string& path) {
+        const std::optional<std::string> bytes = read_below(from, path);
+        if (!bytes) {
+            ++missing_;
+        } else if (taken_.insert(path).second) {
+            scene::write_new_file(output_ / path, *bytes);
+        } else if (read_below(output_, path) != bytes) {
+            throw error_about(from / path, "foreign-results",
+                              "another shard's artifact has a different file of this name; run the shards again");
+        }
+    }
+    std::size_t missing() const { return missing_; }
+
+private:
+    const fs::path& output_;
+    std::set<std::string> taken_;
+    std::size_t missing_ = 0;
+};
+
+}  // namespace
+
+std::vector<ShardArtifact> open_shard_artifacts(const fs::path& folder, const std::optional<std::string>& key) {
+    std::vector<ShardArtifact> artifacts;
+    for (const auto& [number, path] : numbered_folders(folder)) {
+        const fs::path file = path / ("results-" + std::to_string(number) + ".jsonl");
+        std::error_code ignored;
+        if (!fs::is_regular_file(fs::symlink_status(file, ignored))) {
+            continue;  // a job that didn't come that far: its shard is missing
+        }
+        std::optional<ResultFile> results = ResultFile::open(file, key);
+        if (!results) {
+            throw error_about(file, "bad-report", "this isn't what --reporter jsonl=FILE writes");
+        }
+        if (results->plan().shard != number) {
+            throw error_about(file, "foreign-results",
+                              "these are the results of shard " + std::to_string(results->plan().shard) +
+                                  ", and only those of shard " + std::to_string(number) +
+                                  " are taken from this artifact");
+        }
+        artifacts.push_back({path, std::move(*results)});
+    }
+    if (artifacts.empty()) {
+        throw error_about(folder, "missing-file",
+                          "there is no folder NAME-N with results-N.jsonl in here, as the artifact of shard N has them");
+    }
+    return artifacts;
+}
+
+std::size_t gather_files(const std::vector<ShardArtifact>& artifacts, const fs::path& output) {
+    Gathering gathering(output);
+    for (const ShardArtifact& artifact : artifacts) {
+        artifact.results.for_each([&](engine::WalkResult&& result) {
+            for (const engine::Artifact& file : result.artifacts) {
+                gathering.add(artifact.folder, file.path);
+            }
+        });
+        for (const std::string& bundle : bundles_in(artifact.folder)) {
+            gathering.add(artifact.folder, bundle);
+        }
+    }
+    return gathering.missing();
+}
+
+}  // namespace campuswalk::tools
