@@ -107,12 +107,14 @@ class Init(ProgramCase):
         [check] = [step["run"] for step in workflow["jobs"]["walks"]["steps"] if "run" in step]
 
         def code(**variables):
-            return subprocess.run(["bash", "-e", "-c", check], check=False, stdout=subprocess.PIPE,
+            return subprocess.run(["bash", "-e", "-c", check], check=False, stdout=subprocess.PIPE, cwd=self.path("one"),
                                   env={"PATH": os.environ["PATH"], **workflow["env"], **variables}).returncode
         self.assertEqual(code(), 1)
         self.assertEqual(code(CAMPUSWALK="o/n", CAMPUSWALK_COMMIT="v0.1.0"), 1)
         self.assertEqual(code(CAMPUSWALK="name", CAMPUSWALK_COMMIT="0" * 40), 1)
         self.assertEqual(code(CAMPUSWALK="o/n", CAMPUSWALK_COMMIT="0" * 40), 0)
+        os.symlink("../../_actions", self.path("one/.campuswalk"))  # where the action's own checkout would go
+        self.assertEqual(code(CAMPUSWALK="o/n", CAMPUSWALK_COMMIT="0" * 40), 1)
 
     def test_a_pipeline_of_gitlab_finds_its_attachments(self):
         self.passes("init", "one", "--ci", "gitlab")
@@ -123,18 +125,20 @@ class Init(ProgramCase):
         self.assertEqual(job["timeout"], "30 minutes")
         self.write("bin/campuswalk", '#!/bin/sh\nexec "%s" "$@" --rendering-backend none --record csv\n' % self.program)
         os.chmod(self.path("bin/campuswalk"), 0o755)
-        command = re.sub(r" --reporter html=\S+", "", command)  # which not every build writes
+        command = re.sub(r' --reporter "html=[^"]+"', "", command)  # which not every build writes
         done = subprocess.run(["sh", "-e", "-c", command], cwd=self.path("one"), stdin=subprocess.DEVNULL,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=120, check=False,
-                              env={**os.environ, "CI": "true", "CI_PROJECT_DIR": self.path("one"),
+                              env={**os.environ, "CI": "true", "CI_PROJECT_DIR": self.path("one"), "CI_COMMIT_SHA": "0" * 40,
                                    "PATH": self.path("bin") + ":" + os.environ["PATH"]})
         self.assertEqual(done.returncode, 0, done.stdout)
-        report = self.read("one/" + job["artifacts"]["reports"]["junit"]).decode()
+        kept = [path.replace("$CI_COMMIT_SHA", "0" * 40) for path in job["artifacts"]["paths"]]
+        self.assertNotEqual(kept, job["artifacts"]["paths"])  # no commit can have a folder with its own hash in the name
+        report = self.read("one/" + job["artifacts"]["reports"]["junit"].replace("$CI_COMMIT_SHA", "0" * 40)).decode()
         attachments = re.findall(r"\[\[ATTACHMENT\|(.*?)\]\]", report)
         self.assertEqual(len(attachments), 2)
         for attachment in attachments:
             self.assertTrue(os.path.isfile(self.path("one/" + attachment)), attachment)
-            self.assertTrue(any(attachment.startswith(kept + "/") for kept in job["artifacts"]["paths"]))
+            self.assertTrue(any(attachment.startswith(path + "/") for path in kept))
 
     def prepare(self, job, **variables):
         """Runs before_script as GitLab's runner does, one shell for all lines; apt-get and curl only say what they were told."""
@@ -184,12 +188,12 @@ class Init(ProgramCase):
         prepared = self.prepare(job, HOME=home, CAMPUSWALK="https://files.example/c.deb",
                                 CAMPUSWALK_SHA256=hashlib.sha256(b"package").hexdigest())
         self.assertEqual(prepared.returncode, 0, prepared.stdout)
-        command = re.sub(r" --reporter html=\S+", "", job["script"][0])
+        command = re.sub(r' --reporter "html=[^"]+"', "", job["script"][0])
 
         def code(**variables):
             return subprocess.run(["sh", "-e", "-c", command], cwd=self.path("one"), stdin=subprocess.DEVNULL,
                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=120, check=False,
-                                  env={"CI": "true", "CI_PROJECT_DIR": self.path("one"), "HOME": home, **job["variables"],
+                                  env={"CI": "true", "CI_PROJECT_DIR": self.path("one"), "CI_COMMIT_SHA": "0" * 40, "HOME": home, **job["variables"],
                                        **variables, "PATH": self.path("bin") + ":" + os.environ["PATH"]}).returncode
         self.assertEqual(code(CAMPUSWALK_CACHE_DIR=poisoned.elsewhere()), 0)  # it would work
         self.assertEqual(code(), 1)

@@ -40,6 +40,10 @@ constexpr const char* kActionOfThatPlace = R"(      - name: Check where campuswa
             echo "::error::fill in CAMPUSWALK and CAMPUSWALK_COMMIT in this workflow"
             exit 1
           }
+          if [[ -e .campuswalk || -L .campuswalk ]]; then
+            echo "::error::.campuswalk is where the action goes: the commit may not have it"
+            exit 1
+          fi
       - uses: actions/checkout@11bd71901bbe5b1630ceea73d27597364c9af683 # v4.2.2
         with:
           repository: ${{ env.CAMPUSWALK }}
@@ -59,7 +63,9 @@ constexpr const char* kActionSettings = R"(          version: @VERSION@
             --min-cases=@WALKS@
 )";
 
-constexpr const char* kPipeline = R"(# Failed walks are listed in the merge request, with their pictures.
+constexpr const char* kPipeline =
+    R"(# Failed walks are listed in the merge request, with their pictures. They are in a folder with the commit's hash in its
+# name: nobody can commit files or links there that would be taken for what the job has written.
 walks:
   image: debian:12
   timeout: 30 minutes
@@ -84,13 +90,15 @@ walks:
   script:
     # No cache is kept between jobs: the pipeline of any branch could write to it.
     - >-
-      campuswalk run --strict --forbid-only --min-cases=@WALKS@ --reporter list
-      --reporter junit=out/junit.xml --reporter html=out/report.html
+      campuswalk run --strict --forbid-only --min-cases=@WALKS@ --sandbox require
+      --output "campuswalk-$CI_COMMIT_SHA" --reporter list
+      --reporter "junit=campuswalk-$CI_COMMIT_SHA/junit.xml"
+      --reporter "html=campuswalk-$CI_COMMIT_SHA/report.html"
   artifacts:
     when: always
-    paths: [out]
+    paths: ["campuswalk-$CI_COMMIT_SHA"]
     reports:
-      junit: out/junit.xml
+      junit: "campuswalk-$CI_COMMIT_SHA/junit.xml"
 )";
 
 using Value = std::pair<std::string_view, std::string>;

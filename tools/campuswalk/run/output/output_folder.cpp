@@ -64,12 +64,14 @@ OutputFolder::OutputFolder(fs::path folder, std::string key, const Tolerance& to
     for (const auto& [path, identity] : before_) {
         const bool tolerated =
             tolerance.all || known_.contains(path) ||
-            std::ranges::any_of(tolerance.paths, [&](const fs::path& each) { return is_below(path, each); }) ||
+            std::ranges::any_of(tolerance.paths,
+                                [&](const fs::path& each) { return is_below(path, each); }) ||
             (is_list(path) && is_authentic_list(path));
         if (!tolerated) {
-            throw error_about(folder_ / path, "foreign-output",
-                              "no run of yours has written this file as it is, and where CI is set, what came with "
-                              "a checkout isn't taken for output; remove it, or choose an --output of your own");
+            throw error_about(
+                folder_ / path, "foreign-output",
+                "no run of yours has written this file as it is, and where CI is set, what came with "
+                "a checkout isn't taken for output; remove it, or choose an --output of your own");
         }
     }
 }
@@ -87,10 +89,11 @@ OutputFolder::Files OutputFolder::scanned() const {
         if (S_ISREG(status.st_mode)) {
             files[entry->path().lexically_relative(folder_)] = identity_of(status);
         } else if (!S_ISDIR(status.st_mode)) {
-            throw error_about(entry->path(), "output-unwritable",
-                              std::string("this is ") + kind_of(status) +
-                                  ", and in an output folder there may be only files and folders; remove it, or "
-                                  "choose another --output");
+            throw error_about(
+                entry->path(), "output-unwritable",
+                std::string("this is ") + kind_of(status) +
+                    ", and in an output folder there may be only files and folders; remove it, or "
+                    "choose another --output");
         }
     }
     return files;

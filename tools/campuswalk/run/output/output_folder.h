@@ -12,11 +12,12 @@ namespace campuswalk::tools {
 /// In an output folder: what html reports show of campuses.
 inline constexpr const char* kBundleFolder = "campuses";
 
-/// The folder that a run writes to. A checkout can bring files and links there: a link would lead what is written
-/// or uploaded elsewhere, and a file would be taken for one that the run has written.
+/// The folder that a run writes to. A checkout can bring files and links there: a link would lead what is
+/// written or uploaded elsewhere, and a file would be taken for one that the run has written.
 ///
-/// Lists of what runs have written are files in the folder, signed with the user's key (run_key.h). They hold of
-/// each file what the file system tells of its identity, so that no copy and no later version passes for it.
+/// Lists of what runs have written are files in the folder, signed with the user's key (run_key.h). They hold
+/// of each file what the file system tells of its identity, so that no copy and no later version passes for
+/// it.
 class OutputFolder {
 public:
     /// What may be in the folder besides what the lists name.
@@ -32,8 +33,8 @@ public:
     ///   foreign-output     a file that is on no list of this user's runs and isn't tolerated
     OutputFolder(std::filesystem::path folder, std::string key, const Tolerance& tolerance);
 
-    /// Lists what has been written since, and what earlier lists name and is unchanged, under the name of this
-    /// shard. Nothing without a key. Throws std::runtime_error if the list can't be written.
+    /// Lists what has been written since, and what earlier lists name and is unchanged, under the name of
+    /// this shard. Nothing without a key. Throws std::runtime_error if the list can't be written.
     void save_list(int shard) const;
 
 private:

@@ -40,7 +40,8 @@ std::multimap<int, fs::path> numbered_folders(const fs::path& folder) {
         }
     }
     if (error) {
-        throw error_about(folder, "missing-file", "the shards' artifacts can't be looked for here: " + error.message());
+        throw error_about(folder, "missing-file",
+                          "the shards' artifacts can't be looked for here: " + error.message());
     }
     return folders;
 }
@@ -67,8 +68,9 @@ public:
         } else if (taken_.insert(path).second) {
             scene::write_new_file(output_ / path, *bytes);
         } else if (read_below(output_, path) != bytes) {
-            throw error_about(from / path, "foreign-results",
-                              "another shard's artifact has a different file of this name; run the shards again");
+            throw error_about(
+                from / path, "foreign-results",
+                "another shard's artifact has a different file of this name; run the shards again");
         }
     }
     std::size_t missing() const { return missing_; }
@@ -81,7 +83,8 @@ private:
 
 }  // namespace
 
-std::vector<ShardArtifact> open_shard_artifacts(const fs::path& folder, const std::optional<std::string>& key) {
+std::vector<ShardArtifact> open_shard_artifacts(const fs::path& folder,
+                                                const std::optional<std::string>& key) {
     std::vector<ShardArtifact> artifacts;
     for (const auto& [number, path] : numbered_folders(folder)) {
         const fs::path file = path / ("results-" + std::to_string(number) + ".jsonl");
@@ -102,8 +105,9 @@ std::vector<ShardArtifact> open_shard_artifacts(const fs::path& folder, const st
         artifacts.push_back({path, std::move(*results)});
     }
     if (artifacts.empty()) {
-        throw error_about(folder, "missing-file",
-                          "there is no folder NAME-N with results-N.jsonl in here, as the artifact of shard N has them");
+        throw error_about(
+            folder, "missing-file",
+            "there is no folder NAME-N with results-N.jsonl in here, as the artifact of shard N has them");
     }
     return artifacts;
 }

@@ -29,8 +29,8 @@ private:
     OutputFolder::Tolerance tolerance_;
 };
 
-/// The folder in the output folder where the tasks of a job keep their results; empty for other runs, which keep
-/// them in the output folder itself.
+/// The folder in the output folder where the tasks of a job keep their results; empty for other runs, which
+/// keep them in the output folder itself.
 fs::path folder_of_tasks(const RunSettings& settings) {
     const fs::path saved = settings.saved.lexically_relative(settings.output);
     return saved.has_parent_path() && *saved.begin() != ".." ? *saved.begin() : fs::path();
@@ -55,7 +55,8 @@ OutputFolder::Tolerance tolerated_output(const RunSettings& settings, const Plan
         tolerated.add_file(settings.saved);
         tolerated.add(kBundleFolder);
     }
-    if (const fs::path tasks = folder_of_tasks(settings); !tasks.empty()) {  // whose submission has looked there
+    if (const fs::path tasks = folder_of_tasks(settings);
+        !tasks.empty()) {  // whose submission has looked there
         for (const std::string& folder : plan.other_folders) {
             tolerated.add_case(folder);
         }
