@@ -49,7 +49,10 @@ class Usage(ProgramCase):
         self.refused(["--verbose"], expected="'--verbose'")
 
     def test_missing_and_unknown_arguments_are_refused(self):
-        self.refused(["merge-reports"], expected="REPORT", command="merge-reports ")
+        for arguments in ((), ("a.jsonl", "--artifacts", ".")):
+            outcome = self.run_program("merge-reports", *arguments)
+            self.assertEqual((outcome.code, outcome.out), (2, ""))
+            self.assert_diagnostics(outcome.err_lines, "REPORT: error bad-value: --artifacts")
         self.refused(["validate"], expected="PATH", command="validate ")
         self.refused(["info"], expected="SCENE", command="info ")
         self.refused(["snapshot", "-o", "a.png"], expected="CAMPUS", command="snapshot ")

@@ -38,7 +38,7 @@ class ConfinedWrites(CheckoutCase):
             self.assert_refused_and_untouched("error outside-project: ")
         self.config("output: ./a/../results\nreporters: [{junit: results/junit.xml}]\n")
         self.passes("run", "--rendering-backend", "none")
-        self.assertEqual(sorted(os.listdir(self.path("results"))), ["junit.xml", "last-run.jsonl"])
+        self.assertEqual(sorted(os.listdir(self.path("results"))), [".written.json", "junit.xml", "last-run.jsonl"])
 
     def test_the_command_line_names_any_place(self):
         self.passes("run", "--rendering-backend", "none", "--output", "../elsewhere", "--reporter", "tap=/dev/null",

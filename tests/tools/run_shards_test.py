@@ -2,6 +2,7 @@
 """The merged shards of a run equal the whole run: `run --shard`, `merge-reports`."""
 
 import os
+import shutil
 
 from program import WALK, ProgramCase, main
 
@@ -264,6 +265,84 @@ class Signatures(TwoShards):
                                (header + b"{" + line.split(b",", 1)[1], 2)):
             self.write("2.jsonl", forged)
             self.assert_foreign(f"2.jsonl:{number}:1")
+
+
+class Artifacts(TwoShards):
+    """`merge-reports --artifacts`: each shard's results and files from its own artifact."""
+
+    def shard(self, number, *arguments, key=""):
+        super().shard(number, "--output", f"artifacts/walks-{number}", "--record", "csv", "--reporter",
+                      f"jsonl=artifacts/walks-{number}/results-{number}.jsonl", *arguments, key=key)
+
+    def merged(self, *arguments, key="", **variables):
+        return self.run_program("merge-reports", "--artifacts", "artifacts", "--output", "all", *arguments,
+                                env={**self.environment(key), **variables})
+
+    def setUp(self):
+        super().setUp()
+        for number in (1, 2):
+            self.shard(number)
+
+    def test_what_results_name_is_copied_and_nothing_else(self):
+        self.write("artifacts/walks-1/more.csv", "not named by any result\n")
+        self.write("artifacts/notes/results-3.jsonl", "no artifact of a shard\n")
+        self.write("artifacts/results-1.jsonl", self.read("artifacts/walks-1/results-1.jsonl"))
+        outcome = self.merged("--reporter", "junit=all/junit.xml", CI="true")
+        self.assertEqual((outcome.code, outcome.err), (0, ""))
+        files = {name for name, content in self.contents().items() if name.startswith("all/") and content is not None}
+        self.assertEqual(files, {"all/.written.json", "all/junit.xml", "all/a/trajectory.csv", "all/b/trajectory.csv"})
+        self.assertEqual(self.read("all/b/trajectory.csv"), self.read("artifacts/walks-2/b/trajectory.csv"))
+        self.assertEqual(self.merged(CI="true").code, 0)  # it knows its own output again
+
+    def assert_merge_refused(self, *expected, **variables):
+        outcome = self.merged(**variables)
+        self.assertEqual(outcome.out, "")
+        self.assert_refused(outcome, *expected)
+
+    def test_results_come_from_their_own_artifact(self):
+        first, second = (self.read(f"artifacts/walks-{number}/results-{number}.jsonl") for number in (1, 2))
+        self.write("artifacts/walks-2/results-1.jsonl", first)
+        self.assertEqual(self.merged().code, 0)
+        self.write("artifacts/walks-2/results-2.jsonl", first)
+        self.assert_merge_refused("artifacts/walks-2/results-2.jsonl: error foreign-results: 1 2")
+        os.remove(self.path("artifacts/walks-2/results-2.jsonl"))
+        outcome = self.merged()
+        self.assertEqual(outcome.code, 1)
+        self.assertIn("error missing-shard: ", outcome.err)
+        self.write("elsewhere", second)
+        os.symlink("../../elsewhere", self.path("artifacts/walks-2/results-2.jsonl"))
+        self.assertEqual(self.merged().code, 1)
+        os.rename(self.path("artifacts/walks-2"), self.path("shard"))
+        self.write("shard/results-2.jsonl", second)
+        os.symlink("../shard", self.path("artifacts/walks-2"))
+        self.assertEqual(self.merged().code, 1)
+
+    def test_files_are_copied_through_no_link_and_none_is_replaced(self):
+        self.write("secret", "key\n")
+        os.remove(self.path("artifacts/walks-1/a/trajectory.csv"))
+        os.symlink("../../../secret", self.path("artifacts/walks-1/a/trajectory.csv"))
+        outcome = self.merged()
+        self.assertEqual((outcome.code, outcome.err_lines[0]), (0, "1 file that the results name isn't in the shards' artifacts"))
+        self.assertFalse(os.path.exists(self.path("all/a/trajectory.csv")))
+        results = self.read("artifacts/walks-2/results-2.jsonl")
+        self.write("artifacts/walks-2/results-2.jsonl", results.replace(b'"path":"b/', b'"path":"a/'))
+        os.remove(self.path("artifacts/walks-1/a/trajectory.csv"))
+        self.write("artifacts/walks-1/a/trajectory.csv", "genuine\n")
+        self.write("artifacts/walks-2/a/trajectory.csv", "forged\n")
+        self.assert_merge_refused("artifacts/walks-2/a/trajectory.csv: error foreign-results:")
+
+    def test_the_output_has_no_links_nor_what_came_with_a_checkout(self):
+        self.write("all/junit.xml", "planted\n")
+        self.assert_merge_refused("all/junit.xml: error foreign-output:", CI="true")
+        os.remove(self.path("all/junit.xml"))
+        os.symlink("..", self.path("all/a"))
+        self.assert_merge_refused("all/a: error output-unwritable:")
+
+    def test_a_folder_without_artifacts_is_refused(self):
+        shutil.rmtree(self.path("artifacts"))
+        self.assert_merge_refused("artifacts: error missing-file:")
+        os.makedirs(self.path("artifacts/walks-1"))
+        self.assert_merge_refused("artifacts: error missing-file: NAME-N results-N.jsonl")
 
 
 if __name__ == "__main__":
