@@ -22,7 +22,7 @@ else()
         OUTPUT ${built}/package-lock.json
         COMMAND ${CMAKE_COMMAND} -E make_directory ${built}
         COMMAND ${CMAKE_COMMAND} -E copy ${viewer}/package.json ${viewer}/package-lock.json ${built}
-        COMMAND ${CAMPUSWALK_NPM} ci --omit=dev --no-audit --no-fund --loglevel=error
+        COMMAND ${CAMPUSWALK_NPM} ci --ignore-scripts --omit=dev --no-audit --no-fund --loglevel=error
         WORKING_DIRECTORY ${built}
         DEPENDS ${viewer}/package.json ${viewer}/package-lock.json
         COMMENT "Installing the viewer's packages"

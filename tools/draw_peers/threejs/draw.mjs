@@ -87,7 +87,7 @@ const server = createServer(async (request, response) => {
 
 // A page that can't load its modules says nothing at all.
 if (!existsSync(join(here, 'node_modules', 'three'))) {
-    end(1, `not installed: npm ci --prefix ${here}`);
+    end(1, `not installed: npm ci --ignore-scripts --prefix ${here}`);
 }
 
 server.listen(0, '127.0.0.1', () => {
