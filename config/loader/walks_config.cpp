@@ -158,7 +158,8 @@ WalksConfig load_walks_config(const fs::path& file, const SearchPaths& search) {
 std::optional<fs::path> find_walks_config(const fs::path& folder) {
     std::error_code ignored;
     for (const fs::path& above : folders_upwards(folder)) {
-        if (fs::is_regular_file(above / kFileName, ignored)) {
+        const fs::file_status status = fs::status(above / kFileName, ignored);
+        if (fs::is_regular_file(status) || fs::is_other(status)) {  // which is refused when it is read
             return (above / kFileName).lexically_normal();
         }
     }

@@ -1,9 +1,14 @@
 #include "scene/base/atomic_file.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
+#include <mutex>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -23,16 +28,85 @@ std::error_code last_error() {
     return {errno, std::generic_category()};
 }
 
+bool is_locked(int descriptor) {
+    return flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+}
+
+/// Whether the file still has its name.
+bool is_at(int descriptor, const fs::path& path) {
+    struct stat opened {};
+    struct stat named {};
+    return fstat(descriptor, &opened) == 0 && lstat(path.c_str(), &named) == 0 &&
+           opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
+}
+
 /// Tries several names: process ids are not unique if containers share a folder.
-std::FILE* create_temporary(const fs::path& file, fs::path& temporary) {
+FileStream create_temporary(const fs::path& file, fs::path& temporary) {
     constexpr int kTries = 100;
-    std::FILE* stream = nullptr;
-    for (int i = 0; i < kTries && stream == nullptr && (i == 0 || errno == EEXIST); ++i) {
+    for (int i = 0; i < kTries; ++i) {
         temporary = file;
         temporary += "." + std::to_string(getpid()) + "-" + std::to_string(i) + std::string(kTemporarySuffix);
-        stream = std::fopen(temporary.c_str(), "wbx");
+        FileStream stream(std::fopen(temporary.c_str(), "wbxe"));
+        if (!stream && errno != EEXIST) {
+            return nullptr;
+        }
+        // Without locks nobody removes it. With them, somebody may have between the two calls.
+        if (stream && (is_locked(fileno(stream.get())) || errno != EWOULDBLOCK) &&
+            is_at(fileno(stream.get()), temporary)) {
+            return stream;
+        }
     }
-    return stream;
+    errno = EEXIST;
+    return nullptr;
+}
+
+/// Whether create_temporary() gives such names: NAME.PROCESS-NUMBER.part.
+bool is_temporary(const std::string& name) {
+    if (!name.ends_with(kTemporarySuffix)) {
+        return false;
+    }
+    std::size_t at = name.size() - kTemporarySuffix.size();
+    for (const char before : {'-', '.'}) {
+        const std::size_t end = at;
+        while (at > 0 && name[at - 1] >= '0' && name[at - 1] <= '9') {
+            --at;
+        }
+        if (at == end || at == 0 || name[at - 1] != before) {
+            return false;
+        }
+        --at;
+    }
+    return at > 0;
+}
+
+void remove_if_abandoned(const fs::path& temporary) {
+    const int descriptor = open(temporary.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    if (descriptor < 0) {
+        return;
+    }
+    struct stat status {};
+    if (fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && is_locked(descriptor) &&
+        is_at(descriptor, temporary)) {
+        unlink(temporary.c_str());
+    }
+    close(descriptor);
+}
+
+/// Once a process: folders may have thousands of files, each of them written like this.
+void remove_abandoned_once(const fs::path& folder) {
+    static std::mutex mutex;
+    static std::set<fs::path> done;
+    std::error_code error;
+    const std::lock_guard lock(mutex);
+    if (!done.insert(fs::weakly_canonical(folder.empty() ? "." : folder, error)).second) {
+        return;
+    }
+    for (fs::directory_iterator it(folder.empty() ? "." : folder, error), end; !error && it != end;
+         it.increment(error)) {
+        if (is_temporary(it->path().filename().string())) {
+            remove_if_abandoned(it->path());
+        }
+    }
 }
 
 }  // namespace
@@ -42,17 +116,19 @@ AtomicFile::AtomicFile(fs::path file) : file_(std::move(file)) {
     if (fs::exists(file_, error) && !fs::is_regular_file(file_, error)) {
         fail(file_, "it is not a regular file");  // the rename would replace a device
     }
-    stream_.reset(create_temporary(file_, temporary_));
+    remove_abandoned_once(file_.parent_path());
+    stream_ = create_temporary(file_, temporary_);
     if (!stream_ && errno == ENOENT && file_.has_parent_path()) {
         fs::create_directories(file_.parent_path(), error);
         if (error) {
             fail(file_, error.message());
         }
-        stream_.reset(create_temporary(file_, temporary_));
+        stream_ = create_temporary(file_, temporary_);
     }
     if (!stream_) {
         fail(file_, last_error().message());
     }
+    lock_.reset(fdopen(fcntl(fileno(stream_.get()), F_DUPFD_CLOEXEC, 0), "wb"));
 }
 
 AtomicFile::~AtomicFile() {
@@ -89,6 +165,7 @@ void AtomicFile::finish() {
     if (error) {
         fail(file_, error.message());
     }
+    lock_.reset();
     temporary_.clear();
 }
 

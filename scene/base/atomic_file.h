@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <span>
 #include <string_view>
+
+#include "scene/base/new_file.h"
 
 namespace campuswalk::scene {
 
@@ -19,7 +19,10 @@ void write_file_atomically(const std::filesystem::path& file,
                            std::span<const std::span<const std::byte>> buffers);
 
 /// The same for a file that is written piece by piece. The temporary file is removed unless finish()
-/// succeeds. Every member throws as above.
+/// succeeds; a process that is killed leaves it behind. So the first file that a process writes in a folder
+/// removes what others have left there: temporary files, by their names, that nobody holds a lock (flock) on.
+/// Where the file system has no locks, none are removed; on one that keeps locks to a machine, others' that
+/// are being written would be. Every member throws as above.
 class AtomicFile {
 public:
     /// Creates the temporary file.
@@ -34,13 +37,15 @@ public:
     /// Renames the temporary file. Nothing may be written afterwards.
     void finish();
 
+    /// The temporary file, for a program that writes it in place of write().
+    const std::filesystem::path& temporary() const { return temporary_; }
+
 private:
-    struct Close {
-        void operator()(std::FILE* stream) const { std::fclose(stream); }
-    };
     std::filesystem::path file_;
     std::filesystem::path temporary_;
-    std::unique_ptr<std::FILE, Close> stream_;
+    FileStream stream_;
+    FileStream
+        lock_;  ///< the stream's descriptor once more: it outlives the stream until the file has its name
 };
 
 /// The suffix of temporary files, which a killed process leaves behind.

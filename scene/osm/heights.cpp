@@ -202,8 +202,11 @@ Grid read_srtm_tile(std::istream& in, std::uintmax_t size, const std::string& na
 
 Grid read_grid(const std::filesystem::path& file, const SourceMark& mark) {
     std::error_code error;
-    const std::uintmax_t size = std::filesystem::file_size(file, error);
-    std::ifstream in(file, std::ios::binary);
+    const std::uintmax_t size = std::filesystem::file_size(file, error);  // fails for a pipe
+    std::ifstream in;
+    if (!error) {
+        in.open(file, std::ios::binary);
+    }
     if (error || !in) {
         throw InputError(mark, "missing-file", "there is no such file, or it can't be read; check the path");
     }

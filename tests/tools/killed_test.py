@@ -120,6 +120,10 @@ class Killed(ProgramCase):
             if os.path.exists(self.path(name)):
                 self.assertEqual(self.read(name), self.undisturbed[name])
 
+    def assert_no_parts(self):
+        """What was killed has left none that the next command would leave, too."""
+        self.assertEqual([name for name in self.contents() if name.endswith(".part")], [])
+
     def remove_results(self):
         shutil.rmtree(self.path("out"), ignore_errors=True)
         for name in glob.glob(self.path("r.*")):
@@ -146,6 +150,7 @@ class Killed(ProgramCase):
                 continue
             self.assertEqual(outcome.returncode, 0, err.decode())
             self.assertEqual(self.reports(), self.undisturbed)
+            self.assert_no_parts()
             resumed += 0 < len(saved) < WALKS
         self.assertGreater(resumed, ROUNDS // 10, "the moments are well spread")
 
@@ -173,6 +178,7 @@ class Killed(ProgramCase):
             self.assert_reports_are_whole_or_none()
             self.run_to_end(*merge)
             self.assertEqual(self.reports(), self.undisturbed)
+            self.assert_no_parts()
 
     def test_golden_files(self):
         for i in range(WALKS):
@@ -190,6 +196,7 @@ class Killed(ProgramCase):
                 if os.path.exists(name):
                     self.assertEqual(self.read(name), whole[name])
             self.run_to_end(*update)
+            self.assert_no_parts()
             self.run_to_end("run", ".", "-j2", "--quiet", "--rendering-backend", "none")
 
 

@@ -156,8 +156,8 @@ class ProgramCase(unittest.TestCase):
                 found[relative] = self.read(relative)
         return found
 
-    def run_program(self, *arguments, **options):
-        longest = 600  # seconds: under sanitizers the import of a quarter of a town takes three minutes
+    def run_program(self, *arguments, longest=600, **options):
+        """`longest`, in seconds: under sanitizers the import of a quarter of a town takes three minutes."""
         options.setdefault("cwd", self.folder)
         options.setdefault("stdout", subprocess.PIPE)
         done = subprocess.run([self.program, *arguments], stdin=subprocess.DEVNULL, stderr=subprocess.PIPE,

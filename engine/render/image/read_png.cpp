@@ -28,7 +28,11 @@ struct CloseFile {
 class PngReader {
 public:
     explicit PngReader(const std::filesystem::path& file)
-        : name_(file), stream_(std::fopen(file.c_str(), "rb")), decoder_(spng_ctx_new(0), spng_ctx_free) {
+        : name_(file), decoder_(spng_ctx_new(0), spng_ctx_free) {
+        if (std::error_code ignored; std::filesystem::is_other(file, ignored)) {
+            refuse("unreadable-file", "it is a pipe, a socket or a device; name a picture's file");
+        }
+        stream_.reset(std::fopen(file.c_str(), "rb"));
         if (!stream_) {
             const int reason = errno;
             refuse(reason == ENOENT || reason == ENOTDIR ? "missing-file" : "unreadable-file",

@@ -1,5 +1,8 @@
 #include "scene/base/atomic_file.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -8,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -36,15 +40,48 @@ TEST(AtomicFile, ReplacesAFileAndCreatesItsFolders) {
     EXPECT_EQ(files_in(file.parent_path()), 1);
 }
 
-/// Another process with the same id may have left it, for example in another container.
-TEST(AtomicFile, LeavesForeignTemporaryFilesAlone) {
+/// Another process with the same id may be writing it, for example in another container.
+TEST(AtomicFile, LeavesTemporaryFilesThatAreBeingWritten) {
     const support::TemporaryFolder folder;
     const std::string foreign = "c.txt." + std::to_string(getpid()) + "-0.part";
     folder.write(foreign, "of somebody else");
+    const int descriptor = open((folder.path() / foreign).c_str(), O_RDWR | O_CLOEXEC);
+    ASSERT_EQ(flock(descriptor, LOCK_EX), 0);
     write_file_atomically(folder.path() / "c.txt", "mine");
     EXPECT_EQ(text_of(folder.path() / "c.txt"), "mine");
     EXPECT_EQ(text_of(folder.path() / foreign), "of somebody else");
     EXPECT_EQ(files_in(folder.path()), 2);
+    close(descriptor);
+}
+
+TEST(AtomicFile, RemovesWhatKilledProcessesHaveLeft) {
+    const support::TemporaryFolder folder;
+    const std::vector<std::string> others = {"a.part",    "b.1.part", "c.1-.part",
+                                             "d.-0.part", "1-0.part", "e.x-0.part"};
+    for (const std::string& name : others) {
+        folder.write(name, "a download of somebody else");
+    }
+    folder.write("c.txt.123-0.part", "half");
+    folder.write("d.png.4567890-12.part", "half");
+    folder.write("victim", "precious");
+    fs::create_symlink(folder.path() / "victim", folder.path() / "e.png.1-0.part");
+    ASSERT_EQ(mkfifo((folder.path() / "f.png.1-0.part").c_str(), 0600), 0);
+    write_file_atomically(folder.path() / "c.txt", "whole");
+    EXPECT_FALSE(fs::exists(folder.path() / "c.txt.123-0.part"));
+    EXPECT_FALSE(fs::exists(folder.path() / "d.png.4567890-12.part"));
+    EXPECT_EQ(files_in(folder.path()), static_cast<std::ptrdiff_t>(others.size()) + 4);
+}
+
+/// As another process would look for what is left there, while the file is closed, renamed and its lock
+/// given up.
+TEST(AtomicFile, HoldsItsLockUntilTheFileHasItsName) {
+    const support::TemporaryFolder folder;
+    AtomicFile out(folder.path() / "c.txt");
+    const int descriptor = open(out.temporary().c_str(), O_RDWR | O_CLOEXEC);
+    EXPECT_NE(flock(descriptor, LOCK_EX | LOCK_NB), 0);
+    out.finish();
+    EXPECT_EQ(flock(descriptor, LOCK_EX | LOCK_NB), 0);
+    close(descriptor);
 }
 
 std::span<const std::byte> bytes(std::string_view text) {

@@ -1,8 +1,10 @@
 #include "scene/base/new_file.h"
 
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <csignal>
+#include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -43,6 +45,40 @@ TEST(NewFile, ReplacesALinkInsteadOfFollowingIt) {
     }
     EXPECT_EQ(contents_of(folder.path() / "precious.txt"), "precious");
     EXPECT_FALSE(fs::exists(folder.path() / "missing.txt"));
+}
+
+TEST(NewFile, ReplacesAFileThatHasAnotherName) {
+    const support::TemporaryFolder folder;
+    folder.write("precious.txt", "precious");
+    fs::create_hard_link(folder.path() / "precious.txt", folder.path() / "stream.log");
+    EXPECT_EQ(std::fputs("mine", open_new_file(folder.path() / "stream.log").get()), 1);
+    EXPECT_EQ(contents_of(folder.path() / "stream.log"), "mine");
+    EXPECT_EQ(contents_of(folder.path() / "precious.txt"), "precious");
+}
+
+TEST(NewFile, RefusesAPipeAtOnce) {
+    const support::TemporaryFolder folder;
+    ASSERT_EQ(mkfifo((folder.path() / "pipe").c_str(), 0600), 0);
+    EXPECT_THROW(open_new_file(folder.path() / "pipe"), std::runtime_error);
+    EXPECT_TRUE(fs::is_fifo(folder.path() / "pipe"));
+}
+
+TEST(NewFile, KnowsStreams) {
+    const support::TemporaryFolder folder;
+    folder.write("file", "");
+    ASSERT_EQ(mkfifo((folder.path() / "pipe").c_str(), 0600), 0);
+    fs::create_symlink("pipe", folder.path() / "link-to-pipe");
+    fs::create_symlink("file", folder.path() / "link-to-file");
+    fs::create_symlink("/dev/stdout", folder.path() / "link-to-stdout");
+    for (const char* name : {"pipe", "link-to-pipe", "link-to-stdout"}) {
+        EXPECT_TRUE(is_stream(folder.path() / name)) << name;
+    }
+    for (const char* name : {"file", "link-to-file", "missing", "missing/too", ""}) {
+        EXPECT_FALSE(is_stream(folder.path() / name)) << name;
+    }
+    for (const char* name : {"/dev/null", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"}) {
+        EXPECT_TRUE(is_stream(name)) << name;
+    }
 }
 
 TEST(NewFile, FailsOnAFolderAndBelowAFile) {

@@ -15,8 +15,8 @@ namespace campuswalk::tools {
 /// Writes text to the terminal, to a file or to both, through spdlog, which nothing else uses.
 class LogOutput {
 public:
-    /// Truncates `file`. Throws std::runtime_error when it can't be opened. On a terminal no line is a
-    /// command to a CI machine, unless the text consists of such `commands`.
+    /// Replaces `file`, unless it is a stream. Throws std::runtime_error when it can't be opened. On a
+    /// terminal no line is a command to a CI machine, unless the text consists of such `commands`.
     LogOutput(bool to_terminal, const std::optional<std::filesystem::path>& file, bool commands = false);
 
     /// Throws std::runtime_error when the text can't be written; for a file perhaps only at `flush`.

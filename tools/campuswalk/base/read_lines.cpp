@@ -17,15 +17,28 @@ constexpr std::uintmax_t kMostReserved = std::uintmax_t{1} << 26U;  // bytes
 
 scene::InputError unreadable(const std::filesystem::path& file) {
     std::error_code ignored;
-    const bool missing =
-        std::filesystem::status(file, ignored).type() == std::filesystem::file_type::not_found;
-    return error_about(file, "unreadable", missing ? "there is no such file" : "the file can't be read");
+    const std::filesystem::file_status status = std::filesystem::status(file, ignored);
+    return error_about(
+        file, "unreadable",
+        !std::filesystem::exists(status) ? "there is no such file"
+        : std::filesystem::is_other(status)
+            ? "it is a pipe, a socket or a device; write what it gives to a file, and name that"
+            : "the file can't be read");
+}
+
+/// Opening a pipe would wait for a writer, and a device may never end.
+std::ifstream open_file(const std::filesystem::path& file) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(file, ignored)) {
+        throw unreadable(file);
+    }
+    return std::ifstream(file, std::ios::binary);
 }
 
 }  // namespace
 
 std::vector<std::string> read_lines(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
+    std::ifstream stream = open_file(file);
     std::vector<std::string> lines;
     for (std::string line; std::getline(stream, line);) {
         lines.push_back(std::move(line));
@@ -37,7 +50,7 @@ std::vector<std::string> read_lines(const std::filesystem::path& file) {
 }
 
 std::string read_bytes(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
+    std::ifstream stream = open_file(file);
     std::string bytes;
     std::error_code ignored;
     if (const std::uintmax_t size = std::filesystem::file_size(file, ignored); !ignored) {

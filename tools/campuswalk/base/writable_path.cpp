@@ -56,6 +56,19 @@ fs::path link_in(const fs::path& path) {
     return {};
 }
 
+/// Why a file that is there can't be replaced.
+std::string refusal_of_file(const fs::path& file) {
+    std::error_code ignored;
+    if (fs::is_other(file, ignored)) {
+        return "it is a pipe, a socket or a device; remove it, or name another file";
+    }
+    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    if (fs::hard_link_count(file, ignored) > 1 && access(folder.c_str(), W_OK | X_OK) != 0) {
+        return "it has another name (a hard link), and its folder can't be changed; name another file";
+    }
+    return refusal(file, W_OK);
+}
+
 std::string refusal_of_links(const fs::path& path) {
     const fs::path link = link_in(path);
     return link.empty() ? "" : "'" + link.filename().string() + "' is a symbolic link";
@@ -89,7 +102,7 @@ std::string why_file_unwritable(const fs::path& file) {
         return "it is a folder; name a file";
     }
     if (fs::exists(status)) {
-        return refusal(file, W_OK);
+        return refusal_of_file(file);
     }
     if (status.type() != fs::file_type::not_found) {
         return error.message();
@@ -115,6 +128,9 @@ void require_writable_folder(const fs::path& folder, const std::string& message)
     std::error_code ignored;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
         throw_if_any(refusal_of_links(entry.path()), entry.path(), message);
+        if (entry.is_other(ignored)) {
+            throw_if_any(refusal_of_file(entry.path()), entry.path(), message);
+        }
     }
 }
 

@@ -9,7 +9,8 @@ namespace campuswalk::tools {
 //
 // A checkout may contain symbolic links, such as `out -> /etc`. Nothing is written through one: all functions
 // here refuse a path that leads through a link below a folder that has `.git` or walks.config.yaml, or below
-// the current folder.
+// the current folder. Nor is anything written into a pipe, a socket or a device, which a checkout may contain
+// as well: opening one could take forever.
 
 /// Why a file can't be created or replaced here, including the folders it needs; empty when it can.
 std::string why_file_unwritable(const std::filesystem::path& file);
@@ -18,7 +19,7 @@ std::string why_file_unwritable(const std::filesystem::path& file);
 std::string why_folder_unwritable(const std::filesystem::path& folder);
 
 /// Throw scene::InputError output-unwritable in these cases, with the reason after `message`. Of a folder,
-/// the files in it may not be links either.
+/// nothing in it may be one of these either.
 void require_writable_file(const std::filesystem::path& file, const std::string& message);
 void require_writable_folder(const std::filesystem::path& folder, const std::string& message);
 /// Likewise for a picture, and file-name: a name with another ending than .png would lie about what is

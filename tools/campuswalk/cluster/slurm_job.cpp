@@ -62,8 +62,14 @@ void make_executable(const fs::path& file) {
     fs::permissions(file, fs::perms::owner_exec, fs::perm_options::add);
 }
 
+/// Opening a pipe would wait for a writer.
+std::ifstream open_regular(const fs::path& file) {
+    std::error_code ignored;
+    return fs::is_regular_file(file, ignored) ? std::ifstream(file) : std::ifstream();
+}
+
 std::optional<int> code_in(const fs::path& file) {
-    std::ifstream stream(file);
+    std::ifstream stream = open_regular(file);
     int code = 0;
     return stream >> code ? std::optional(code) : std::nullopt;
 }
@@ -146,7 +152,7 @@ SlurmJob submit(const JobFolder& folder, const std::vector<std::string>& variabl
 }
 
 std::optional<SlurmJob> noted_job(const JobFolder& folder) {
-    std::ifstream stream(folder.job());
+    std::ifstream stream = open_regular(folder.job());
     SlurmJob job;
     const auto is_number = [](const std::string& text) {
         return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;

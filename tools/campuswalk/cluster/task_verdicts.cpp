@@ -51,8 +51,12 @@ std::map<int, int> ended_tasks(const JobFolder& folder) {
     for (fs::directory_iterator entry(folder.ended(), error), end; !error && entry != end;
          entry.increment(error)) {
         const std::vector<int> task = tasks_in(entry->path().filename().string());
+        std::error_code ignored;
+        if (task.size() != 1 || !entry->is_regular_file(ignored)) {
+            continue;
+        }
         std::ifstream file(entry->path());
-        if (int code = 0; task.size() == 1 && file >> code) {
+        if (int code = 0; file >> code) {
             codes[task.front()] = code;
         }
     }

@@ -61,27 +61,24 @@ bool has_ffmpeg() {
 }
 
 FfmpegVideo::FfmpegVideo(fs::path file, double seconds_per_frame)
-    : file_(std::move(file)), part_(file_), seconds_per_frame_(seconds_per_frame) {
-    part_ += ".part";
-}
+    : file_(std::move(file)), seconds_per_frame_(seconds_per_frame) {}
 
 FfmpegVideo::~FfmpegVideo() {
     if (process_.running()) {
         wait_for_end();
-        std::error_code ignored;
-        fs::remove(part_, ignored);
     }
 }
 
 void FfmpegVideo::start(const engine::render::Image& image) {
-    fs::create_directories(file_.parent_path());
+    written_ = std::make_unique<scene::AtomicFile>(file_);
     try {
         scene::Pipe pipe = scene::make_pipe();
-        process_ = scene::start_program({.program = "ffmpeg",
-                                         .arguments = arguments(image, seconds_per_frame_, part_),
-                                         .environment = {},
-                                         .input = pipe.reading.number(),
-                                         .output = STDERR_FILENO});
+        process_ =
+            scene::start_program({.program = "ffmpeg",
+                                  .arguments = arguments(image, seconds_per_frame_, written_->temporary()),
+                                  .environment = {},
+                                  .input = pipe.reading.number(),
+                                  .output = STDERR_FILENO});
         pipe_ = std::move(pipe.writing);
     } catch (const std::system_error& error) {
         fail("ffmpeg can't be started: " + error.code().message());
@@ -105,11 +102,7 @@ void FfmpegVideo::finish() {
     if (!wait_for_end()) {
         fail("ffmpeg failed; see its output");
     }
-    std::error_code error;
-    fs::rename(part_, file_, error);
-    if (error) {
-        fail(error.message());
-    }
+    written_->finish();
 }
 
 bool FfmpegVideo::wait_for_end() {
@@ -118,8 +111,6 @@ bool FfmpegVideo::wait_for_end() {
 }
 
 void FfmpegVideo::fail(const std::string& why) const {
-    std::error_code ignored;
-    fs::remove(part_, ignored);
     throw std::runtime_error("can't write " + file_.string() + ": " + why);
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 
 #include "engine/render/sequence/frame_sink.h"
+#include "scene/base/atomic_file.h"
 #include "scene/process/child_process.h"
 #include "scene/process/pipe.h"
 
@@ -32,7 +34,7 @@ private:
     [[noreturn]] void fail(const std::string& why) const;
 
     std::filesystem::path file_;
-    std::filesystem::path part_;  ///< what ffmpeg writes; renamed when it is complete
+    std::unique_ptr<scene::AtomicFile> written_;  ///< by ffmpeg
     double seconds_per_frame_;
     scene::ChildProcess process_;
     scene::Descriptor pipe_;

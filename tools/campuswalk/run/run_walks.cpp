@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <memory>
 #include <set>
 #include <string>
 #include <utility>
 
 #include "engine/report/report_paths.h"
+#include "scene/base/new_file.h"
 #include "scene/lint/wording.h"
 #include "tools/campuswalk/base/canonical_paths.h"
 #include "tools/campuswalk/base/exit_codes.h"
@@ -221,7 +221,7 @@ private:
         }
         const Shard& shard = *settings_.shard;
         if (!shard.status_file.empty()) {
-            const std::ofstream touched(shard.status_file, std::ios::app);
+            scene::write_new_file(shard.status_file, "");
         }
         if (shard.from != "--shard") {
             print_error_line("shard " + std::to_string(shard.index + 1) + " of " +

@@ -5,10 +5,12 @@
 #include <cerrno>
 #include <chrono>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "engine/report/result_json.h"
+#include "scene/base/atomic_file.h"
 #include "scene/base/diagnostic.h"
 #include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/base/read_lines.h"
@@ -100,19 +102,20 @@ std::set<std::string> failed_ids(const LastRun& run) {
 
 LastRunWriter::LastRunWriter(const fs::path& file, const std::string& plan, std::string key)
     : name_(file), plan_(plan), key_(std::move(key)) {
-    std::error_code ignored;
-    if (!file.parent_path().empty()) {
-        fs::create_directories(file.parent_path(), ignored);
+    try {
+        file_ = scene::open_new_file(file);
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error("results can't be saved: " + std::string(error.what()));
     }
-    file_.reset(std::fopen(file.c_str(), "wb"));
     write_line(json_text({{kHeaderKey, plan}}));
     sync();
 }
 
 LastRunWriter::LastRunWriter(const fs::path& file, const LastRun& run, std::string key)
     : name_(file), plan_(run.plan), key_(std::move(key)) {
-    fs::resize_file(file, run.whole_bytes);
-    file_.reset(std::fopen(file.c_str(), "ab"));
+    // A file that is there already may have another name elsewhere.
+    scene::write_file_atomically(file, std::string_view(read_bytes(file)).substr(0, run.whole_bytes));
+    file_.reset(std::fopen(file.c_str(), "abe"));
 }
 
 void LastRunWriter::add(const std::string& result_line, std::optional<std::uint64_t> microseconds) {

@@ -1,15 +1,14 @@
 #pragma once
 
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "engine/report/walk_result.h"
+#include "scene/base/new_file.h"
 
 namespace campuswalk::tools {
 
@@ -47,13 +46,10 @@ private:
     void write_line(const std::string& object);
     void sync();
 
-    struct Close {
-        void operator()(std::FILE* file) const { std::fclose(file); }
-    };
     std::filesystem::path name_;
     std::string plan_;
     std::string key_;
-    std::unique_ptr<std::FILE, Close> file_;
+    scene::FileStream file_;
     bool unsynced_ = false;
     double synced_at_ = 0.0;  ///< seconds of a steady clock
 };

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "scene/base/new_file.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/run/results/result_file.h"
@@ -70,6 +71,9 @@ void check_target(const ReportTarget& target) {
     if (target.file->extension() == ".yaml") {  // as in `--log a.walk.yaml b.walk.yaml`
         throw about(target, "a " + noun(target) + " would overwrite this YAML file; name another");
     }
+    if (!target.configured && scene::is_stream(*target.file)) {
+        return;  // the user knows who reads it
+    }
     if (const std::string why = why_file_unwritable(*target.file); !why.empty()) {
         throw about(target, "the " + noun(target) + " can't be written here: " + why);
     }
@@ -90,16 +94,16 @@ engine::TextSink signing(engine::TextSink sink, const std::string& key) {
     };
 }
 
-/// Whether a reader needs the report's end to make sense of it. Devices and pipes are streams, and so is a
-/// file whose folder can't be changed.
+/// Whether a reader needs the report's end to make sense of it. A file whose folder can't be changed is
+/// written like a stream.
 bool is_whole(const ReportTarget& target) {
     constexpr std::array<std::string_view, 4> kWhole = {"junit", "json", "html", "markdown"};
     if (std::ranges::find(kWhole, target.name) == kWhole.end()) {
         return false;
     }
     std::error_code ignored;
-    return !fs::exists(*target.file, ignored) || (fs::is_regular_file(*target.file, ignored) &&
-                                                  why_folder_unwritable(target.file->parent_path()).empty());
+    return !scene::is_stream(*target.file) &&
+           (!fs::exists(*target.file, ignored) || why_folder_unwritable(target.file->parent_path()).empty());
 }
 
 }  // namespace

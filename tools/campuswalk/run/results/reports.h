@@ -21,10 +21,10 @@ void check_targets(const std::vector<ReportTarget>& reports);
 /// All reports of a run. Throws std::runtime_error when one can't be written.
 class Reports {
 public:
-    /// Opens the files, with the folders that they need. Streams are truncated; files that make sense only as
-    /// a whole (junit, json, html, markdown) are removed by begin(), written beside their place and renamed
-    /// at the end, so that what is there is neither half a report nor another run's. Leaves "log" out unless
-    /// `with_logs`. With a key, the lines of jsonl reports are signed with it.
+    /// Opens the files, with the folders that they need. Older ones are replaced; files that make sense only
+    /// as a whole (junit, json, html, markdown) are removed by begin(), written beside their place and
+    /// renamed at the end, so that what is there is neither half a report nor another run's. Leaves "log" out
+    /// unless `with_logs`. With a key, the lines of jsonl reports are signed with it.
     Reports(const std::vector<ReportTarget>& targets, const engine::ReportStyle& style, bool with_logs,
             const std::optional<std::string>& key = {});
 
