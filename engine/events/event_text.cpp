@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <string_view>
-#include <utility>
 
 #include "engine/events/decimals.h"
-#include "scene/base/utf8.h"
+#include "scene/base/printable.h"
 
 namespace campuswalk::engine {
 
@@ -27,35 +26,13 @@ std::string left_aligned(std::string_view text, std::size_t width) {
     return padded;
 }
 
-/// Whether the characters at `at` must be escaped, and how many bytes they have. Bytes that aren't UTF-8 are
-/// kept.
-std::pair<bool, std::size_t> next_character(std::string_view text, std::size_t at) {
-    const std::size_t bytes = scene::utf8_length(text, at);
-    return {bytes > 0 && scene::controls_display(scene::code_point(text.substr(at, bytes))),
-            std::max<std::size_t>(1, bytes)};
-}
-
 /// Always a single line.
 std::string in_quotes(std::string_view text) {
-    constexpr std::string_view kHex = "0123456789abcdef";
-    std::string out = "\"";
-    for (std::size_t at = 0; at < text.size();) {
-        const auto [escaped, bytes] = next_character(text, at);
-        const char c = text[at];
-        if (c == '"' || c == '\\') {
-            out += {'\\', c};
-        } else if (c == '\n') {
-            out += "\\n";
-        } else {
-            for (const char each : text.substr(at, bytes)) {
-                const auto byte = static_cast<unsigned char>(each);
-                out +=
-                    escaped ? std::string{'\\', 'x', kHex[byte >> 4U], kHex[byte & 15U]} : std::string{each};
-            }
-        }
-        at += bytes;
+    std::string out;
+    for (const char c : text) {
+        out += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
     }
-    return out + '"';
+    return '"' + scene::printable(out) + '"';
 }
 
 std::string text_of(std::int64_t value) {
@@ -77,12 +54,8 @@ std::string text_of(const Text& value) {
 }  // namespace
 
 std::string text_of_name(const std::string& value) {
-    bool breaks_columns = value.empty() || value.find_first_of(" \"\\=") != std::string::npos;
-    for (std::size_t at = 0; at < value.size() && !breaks_columns;) {
-        const auto [escaped, bytes] = next_character(value, at);
-        breaks_columns = escaped;
-        at += bytes;
-    }
+    const bool breaks_columns = value.empty() || value.find_first_of(" \"\\=") != std::string::npos ||
+                                scene::printable(value) != value;
     return breaks_columns ? in_quotes(value) : value;
 }
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <new>
 
-#include "engine/report/plain_text.h"
+#include "scene/base/printable.h"
 
 namespace campuswalk::engine {
 
@@ -60,7 +60,7 @@ void Gzip::Free::operator()(libdeflate_compressor* compressor) const {
 
 std::string html_escaped(std::string_view text) {
     std::string escaped;
-    for (const char c : valid_utf8(text)) {
+    for (const char c : scene::printable(text)) {
         escaped += c == '&'   ? std::string_view("&amp;")
                    : c == '<' ? std::string_view("&lt;")
                    : c == '>' ? std::string_view("&gt;")

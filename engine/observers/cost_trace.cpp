@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/events/decimals.h"
+#include "scene/base/printable.h"
 
 namespace campuswalk::engine {
 
@@ -12,7 +13,8 @@ constexpr int kCostTrack = 1;
 constexpr int kClockTrack = 2;
 
 std::string quoted(const std::string& text) {
-    return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    return scene::printable_json(
+        nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 std::string track_name(int track, const std::string& name) {

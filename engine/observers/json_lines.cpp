@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/events/decimals.h"
+#include "scene/base/printable.h"
 
 namespace campuswalk::engine {
 
@@ -52,9 +53,8 @@ Json json_of(const scene::Origin& origin) {
     return json;
 }
 
-/// Bytes that aren't UTF-8 can't be written in JSON: they become U+FFFD.
 std::string line_of(const Json& json) {
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return scene::printable_json(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "engine/events/event_text.h"
 #include "engine/script/avatar_body.h"
 #include "engine/script/step_text.h"
+#include "scene/base/printable.h"
 
 namespace campuswalk::engine {
 
@@ -36,7 +37,8 @@ std::string json_text(const std::string& text) {
     if (std::ranges::all_of(text, is_plain)) {  // nearly all lines of logs
         return '"' + text + '"';
     }
-    return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    return scene::printable_json(
+        nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 std::string triple(const Vector3d& value) {

@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "engine/report/plain_text.h"
+#include "engine/report/github_text.h"
 #include "engine/report/reporters.h"
 #include "engine/report/result_text.h"
 

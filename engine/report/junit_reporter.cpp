@@ -6,14 +6,16 @@
 #include <pugixml.hpp>
 
 #include "engine/events/decimals.h"
-#include "engine/report/plain_text.h"
 #include "engine/report/report_paths.h"
 #include "engine/report/reporters.h"
 #include "engine/report/result_text.h"
+#include "scene/base/printable.h"
 
 namespace campuswalk::engine {
 
 namespace {
+
+using Lines = std::vector<std::string>;
 
 class SinkWriter final : public pugi::xml_writer {
 public:
@@ -24,8 +26,9 @@ private:
     const TextSink& sink_;
 };
 
+/// Words of an attribute.
 void set(pugi::xml_node node, const char* name, std::string_view value) {
-    node.append_attribute(name).set_value(xml_characters(printable(value)).c_str());
+    node.append_attribute(name).set_value(scene::printable(value).c_str());
 }
 
 void set_counts(pugi::xml_node node, std::size_t tests, const Tally& tally) {
@@ -35,37 +38,36 @@ void set_counts(pugi::xml_node node, std::size_t tests, const Tally& tally) {
     set(node, "time", fixed(tally.seconds, 3));
 }
 
-void append_text(pugi::xml_node node, const char* name, const std::string& text) {
-    if (!text.empty()) {
-        node.append_child(name).append_child(pugi::node_pcdata).set_value(xml_characters(text).c_str());
+void append_lines(pugi::xml_node node, const Lines& lines) {
+    std::string text;
+    for (const std::string& line : lines) {
+        text += scene::printable(line) + "\n";
     }
+    node.append_child(pugi::node_pcdata).set_value(text.c_str());
 }
 
 /// Everything about a failure, one fact per line.
-std::string details_of(const Failure& failure) {
-    std::string text = headline_of(failure) + "\n";
+void add_details(const Failure& failure, Lines& lines) {
+    lines.push_back(headline_of(failure));
     if (const std::string place = place_of(failure.scene); !place.empty()) {
-        text += place + "\n";
+        lines.push_back(place);
     }
-    for (const std::string& event : failure.scene.last_events) {
-        text += printable(event) + "\n";
-    }
-    return text;
+    lines.insert(lines.end(), failure.scene.last_events.begin(), failure.scene.last_events.end());
 }
 
 void append_problem(pugi::xml_node test, const char* kind, std::string_view type, std::string_view message,
-                    const std::string& details) {
+                    const Lines& details) {
     pugi::xml_node node = test.append_child(kind);
     set(node, "type", type);
     set(node, "message", message);
-    node.append_child(pugi::node_pcdata).set_value(xml_characters(details).c_str());
+    append_lines(node, details);
 }
 
 /// Schemas allow several, but most readers show only the first: all failures are in it.
 void append_failures(pugi::xml_node test, const WalkResult& result) {
-    std::string details;
+    Lines details;
     for (const Failure& failure : result.failures) {
-        details += details_of(failure);
+        add_details(failure, details);
     }
     const bool says_why = !result.failures.empty();
     append_problem(test, "failure", says_why ? result.failures.front().code : name_of(result.outcome),
@@ -73,23 +75,27 @@ void append_failures(pugi::xml_node test, const WalkResult& result) {
 }
 
 void append_error(pugi::xml_node test, const WalkResult& result) {
-    std::string details;
-    for (const std::string& diagnostic : result.diagnostics) {
-        details += printable(diagnostic) + "\n";
-    }
+    Lines details = result.diagnostics;
     const std::string verdict = verdict_in_words(result);
+    if (!verdict.empty()) {
+        details.push_back(verdict);
+    }
     append_problem(test, "error", name_of(result.outcome),
-                   result.diagnostics.empty() ? verdict : result.diagnostics.front(), details + verdict);
+                   result.diagnostics.empty() ? verdict : result.diagnostics.front(), details);
 }
 
 /// Files that Jenkins and GitLab show beside a case: as seen from the repository's root, the folder of both
-/// their jobs.
-std::string attachments_of(const WalkResult& result, const std::string& folder) {
+/// their jobs. Their marker has no escape: of a path that would break it, only the words are there.
+void append_attachments(pugi::xml_node test, const WalkResult& result, const std::string& folder) {
     std::string text;
     for (const Artifact& artifact : result.artifacts) {
-        text += "[[ATTACHMENT|" + printable(published_path(folder, artifact.path)) + "]]\n";
+        const std::string path = published_path(folder, artifact.path);
+        const bool fits = path.find_first_of("[]|") == std::string::npos && scene::printable(path) == path;
+        text += fits ? "[[ATTACHMENT|" + path + "]]\n" : scene::printable(artifact.name + ": " + path) + "\n";
     }
-    return text;
+    if (!text.empty()) {
+        test.append_child("system-out").append_child(pugi::node_pcdata).set_value(text.c_str());
+    }
 }
 
 void append_case(pugi::xml_node suite, const WalkResult& result, const std::string& folder) {
@@ -112,14 +118,17 @@ void append_case(pugi::xml_node suite, const WalkResult& result, const std::stri
         default:
             append_error(test, result);
     }
-    append_text(test, "system-out", attachments_of(result, folder));
-    std::string remarks =
-        failed_as_expected(result) ? "failed as expected: " + printable(result.status_reason) : "";
-    if (result.not_evaluated > 0) {
-        remarks += (remarks.empty() ? "" : "\n") + not_evaluated_in_words(result.not_evaluated) +
-                   ": nothing draws pictures";
+    append_attachments(test, result, folder);
+    Lines remarks;
+    if (failed_as_expected(result)) {
+        remarks.push_back("failed as expected: " + result.status_reason);
     }
-    append_text(test, "system-err", remarks);
+    if (result.not_evaluated > 0) {
+        remarks.push_back(not_evaluated_in_words(result.not_evaluated) + ": nothing draws pictures");
+    }
+    if (!remarks.empty()) {
+        append_lines(test.append_child("system-err"), remarks);
+    }
 }
 
 class JunitReporter final : public Reporter {

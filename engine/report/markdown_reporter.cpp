@@ -5,10 +5,11 @@
 #include <vector>
 
 #include "engine/events/decimals.h"
-#include "engine/report/plain_text.h"
+#include "engine/report/artifact_path.h"
 #include "engine/report/report_paths.h"
 #include "engine/report/reporters.h"
 #include "engine/report/result_text.h"
+#include "scene/base/printable.h"
 
 namespace campuswalk::engine {
 
@@ -18,13 +19,14 @@ namespace {
 constexpr std::size_t kMostRows = 500;
 constexpr std::size_t kMostDetails = 30;
 
-/// Text that Markdown shows as it is. What makes a link of an address or a name is escaped, too: names come
-/// from strangers' files.
+/// Text that Markdown shows as it is. What makes a link of an address (`https:`, `www.`) or a name is
+/// escaped, too: names come from strangers' files.
 std::string markdown_text(std::string_view text) {
     constexpr std::string_view kMarkup = "\\`*_{}[]()<>#+!|~@:&$";
     std::string escaped;
-    for (const char c : printable(text)) {
-        if (kMarkup.find(c) != std::string_view::npos) {
+    for (const char c : scene::printable(text)) {
+        const bool ends_www = c == '.' && (escaped.ends_with("www") || escaped.ends_with("WWW"));
+        if (ends_www || kMarkup.find(c) != std::string_view::npos) {
             escaped += '\\';
         }
         escaped += c;
@@ -33,19 +35,13 @@ std::string markdown_text(std::string_view text) {
 }
 
 /// As part of an address, between `<` and `>`.
-std::string percent_encoded(std::string_view path) {
+std::string in_address(std::string_view path) {
     constexpr std::string_view kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~/";
-    constexpr std::string_view kDigits = "0123456789ABCDEF";
-    std::string encoded;
-    for (const char c : path) {
-        if (kPlain.find(c) != std::string_view::npos) {
-            encoded += c;
-        } else {
-            const auto byte = static_cast<unsigned char>(c);
-            encoded += {'%', kDigits[byte / 16U], kDigits[byte % 16U]};
-        }
+    std::string address;
+    for (const char& c : path) {
+        address += kPlain.find(c) != std::string_view::npos ? std::string{c} : percent_encoded({&c, 1});
     }
-    return encoded;
+    return address;
 }
 
 const char* symbol_of(const WalkResult& result) {
@@ -128,13 +124,13 @@ private:
     }
 
     void write_row(const WalkResult& result) {
-        write(std::string("| ") + symbol_of(result) + " | " + markdown_text(title_of(result)) + " | " +
+        write(std::string("| ") + symbol_of(result) + " | " + markdown_text(result.id) + " | " +
               fixed(seconds_of(result), 1) + " s | " + fixed(result.distance, 1) + " m | " +
               markdown_text(remark_of(result)) + " |");
     }
 
     void write_details(const WalkResult& result) {
-        write("### " + markdown_text(title_of(result)) + "\n");
+        write("### " + markdown_text(result.id) + "\n");
         for (const std::string& diagnostic : result.diagnostics) {
             write("- " + markdown_text(diagnostic));
         }
@@ -161,7 +157,7 @@ private:
         if (images_url_.empty()) {
             write("- " + markdown_text(artifact.name) + ": " + markdown_text(path));
         } else {
-            write("![" + markdown_text(artifact.name) + "](<" + images_url_ + percent_encoded(path) + ">)\n");
+            write("![" + markdown_text(artifact.name) + "](<" + images_url_ + in_address(path) + ">)\n");
         }
     }
 

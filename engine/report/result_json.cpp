@@ -15,8 +15,9 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/events/decimals.h"
-#include "engine/report/plain_text.h"
+#include "engine/report/artifact_path.h"
 #include "engine/report/result_fields.h"
+#include "scene/base/printable.h"
 
 namespace campuswalk::engine {
 
@@ -234,11 +235,29 @@ void read(const Json& json, const std::string& where, std::vector<Item>& list) {
 }
 
 template <typename Struct>
+void check(const Struct& /*value*/, const std::string& /*where*/, const Json& /*json*/) {}
+
+/// What is read from a report may come from strangers, and other programs open the files that it names.
+void check(const Artifact& artifact, const std::string& where, const Json& json) {
+    if (!is_artifact_path(artifact.path)) {
+        refuse(where + ".path", "a path inside the output folder, without '..', '\\', '|', '[[' and ']]'",
+               json["path"]);
+    }
+    if (artifact.name.empty() || scene::printable(artifact.name) != artifact.name) {
+        refuse(where + ".name", "a name without characters that aren't shown", json["name"]);
+    }
+    if (!is_media_type(artifact.media_type)) {
+        refuse(where + ".media_type", "of the form image/png", json["media_type"]);
+    }
+}
+
+template <typename Struct>
 requires std::is_class_v<Struct>
 void read(const Json& json, const std::string& where, Struct& value) {
     FieldReader reader(json, where);
     list_fields(reader, value);
     reader.finish();
+    check(value, where, json);
 }
 
 /// The parser would accept repeated keys and use the last.
@@ -262,7 +281,7 @@ Json parsed_without_repeated_keys(std::string_view line) {
 }  // namespace
 
 std::string to_json_line(const WalkResult& result) {
-    return printable_json(json_of(result).dump(-1, ' ', false, Json::error_handler_t::replace));
+    return scene::printable_json(json_of(result).dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 WalkResult result_from_json_line(std::string_view line) {
@@ -278,13 +297,13 @@ WalkResult result_from_json_line(std::string_view line) {
 }
 
 std::string to_json(const RunPlan& plan) {
-    return json_of(plan).dump();
+    return scene::printable_json(json_of(plan).dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 std::string to_header_line(const RunPlan& plan) {
     Json header{{kHeaderKey, kHeaderVersion}};
     header.update(json_of(plan));
-    return header.dump();
+    return scene::printable_json(header.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 std::optional<RunPlan> plan_from_header_line(std::string_view line) {

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "engine/events/decimals.h"
-#include "engine/report/plain_text.h"
 #include "scene/base/diagnostic.h"
 
 namespace campuswalk::engine {
@@ -52,12 +51,8 @@ std::string not_evaluated_in_words(std::size_t not_evaluated) {
                      " not evaluated";
 }
 
-std::string title_of(const WalkResult& result) {
-    return printable(result.id);
-}
-
 std::string headline_of(const Failure& failure) {
-    return printable(scene::to_string({scene::Severity::error, failure.mark, failure.code, failure.message}));
+    return scene::to_string({scene::Severity::error, failure.mark, failure.code, failure.message});
 }
 
 std::string place_of(const FailureScene& scene) {
@@ -67,11 +62,10 @@ std::string place_of(const FailureScene& scene) {
     std::string place = "at " + fixed(scene.time, 3) + " s, " + fixed(scene.position) + ", facing " +
                         fixed(degrees(scene.yaw), 1) + " degrees";
     if (!scene.building.empty()) {
-        place += "; in or near " + printable(scene.building);
+        place += "; in or near " + scene.building;
     }
     if (!scene.nearest.empty()) {
-        place +=
-            "; nearest " + printable(scene.nearest) + ", " + fixed(scene.nearest_distance, 2) + " m away";
+        place += "; nearest " + scene.nearest + ", " + fixed(scene.nearest_distance, 2) + " m away";
     }
     return place;
 }

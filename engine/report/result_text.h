@@ -8,6 +8,9 @@
 
 namespace campuswalk::engine {
 
+// Words as they are: the reporter that makes them part of its text calls scene::printable() or its own
+// format's escape, which includes it.
+
 /// An xfail that failed as its status says.
 constexpr bool failed_as_expected(const WalkResult& result) {
     return result.outcome == Outcome::passed && result.expected_to_fail;
@@ -22,9 +25,6 @@ std::string verdict_in_words(const WalkResult& result);
 
 /// "2 expectations not evaluated"; empty if all were.
 std::string not_evaluated_in_words(std::size_t not_evaluated);
-
-/// FILE[ PROJECT][ #REPETITION], printable.
-std::string title_of(const WalkResult& result);
 
 /// `file:line:col: error CODE: message`.
 std::string headline_of(const Failure& failure);

@@ -4,9 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engine/report/plain_text.h"
 #include "engine/report/reporters.h"
 #include "engine/report/result_text.h"
+#include "scene/base/printable.h"
 
 namespace campuswalk::engine {
 
@@ -15,7 +15,7 @@ namespace {
 /// An unescaped `#` would begin a directive.
 std::string escaped(std::string_view text) {
     std::string out;
-    for (const char c : printable(text)) {
+    for (const char c : scene::printable(text)) {
         if (c == '#' || c == '\\') {
             out += '\\';
         }
@@ -26,7 +26,8 @@ std::string escaped(std::string_view text) {
 
 /// JSON strings are also YAML.
 std::string quoted(const std::string& text) {
-    return printable_json(nlohmann::json(valid_utf8(text)).dump());
+    return scene::printable_json(
+        nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 class TapReporter final : public Reporter {
@@ -45,7 +46,7 @@ public:
         if (todo || result.outcome == Outcome::skipped) {
             line += todo ? " # TODO"
                          : " # SKIP";  // TAP's directives: a failure that was expected, a test not run
-            line += result.status_reason.empty() ? "" : " " + printable(result.status_reason);
+            line += result.status_reason.empty() ? "" : " " + result.status_reason;
         }
         write(line);
         if (result.not_evaluated > 0) {
@@ -85,7 +86,7 @@ private:
         write("  ...");
     }
 
-    void write(const std::string& line) { sink_(line + "\n"); }
+    void write(const std::string& line) { sink_(scene::printable(line) + "\n"); }
 
     TextSink sink_;
     std::size_t number_ = 0;

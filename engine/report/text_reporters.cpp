@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "engine/events/decimals.h"
-#include "engine/report/plain_text.h"
 #include "engine/report/reporters.h"
 #include "engine/report/result_text.h"
+#include "scene/base/printable.h"
 
 namespace campuswalk::engine {
 
@@ -68,16 +68,23 @@ public:
         if (!style_.quiet || problems > 0) {
             print_line("");
         }
-        print_line(colored(summary_of(tally_), problems == 0 ? Color::green : Color::red));
+        print_line(summary_of(tally_), problems == 0 ? Color::green : Color::red);
     }
 
 protected:
     virtual void print(const WalkResult& result) = 0;
     virtual void finish_cases() {}
 
-    void print_line(const std::string& line) { sink_(line + "\n"); }
-    void write(const std::string& text) { sink_(text); }
+    /// Of any words.
+    void print_line(std::string_view words, Color color = Color::none) {
+        write(words, color);
+        sink_("\n");
+    }
+    void write(std::string_view words, Color color = Color::none) {
+        sink_(colored(scene::printable(words), color));
+    }
 
+private:
     std::string colored(const std::string& text, Color color) const {
         if (!style_.color || color == Color::none) {
             return text;
@@ -86,16 +93,15 @@ protected:
         return std::string("\x1b[") + code + "m" + text + "\x1b[0m";
     }
 
-private:
     void print_problem(const WalkResult& result, std::size_t number) {
         print_line("");
-        print_line(colored(std::to_string(number) + ") " + title_of(result), Color::red));
+        print_line(std::to_string(number) + ") " + result.id, Color::red);
         if (const std::string words = verdict_in_words(result); !words.empty()) {
-            std::string reason = printable(result.status_reason);
+            const std::string& reason = result.status_reason;
             print_line("   " + words + (reason.empty() ? "" : " (" + reason + ")"));
         }
         for (const std::string& diagnostic : result.diagnostics) {
-            print_line("   " + printable(diagnostic));
+            print_line("   " + diagnostic);
         }
         const FailureScene* before = nullptr;
         for (const Failure& failure : result.failures) {
@@ -108,8 +114,8 @@ private:
             before = &failure.scene;
         }
         for (const Artifact& artifact : result.artifacts) {
-            const std::string folder = style_.folder.empty() ? "" : printable(style_.folder) + "/";
-            print_line("   " + printable(artifact.name) + ": " + folder + printable(artifact.path));
+            const std::string folder = style_.folder.empty() ? "" : style_.folder + "/";
+            print_line("   " + artifact.name + ": " + folder + artifact.path);
         }
     }
 
@@ -125,7 +131,7 @@ private:
             print_line("     the last events before it:");
         }
         for (const std::string& event : scene.last_events) {
-            print_line("       " + printable(event));
+            print_line("       " + event);
         }
     }
 
@@ -144,20 +150,21 @@ private:
         constexpr std::size_t kWordWidth = 6;
         constexpr std::size_t kTitleWidth = 48;
         const Mark mark = mark_of(result);
-        std::string line = colored(padded(mark.word, kWordWidth), mark.color) + title_of(result);
+        std::string line = result.id;
         std::string details = details_of(result);
         if (result.not_evaluated > 0) {
             details += "  " + not_evaluated_in_words(result.not_evaluated);
         }
         if (!details.empty()) {
-            line += std::string(kTitleWidth - std::min(kTitleWidth, title_of(result).size()), ' ') + "  " +
-                    details;
+            const std::size_t width = scene::printable(result.id).size();
+            line += std::string(kTitleWidth - std::min(kTitleWidth, width), ' ') + "  " + details;
         }
+        write(padded(mark.word, kWordWidth), mark.color);
         print_line(line);
     }
 
     static std::string details_of(const WalkResult& result) {
-        std::string reason = printable(result.status_reason);
+        const std::string& reason = result.status_reason;
         switch (result.outcome) {
             case Outcome::passed:
             case Outcome::failed:
@@ -178,7 +185,7 @@ private:
 
     void print(const WalkResult& result) override {
         const Mark mark = mark_of(result);
-        write(colored(std::string(1, mark.letter), mark.color));
+        write(std::string(1, mark.letter), mark.color);
         if (++dots_ == kDotsPerLine) {
             finish_cases();
         }
@@ -186,7 +193,7 @@ private:
 
     void finish_cases() override {
         if (dots_ > 0) {
-            write("\n");
+            print_line("");
         }
         dots_ = 0;
     }

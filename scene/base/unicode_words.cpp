@@ -6,6 +6,8 @@
 
 #include <utf8proc.h>
 
+#include "scene/base/utf8.h"
+
 namespace campuswalk::scene {
 namespace {
 
@@ -79,6 +81,31 @@ bool is_id_word(std::string_view text) {
         ends_in_letter = !is_sign;
     }
     return ends_in_letter;
+}
+
+bool is_unseen(char32_t code) {
+    if (code < 0x80) {
+        return controls_display(code);
+    }
+    constexpr char32_t kBlankBraille = 0x2800;
+    const auto within = [code](char32_t first, char32_t last) { return code >= first && code <= last; };
+    const auto point = static_cast<utf8proc_int32_t>(code);
+    const utf8proc_property_t* properties = utf8proc_get_property(point);
+    switch (utf8proc_category(point)) {
+        case UTF8PROC_CATEGORY_CC:
+        case UTF8PROC_CATEGORY_CS:
+        case UTF8PROC_CATEGORY_ZL:
+        case UTF8PROC_CATEGORY_ZP:
+        case UTF8PROC_CATEGORY_ZS:
+            return true;
+        case UTF8PROC_CATEGORY_CF:  // all but signs that are drawn around numbers, such as U+06DD
+            return properties->boundclass != UTF8PROC_BOUNDCLASS_PREPEND;
+        case UTF8PROC_CATEGORY_CN:  // ignorable by their block, and those that are no characters
+            return code == 0x2065 || within(0xFFF0, 0xFFF8) || within(0xE0000, 0xE0FFF) ||
+                   within(0xFDD0, 0xFDEF) || (code & 0xFFFEU) == 0xFFFE;
+        default:
+            return code == kBlankBraille || properties->ignorable;
+    }
 }
 
 std::string to_id_word(std::string_view text) {

@@ -10,6 +10,7 @@
 
 #include "engine/render/image/png.h"
 #include "scene/base/atomic_file.h"
+#include "scene/base/printable.h"
 
 namespace campuswalk::engine::render {
 namespace {
@@ -61,7 +62,7 @@ std::string owners_json(const scene::Campus& campus, const IdImage& ids) {
     json["width"] = ids.width;
     json["height"] = ids.height;
     json["ids"] = std::move(list);
-    return json.dump(2) + '\n';
+    return scene::printable_json(json.dump(2)) + '\n';
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engine/report/plain_text.h"
+#include "scene/base/printable.h"
 
 namespace campuswalk::tools {
 
@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 /// On one line without an indent. Bytes that are no UTF-8, which names of files may hold, become U+FFFD; what
 /// a terminal would obey is escaped.
 inline std::string json_text(const Json& json, int indent = -1) {
-    return engine::printable_json(json.dump(indent, ' ', false, Json::error_handler_t::replace));
+    return scene::printable_json(json.dump(indent, ' ', false, Json::error_handler_t::replace));
 }
 
 }  // namespace campuswalk::tools

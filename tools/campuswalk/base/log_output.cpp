@@ -11,7 +11,6 @@
 #include <spdlog/sinks/base_sink.h>
 #include <spdlog/sinks/stdout_sinks.h>
 
-#include "engine/report/plain_text.h"
 #include "scene/base/new_file.h"
 #include "tools/campuswalk/base/standard_streams.h"
 
@@ -51,8 +50,8 @@ private:
 
 }  // namespace
 
-LogOutput::LogOutput(bool to_terminal, const std::optional<std::filesystem::path>& file, bool commands)
-    : to_terminal_(to_terminal), commands_(commands) {
+LogOutput::LogOutput(bool to_terminal, const std::optional<std::filesystem::path>& file)
+    : to_terminal_(to_terminal) {
     std::vector<spdlog::sink_ptr> sinks;
     if (to_terminal) {
         sinks.push_back(std::make_shared<spdlog::sinks::stdout_sink_st>());
@@ -68,11 +67,7 @@ LogOutput::LogOutput(bool to_terminal, const std::optional<std::filesystem::path
 }
 
 void LogOutput::write(std::string_view text) {
-    if (to_terminal_ && !commands_) {
-        logger_->info(engine::without_ci_commands(text));
-    } else {
-        logger_->info(text);
-    }
+    logger_->info(text);
     if (to_terminal_) {
         check_standard_output();  // spdlog's terminal sink ignores failed writes
     }

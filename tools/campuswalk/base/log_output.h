@@ -12,12 +12,12 @@ class logger;
 
 namespace campuswalk::tools {
 
-/// Writes text to the terminal, to a file or to both, through spdlog, which nothing else uses.
+/// Writes text to the terminal, to a file or to both, through spdlog, which nothing else uses. Words in it
+/// have passed scene::printable() where they became part of it, so that a file is as harmless as a terminal.
 class LogOutput {
 public:
-    /// Replaces `file`, unless it is a stream. Throws std::runtime_error when it can't be opened. On a
-    /// terminal no line is a command to a CI machine, unless the text consists of such `commands`.
-    LogOutput(bool to_terminal, const std::optional<std::filesystem::path>& file, bool commands = false);
+    /// Replaces `file`, unless it is a stream. Throws std::runtime_error when it can't be opened.
+    LogOutput(bool to_terminal, const std::optional<std::filesystem::path>& file);
 
     /// Throws std::runtime_error when the text can't be written; for a file perhaps only at `flush`.
     void write(std::string_view text);
@@ -28,7 +28,6 @@ public:
 
 private:
     bool to_terminal_;
-    bool commands_;
     std::shared_ptr<spdlog::logger> logger_;
 };
 

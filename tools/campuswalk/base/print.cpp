@@ -3,7 +3,7 @@
 #include <cstdarg>
 #include <cstdio>
 
-#include "engine/report/plain_text.h"
+#include "scene/base/printable.h"
 #include "tools/campuswalk/base/text.h"
 
 namespace campuswalk::tools {
@@ -11,7 +11,7 @@ namespace campuswalk::tools {
 namespace {
 
 void write_line(std::string_view line, std::FILE* stream) {
-    const std::string safe = engine::without_ci_commands(engine::printable(line)) + "\n";
+    const std::string safe = scene::printable(line) + "\n";
     std::fwrite(safe.data(), 1, safe.size(), stream);  // check_standard_output() notices failures
 }
 

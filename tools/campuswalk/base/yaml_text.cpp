@@ -1,6 +1,6 @@
 #include "tools/campuswalk/base/yaml_text.h"
 
-#include "engine/report/plain_text.h"
+#include "scene/base/printable.h"
 #include "tools/campuswalk/base/json_text.h"
 
 namespace campuswalk::tools {
@@ -27,7 +27,7 @@ std::string globs_yaml(const std::vector<std::string>& globs) {
 }
 
 std::string yaml_comment(const std::string& text) {
-    return text.empty() ? "" : "  # " + engine::printable(text);
+    return text.empty() ? "" : "  # " + scene::printable(text);
 }
 
 }  // namespace campuswalk::tools

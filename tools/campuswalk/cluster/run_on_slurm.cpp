@@ -115,14 +115,10 @@ public:
             print_submission(folder_);
             return kPass;
         }
-        const bool commands = std::ranges::any_of(settings_.reports, [](const ReportTarget& target) {
-            return !target.file && target.name == "github";
-        });
         return submit_and_wait(job, {.what = scene::plural(plan.all_cases, "walk") + " in " +
                                              scene::plural(static_cast<std::size_t>(plan.shards), "shard"),
                                      .go_on = "the same command with --resume continues",
-                                     .quiet = options_.quiet,
-                                     .commands = commands});
+                                     .quiet = options_.quiet});
     }
 
 private:

@@ -34,10 +34,10 @@ std::vector<std::string> shared_key() {
 }
 
 /// What the merge has printed, as if this process had.
-void show_merge(const JobFolder& folder, bool commands) {
+void show_merge(const JobFolder& folder) {
     std::error_code ignored;
     if (fs::exists(folder.merge_output(), ignored)) {
-        LogOutput output(true, std::nullopt, commands);
+        LogOutput output(true, std::nullopt);
         output.write(read_bytes(folder.merge_output()));
         output.flush();
     }
@@ -121,7 +121,7 @@ int submit_and_wait(const ArrayJob& array, const SubmissionStyle& style) {
                  shell_word(array.folder.merge_script().generic_string()) + " " + job.array}));
         return kRunFailed;
     }
-    show_merge(array.folder, style.commands);
+    show_merge(array.folder);
     return *code;
 }
 

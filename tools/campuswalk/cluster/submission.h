@@ -27,10 +27,9 @@ void clear_job(const JobFolder& folder);
 void print_submission(const JobFolder& folder);
 
 struct SubmissionStyle {
-    std::string what;       ///< "300 walks in 64 shards"
-    std::string go_on;      ///< how to go on after Ctrl-C
-    bool quiet = false;     ///< print no progress
-    bool commands = false;  ///< the merge prints commands to a CI machine
+    std::string what;    ///< "300 walks in 64 shards"
+    std::string go_on;   ///< how to go on after Ctrl-C
+    bool quiet = false;  ///< print no progress
 };
 
 /// Submits the job's scripts, which have been written, waits for its merge, and prints what that has printed.

@@ -6,6 +6,7 @@
 #include "engine/html_report/campus_entry.h"
 #include "engine/html_report/foreign_json.h"
 #include "scene/base/atomic_file.h"
+#include "scene/base/printable.h"
 #include "scene/cache/content_hash.h"
 #include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/base/read_below.h"
@@ -53,7 +54,7 @@ void write_bundle(const fs::path& output, const std::string& file, const engine:
     const std::string text = "{\"campuswalk_campus\":1,\"glb\":" + json_text(glb) +
                              ",\"error\":" + json_text(campus.error) + ",\"campus\":{" + campus.entry +
                              "}}\n";
-    scene::write_file_atomically(output / (name + ".json"), engine::printable_json(text));
+    scene::write_file_atomically(output / (name + ".json"), scene::printable_json(text));
 }
 
 std::optional<engine::ReportCampus> read_bundle(const fs::path& output, const std::string& file) {

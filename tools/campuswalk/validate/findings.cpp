@@ -4,7 +4,7 @@
 #include <string_view>
 #include <utility>
 
-#include "engine/report/plain_text.h"
+#include "engine/report/github_text.h"
 #include "engine/report/report_paths.h"
 #include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/run/plan/find_walks.h"

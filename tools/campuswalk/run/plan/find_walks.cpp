@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "config/loader/load_run.h"
+#include "engine/report/artifact_path.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/text.h"
 
@@ -107,7 +108,8 @@ std::vector<std::string> output_names(const std::vector<fs::path>& files) {
     std::vector<std::string> names;
     names.reserve(absolute.size());
     for (const fs::path& file : absolute) {
-        names.push_back(without_ending(file.lexically_relative(root).generic_string(), config::kWalkSuffix));
+        names.push_back(engine::to_artifact_path(
+            without_ending(file.lexically_relative(root).generic_string(), config::kWalkSuffix)));
     }
     return names;
 }

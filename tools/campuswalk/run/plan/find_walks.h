@@ -16,7 +16,7 @@ std::vector<std::filesystem::path> find_walks(const std::vector<std::filesystem:
 std::filesystem::path as_seen_from_here(const std::filesystem::path& path);
 
 /// A name below the output folder for each of the files: its path without `.walk.yaml`, from the deepest
-/// folder that holds all of them.
+/// folder that holds all of them, as engine::to_artifact_path() writes it.
 std::vector<std::string> output_names(const std::vector<std::filesystem::path>& files);
 
 }  // namespace campuswalk::tools

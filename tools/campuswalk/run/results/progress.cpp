@@ -4,7 +4,7 @@
 #include <string>
 
 #include "engine/events/decimals.h"
-#include "engine/report/plain_text.h"
+#include "scene/base/printable.h"
 
 namespace campuswalk::tools {
 
@@ -30,7 +30,7 @@ void Progress::count(bool good) {
 
 void Progress::walk_is_at(std::string_view walk, double seconds, std::optional<double> planned) {
     hide();
-    walk_.assign(engine::printable(walk)).append(" at ").append(engine::fixed(seconds, 1));
+    walk_.assign(scene::printable(walk)).append(" at ").append(engine::fixed(seconds, 1));
     // The walk may be behind its plan, and then nobody knows how long it will still take.
     const bool known = planned && *planned > 0.0 && seconds <= *planned;
     walk_ += known ? " of " + engine::fixed(*planned, 1) + " s" : " s";

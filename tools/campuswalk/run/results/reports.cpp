@@ -152,8 +152,7 @@ engine::TextSink Reports::sink_for(const ReportTarget& target, const std::option
             file->write(std::as_bytes(std::span(text)));
         };
     }
-    const bool commands = target.name == "github";
-    outputs_.push_back(std::make_unique<LogOutput>(!target.file, target.file, commands));
+    outputs_.push_back(std::make_unique<LogOutput>(!target.file, target.file));
     const engine::TextSink sink = [output = outputs_.back().get()](std::string_view text) {
         output->write(text);
     };
