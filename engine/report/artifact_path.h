@@ -12,8 +12,8 @@ namespace campuswalk::engine {
 /// no `\` or `|`, no `[[` or `]]`, valid UTF-8, and no character that changes how others are shown.
 bool is_artifact_path(std::string_view path);
 
-/// A path below the output folder in that form: what it can't have is percent-encoded (`%5D`), and so is a `%`
-/// that would look like it, so that different paths stay different. Most paths stay as they are.
+/// A path below the output folder in that form: what it can't have is percent-encoded (`%5D`), and so is a
+/// `%` that would look like it, so that different paths stay different. Most paths stay as they are.
 std::string to_artifact_path(std::string_view path);
 
 /// Each byte as `%5D`.

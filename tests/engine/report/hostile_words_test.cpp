@@ -95,8 +95,8 @@ void expect_harmless(std::string text, const std::string& reporter, const std::s
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
         EXPECT_FALSE(std::regex_search(line, marker)) << reporter << ": " << line;
-        const bool own = reporter == "github" &&
-                         (line.starts_with("::error file=") || line.starts_with("::notice title=campuswalk::"));
+        const bool own = reporter == "github" && (line.starts_with("::error file=") ||
+                                                  line.starts_with("::notice title=campuswalk::"));
         EXPECT_TRUE(own || !line.substr(std::min(line.find_first_not_of(' '), line.size())).starts_with("::"))
             << reporter << ": " << line;
         if (!own) {
@@ -107,7 +107,8 @@ void expect_harmless(std::string text, const std::string& reporter, const std::s
 }
 
 TEST(HostileWords, StayWordsInEveryReport) {
-    const std::vector<ReportStyle> styles = {{}, {.folder = "out", .start = "tests"}, {.images_url = "https://x/"}};
+    const std::vector<ReportStyle> styles = {
+        {}, {.folder = "out", .start = "tests"}, {.images_url = "https://x/"}};
     for (const std::string& words : kHostile) {
         const RunReport report = report_full_of(words);
         for (const std::string& reporter : reporters_of_results()) {
@@ -128,8 +129,9 @@ TEST(HostileWords, LeaveMarkdownItsOwnHeadings) {
 
 TEST(HostileWords, LeaveTheAttachmentsThatAreMeant) {
     RunReport report{{failed_result("visit")}};
-    EXPECT_NE(written("junit", report, {.folder = "out"}).find("[[ATTACHMENT|out/visit/failure-above.png]]\n"),
-              std::string::npos);
+    EXPECT_NE(
+        written("junit", report, {.folder = "out"}).find("[[ATTACHMENT|out/visit/failure-above.png]]\n"),
+        std::string::npos);
     const std::string text = written("junit", report, {.folder = "o]]u"});
     EXPECT_EQ(text.find("[[ATTACHMENT|"), std::string::npos) << "the marker has no escape";
     EXPECT_NE(text.find("failure from above: o]]u/visit/failure-above.png"), std::string::npos) << text;
