@@ -267,7 +267,7 @@ ReadRoots read_roots(const fs::path& file, const SearchPaths& search) {
     std::vector<fs::path> more = search.roots;
     more.insert(more.end(), search.avatars.begin(), search.avatars.end());
     more.insert(more.end(), search.lights.begin(), search.lights.end());
-    return {file, more};
+    return {file, more, search.budget};
 }
 
 CampusDescription load_campus_description(const fs::path& campus_file, const SearchPaths& search) {

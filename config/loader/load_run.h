@@ -24,6 +24,7 @@ struct SearchPaths {
     std::vector<std::filesystem::path> avatars;  ///< folders with NAME.avatar.yaml, after those near the walk
     std::vector<std::filesystem::path> lights;   ///< likewise with NAME.light.yaml
     std::vector<std::filesystem::path> roots = {};  ///< folders that files may be in besides the project
+    std::shared_ptr<ReadBudget> budget = std::make_shared<ReadBudget>();  ///< shared by all that is read
 };
 
 /// A walk and the campus it names, both read and checked as far as that is possible without the models.

@@ -42,6 +42,21 @@ def large(size):
     }
 
 
+def dense(size):
+    """What the parser would keep in memory as a whole before it reports any of it."""
+    return {
+        "a list in a line": "[" + "a," * (size // 2) + "]",
+        "lists in a list": "[\n" + "[]," * (size // 3),
+        "lists side by side": "[" + "[]" * (size // 2),
+        "a map in a line": "{" + "a: b," * (size // 5) + "}",
+        "anchors": "[" + "&a " * (size // 3),
+        "tags": "[" + "!a " * (size // 3),
+        "aliases": "[" + "*a " * (size // 3),
+        "keys": "[" + "? " * (size // 2),
+        "values": "[" + ": " * (size // 2),
+    }
+
+
 SMALL = {
     "deep brackets": "a: " + "[" * 20_000,
     "deep indentation": "".join(" " * depth + "a:\n" for depth in range(500)),
@@ -115,6 +130,13 @@ class HostileYaml(ProgramCase):
             with self.subTest(what):
                 self.write("large.avatar.yaml", content)
                 self.refuses(("validate", "large.avatar.yaml"), what)
+
+    def test_dense_files_are_refused(self):
+        for size in (7_900_000, 700_000):
+            for what, content in dense(size).items():
+                with self.subTest(what, size=size):
+                    self.write("dense.avatar.yaml", content)
+                    self.refuses(("validate", "dense.avatar.yaml"), what)
 
     def test_hostile_numbers_are_refused(self):
         for number in NUMBERS:

@@ -291,7 +291,8 @@ std::vector<NamedPoint> read_points(const PointFile& file, const CheckedNode& na
     scene::DiagnosticList& diagnostics = named_at.diagnostics();
     const auto text = read_bytes(file.path, named_at.mark(), diagnostics);
     const std::string shown = shown_path(file.path);
-    const auto root = text ? parse_json(*text, shown, diagnostics) : nullptr;
+    const bool admitted = text && roots.budget().admit(*text, shown, diagnostics);
+    const auto root = admitted ? parse_json(*text, shown, diagnostics) : nullptr;
     if (!root) {
         return {};
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 #include "config/loader/values/folders_upwards.h"
 
@@ -74,7 +75,9 @@ fs::path project_of(const fs::path& file) {
 
 }  // namespace
 
-ReadRoots::ReadRoots(const fs::path& file, const std::vector<fs::path>& more) {
+ReadRoots::ReadRoots(const fs::path& file, const std::vector<fs::path>& more,
+                     std::shared_ptr<ReadBudget> budget)
+    : budget_(std::move(budget)) {
     std::error_code ignored;
     roots_.push_back(fs::weakly_canonical(project_of(file), ignored));
     for (const fs::path& root : more) {

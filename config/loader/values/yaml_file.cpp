@@ -60,6 +60,9 @@ std::unique_ptr<YamlFile> YamlFile::open(const std::filesystem::path& path, cons
         return nullptr;
     }
     file->file_ = shown_path(path);
+    if (!roots.budget().admit(*text, file->file_, diagnostics)) {
+        return nullptr;
+    }
     file->diagnostics_ = &diagnostics;
     file->root_ = parse_yaml(*text, file->file_, diagnostics);
     return file->root_ ? std::move(file) : nullptr;
