@@ -8,9 +8,9 @@
 
 namespace campuswalk::config {
 
-/// The characters of a text that may begin or separate values in YAML or JSON: commas, colons, opening brackets,
-/// and dashes and the like before a space. A value has at least one, so that this, which takes no memory,
-/// says how much a parser may take, before it does.
+/// The characters of a text that may begin or separate values in YAML or JSON: commas, colons, opening
+/// brackets, and dashes and the like before a space. A value has at least one, so that this, which takes no
+/// memory, says how much a parser may take, before it does.
 std::size_t count_marks(std::string_view text);
 
 /// Marks that a file may have: the parser keeps up to 300 bytes for each. Those of a million values, which is

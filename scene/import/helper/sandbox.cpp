@@ -1,21 +1,23 @@
 #include "scene/import/helper/sandbox.h"
 
 #include <fcntl.h>
+#include <linux/capability.h>
 #include <linux/landlock.h>
 #include <linux/sched.h>
 #include <linux/seccomp.h>
 #include <seccomp.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <limits>
 #include <memory>
 #include <sstream>
 #include <stdexcept>
-#include <utility>
 
 #include "scene/process/pipe.h"
 
@@ -88,108 +90,95 @@ struct ReleaseFilter {
     void operator()(void* filter) const { seccomp_release(filter); }
 };
 
-/// System calls that fail from now on.
+scmp_arg_cmp is(unsigned argument, std::uint64_t value) {
+    return {argument, SCMP_CMP_EQ, value, 0};
+}
+
+scmp_arg_cmp has_bits(unsigned argument, std::uint64_t mask, std::uint64_t bits) {
+    return {argument, SCMP_CMP_MASKED_EQ, mask, bits};
+}
+
+/// The system calls that are left. All others fail with ENOSYS, as on a kernel that lacks them: then the C
+/// library does without newer ones, such as clone3, whose flags are in memory, which no filter sees.
 class Filter {
 public:
-    Filter() : filter_(seccomp_init(SCMP_ACT_ALLOW)), complete_(filter_ != nullptr) {}
+    Filter() : filter_(seccomp_init(SCMP_ACT_ERRNO(ENOSYS))), complete_(filter_ != nullptr) {}
 
     /// Calls by their names, with spaces between.
-    void forbid(const char* names) {
+    void allow(const char* names) {
         std::istringstream words(names);
         for (std::string name; words >> name;) {
-            forbid_if(name, {});
+            allow_if(name, {});
         }
     }
-    /// A name that the library doesn't know is of a call with a high number; see forbid_unknown().
-    void forbid_if(const std::string& name, const std::vector<scmp_arg_cmp>& conditions, int error = EPERM) {
-        if (const int number = seccomp_syscall_resolve_name(name.c_str()); number >= 0) {
-            add(number, conditions, error);
-        }
-    }
-    /// Those that are newer than the lists here.
-    void forbid_unknown() {
-        constexpr int kFirst = 451;  // cachestat; the numbers are the same on all processors
-        constexpr int kLast = 1023;
-        for (int number = kFirst; number <= kLast; ++number) {
-            add(number, {}, ENOSYS);
+    /// Leaves out what this kind of processor doesn't have, such as `open` next to `openat`.
+    void allow_if(const std::string& name, const std::vector<scmp_arg_cmp>& conditions) {
+        const int number = seccomp_syscall_resolve_name(name.c_str());
+        if (number >= 0) {
+            const int failure =
+                seccomp_rule_add_array(filter_.get(), SCMP_ACT_ALLOW, number,
+                                       static_cast<unsigned>(conditions.size()), conditions.data());
+            complete_ = complete_ && failure == 0;
         }
     }
 
     bool apply() const { return complete_ && seccomp_load(filter_.get()) == 0; }
 
 private:
-    void add(int number, const std::vector<scmp_arg_cmp>& conditions, int error) {
-        const int failure =
-            seccomp_rule_add_array(filter_.get(), SCMP_ACT_ERRNO(static_cast<std::uint32_t>(error)), number,
-                                   static_cast<unsigned>(conditions.size()), conditions.data());
-        complete_ = complete_ && (failure == 0 || failure == -EEXIST);
-    }
-
     std::unique_ptr<void, ReleaseFilter> filter_;
     bool complete_;
 };
 
-scmp_arg_cmp has_bits(unsigned argument, std::uint64_t mask, std::uint64_t bits) {
-    return {argument, SCMP_CMP_MASKED_EQ, mask, bits};
-}
-
-void forbid_writing_files(Filter& filter) {
-    for (const auto& [name, flags] : {std::pair{"open", 1U}, std::pair{"openat", 2U}}) {
-        filter.forbid_if(name, {has_bits(flags, O_ACCMODE, O_WRONLY)});
-        filter.forbid_if(name, {has_bits(flags, O_ACCMODE, O_RDWR)});
-        filter.forbid_if(name, {has_bits(flags, O_ACCMODE, O_ACCMODE)});
-        filter.forbid_if(name, {has_bits(flags, O_CREAT, O_CREAT)});
-        filter.forbid_if(name, {has_bits(flags, O_TRUNC, O_TRUNC)});
+void allow_reading_files(Filter& filter) {
+    constexpr std::uint64_t kWriting = O_ACCMODE | O_CREAT | O_TRUNC;
+    filter.allow_if("open", {has_bits(1, kWriting, O_RDONLY)});
+    filter.allow_if("openat", {has_bits(2, kWriting, O_RDONLY)});
+    filter.allow(
+        "read readv pread64 lseek close fadvise64 stat fstat lstat newfstatat statx access faccessat "
+        "faccessat2 readlink readlinkat getdents64 getcwd");
+    for (const int command : {F_GETFD, F_SETFD, F_GETFL, F_DUPFD_CLOEXEC}) {
+        filter.allow_if("fcntl", {is(1, static_cast<std::uint64_t>(command))});
     }
-    filter.forbid_if("openat2", {}, ENOSYS);  // its flags are in memory, which no filter sees
-    filter.forbid(
-        "creat fchmod fchown fsetxattr removexattr lremovexattr fremovexattr truncate rename "
-        "renameat renameat2 unlink unlinkat mkdir mkdirat rmdir link linkat symlink symlinkat "
-        "mknod mknodat chmod fchmodat chown lchown fchownat setxattr lsetxattr utime utimes "
-        "utimensat futimesat name_to_handle_at open_by_handle_at");
+    filter.allow("write writev");  // what is open for writing is the answer, and standard error
 }
 
-void forbid_processes(Filter& filter) {
-    filter.forbid_if("clone", {has_bits(0, CLONE_THREAD, 0)});
-    filter.forbid_if("clone3", {}, ENOSYS);  // likewise; the C library then starts threads by clone
-    filter.forbid(
-        "fork vfork execve execveat ptrace process_vm_readv process_vm_writev pidfd_open "
-        "pidfd_getfd pidfd_send_signal tkill sched_setaffinity ioprio_set rt_sigqueueinfo "
-        "rt_tgsigqueueinfo kcmp setpriority sched_setscheduler sched_setparam sched_setattr "
-        "setpgid setsid");
+void allow_computing(Filter& filter) {
+    filter.allow("brk munmap mremap madvise");
+    for (const char* name : {"mmap", "mprotect"}) {
+        filter.allow_if(name, {has_bits(2, PROT_EXEC, 0)});
+    }
+    filter.allow_if("clone", {has_bits(0, CLONE_THREAD, CLONE_THREAD)});
+    filter.allow("futex set_robust_list rseq sched_yield sched_getaffinity exit exit_group");
+    filter.allow_if("prctl", {is(0, PR_SET_NAME)});  // of a thread
+    filter.allow("rt_sigaction rt_sigprocmask rt_sigreturn sigaltstack restart_syscall");
     const auto self = static_cast<std::uint64_t>(getpid());
     for (const char* name : {"kill", "tgkill"}) {  // abort() signals itself
-        filter.forbid_if(name, {{0, SCMP_CMP_NE, self, 0}});
+        filter.allow_if(name, {is(0, self)});
     }
-    filter.forbid_if("prlimit64", {{0, SCMP_CMP_NE, 0, 0}});
-    // A descriptor can be made to send a signal to any process.
-    constexpr int kSetOwnEx = 15;  // F_SETOWN_EX and F_SETSIG are extensions of GNU
-    constexpr int kSetSignal = 10;
-    for (const int command : {F_SETOWN, kSetOwnEx, kSetSignal}) {
-        filter.forbid_if("fcntl", {{1, SCMP_CMP_EQ, static_cast<std::uint64_t>(command), 0}});
-    }
-}
-
-void forbid_the_rest(Filter& filter) {
-    filter.forbid(
-        "socket socketpair connect bind listen accept accept4 sendto sendmsg sendmmsg "
-        "io_uring_setup io_uring_enter io_uring_register bpf perf_event_open userfaultfd keyctl "
-        "add_key request_key unshare setns mount umount2 move_mount open_tree fsopen fsmount "
-        "fsconfig mount_setattr pivot_root chroot quotactl swapon swapoff reboot init_module "
-        "finit_module delete_module kexec_load kexec_file_load acct settimeofday clock_settime "
-        "adjtimex clock_adjtime sethostname setdomainname personality setuid setgid setreuid "
-        "setregid setresuid setresgid setgroups capset mq_open mq_unlink shmget shmctl shmdt "
-        "msgctl msgrcv semctl semop semtimedop ioctl shmat msgget msgsnd semget memfd_create "
-        "memfd_secret fanotify_init inotify_init inotify_init1 syslog vhangup");
+    filter.allow("getpid gettid getuid geteuid getgid getegid uname getrandom getrusage");
+    filter.allow_if("prlimit64", {is(0, 0), is(2, 0)});  // asks for limits, and sets none
+    filter.allow(
+        "clock_gettime clock_getres clock_nanosleep nanosleep gettimeofday time poll ppoll "
+        "getrlimit");
 }
 
 bool restrict_calls() {
     Filter filter;
-    forbid_writing_files(filter);
-    forbid_processes(filter);
-    forbid_the_rest(filter);
-    filter.forbid_unknown();
+    allow_reading_files(filter);
+    allow_computing(filter);
     return filter.apply();
+}
+
+/// What root may do and others may not. Also gone are those that a program that is started would get.
+bool drop_capabilities() {
+    constexpr int kMost = 64;  // the kernel has 41, and refuses to drop others
+    for (int capability = 0; capability < kMost; ++capability) {
+        prctl(PR_CAPBSET_DROP, capability, 0, 0, 0);
+    }
+    prctl(PR_CAP_AMBIENT, PR_CAP_AMBIENT_CLEAR_ALL, 0, 0, 0);
+    __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
+    const std::array<__user_cap_data_struct, _LINUX_CAPABILITY_U32S_3> none{};
+    return syscall(SYS_capset, &header, none.data()) == 0;
 }
 
 }  // namespace
@@ -217,7 +206,8 @@ void enter_sandbox(const std::vector<std::filesystem::path>& readable, SandboxMo
         throw std::runtime_error("the kernel lacks what the sandbox needs");
     }
     // What the kernel has must work, whatever is in the model's folder.
-    if ((has_landlock && !restrict_files(readable)) || (has_filters && !restrict_calls())) {
+    if (!drop_capabilities() || (has_landlock && !restrict_files(readable)) ||
+        (has_filters && !restrict_calls())) {
         throw std::runtime_error("the sandbox can't be entered");
     }
 }

@@ -4,7 +4,9 @@
 #include <array>
 #include <cctype>
 #include <fstream>
+#include <iterator>
 #include <system_error>
+#include <utility>
 
 namespace campuswalk::scene {
 namespace {
@@ -16,6 +18,9 @@ constexpr std::array<std::string_view, 4> kImageSiblings = {"textures", "materia
 // Where exporters put images, in order of preference.
 constexpr std::array<std::string_view, 6> kImageFolders = {
     "", "textures/", "images/", "../textures/", "../materials/textures/", "../images/"};
+
+// Files and folders that are looked at for hidden ones.
+constexpr std::size_t kMostSeen = 100'000;
 
 /// Such folders hold no models but secrets: `.git/config` may have a token.
 bool is_hidden(const fs::path& name) {
@@ -79,6 +84,73 @@ std::string percent_decoded(std::string_view text) {
     return decoded;
 }
 
+namespace {
+
+/// In the order of their names, so that the same are left out everywhere when there are too many.
+std::vector<fs::directory_entry> sorted_contents(const fs::path& folder) {
+    std::vector<fs::directory_entry> entries;
+    std::error_code error;
+    for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+        entries.push_back(*it);
+    }
+    std::ranges::sort(entries);
+    return entries;
+}
+
+/// Itself, not what a link leads to.
+bool is_folder(const fs::directory_entry& entry) {
+    std::error_code ignored;
+    return !entry.is_symlink(ignored) && entry.is_directory(ignored);
+}
+
+/// Files and folders without anything hidden below, which together are all that isn't hidden.
+class VisiblePaths {
+public:
+    void add_file(const fs::path& file) { paths_.push_back(file); }
+
+    /// Of the file system's root only its files: else all files would be below it.
+    void add_contents(const fs::path& folder) {
+        Part part = visible_in(folder, folder == folder.root_path());
+        std::ranges::move(part.paths, std::back_inserter(paths_));
+    }
+
+    std::vector<fs::path> take() { return std::move(paths_); }
+
+private:
+    struct Part {
+        bool whole = true;  ///< nothing in the folder is hidden
+        std::vector<fs::path> paths = {};
+    };
+
+    Part visible_in(const fs::path& folder, bool files_only = false) {
+        Part part;
+        std::vector<fs::path> folders;
+        for (const fs::directory_entry& entry : sorted_contents(folder)) {
+            const bool below = is_folder(entry);
+            if (++seen_ > kMostSeen || is_hidden(entry.path().filename()) || (below && files_only)) {
+                part.whole = false;
+            } else {
+                (below ? folders : part.paths).push_back(entry.path());
+            }
+        }
+        for (const fs::path& path : folders) {
+            Part below = visible_in(path);
+            if (below.whole) {
+                part.paths.push_back(path);
+            } else {
+                part.whole = false;
+                std::ranges::move(below.paths, std::back_inserter(part.paths));
+            }
+        }
+        return part;
+    }
+
+    std::vector<fs::path> paths_;
+    std::size_t seen_ = 0;
+};
+
+}  // namespace
+
 SceneFolder::SceneFolder(const SceneFile& file) : roots_(file.roots), images_beside_(file.images_beside) {
     std::error_code ignored;
     const fs::path folder = file.path.has_parent_path() ? file.path.parent_path() : fs::path(".");
@@ -114,31 +186,23 @@ bool SceneFolder::may_read(const fs::path& resolved, bool image) const {
 }
 
 std::vector<fs::path> SceneFolder::readable_paths() const {
-    std::vector<fs::path> paths;
-    std::error_code ignored;
+    VisiblePaths visible;
     if (!scene_file_.empty()) {
-        paths.push_back(scene_file_);
+        visible.add_file(scene_file_);
     }
-    std::vector<fs::path> folders = roots_;
-    folders.push_back(folder_);
-    for (const fs::path& folder : folders) {
-        for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-            const bool too_much = folder == folder.root_path() && entry.is_directory(ignored);
-            if (!is_hidden(entry.path().filename()) && !too_much) {
-                paths.push_back(entry.path());
+    visible.add_contents(folder_);
+    if (images_beside_) {
+        for (const fs::directory_entry& entry : sorted_contents(folder_.parent_path())) {
+            const std::string name = lower_case(entry.path().filename().string());
+            if (std::ranges::find(kImageSiblings, name) != kImageSiblings.end() && is_folder(entry)) {
+                visible.add_contents(entry.path());
             }
         }
     }
-    if (!images_beside_) {
-        return paths;
+    for (const fs::path& root : roots_) {
+        visible.add_contents(root);
     }
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder_.parent_path(), ignored)) {
-        const std::string name = lower_case(entry.path().filename().string());
-        if (std::ranges::find(kImageSiblings, name) != kImageSiblings.end() && entry.is_directory(ignored)) {
-            paths.push_back(entry.path());
-        }
-    }
-    return paths;
+    return visible.take();
 }
 
 std::optional<fs::path> SceneFolder::try_path(const std::string& relative, bool image) const {

@@ -28,7 +28,8 @@ public:
     explicit SceneFolder(const SceneFile& file);
 
     /// The files and folders, with all below, that this allows to read, as far as they exist; the scene file
-    /// itself wherever a link leads to it.
+    /// itself wherever a link leads to it. None has anything below that is hidden. Only 100,000 files and
+    /// folders are looked at for that, those of the scene's folder first; others are left out.
     std::vector<std::filesystem::path> readable_paths() const;
 
     /// Resolves a relative path; `\` means `/`, and if there is no such file, percent escapes are decoded.

@@ -139,6 +139,30 @@ TEST_F(Sandbox, ForbidsFilesOutsideTheModelsFolders) {
     }
 }
 
+/// Also where there is something hidden far below, other files can be read.
+TEST_F(Sandbox, HidesHiddenFilesAtAnyDepth) {
+    if (!kernel_has("Landlock")) {
+        GTEST_SKIP() << "this kernel has no Landlock";
+    }
+    folder_.write("sub/deep/.git/config", "token");
+    folder_.write("sub/.env", "password");
+    folder_.write("sub/texture.txt", "");
+    folder_.write("sub/deep/texture.txt", "");
+    folder_.write("plain/deep/texture.txt", "");
+    for (const char* what : {"read-nested-repository", "read-nested-secret"}) {
+        EXPECT_TRUE(can(what, SandboxMode::off)) << what;
+        EXPECT_FALSE(can(what, SandboxMode::automatic)) << what;
+    }
+    EXPECT_TRUE(can("read-beside-secret", SandboxMode::automatic));
+}
+
+TEST_F(Sandbox, HasNoCapabilities) {
+    if (geteuid() == 0) {
+        EXPECT_TRUE(can("capabilities", SandboxMode::off));
+    }
+    EXPECT_FALSE(can("capabilities", SandboxMode::automatic));
+}
+
 /// What a checkout may contain beside a model to get more than its folders.
 TEST_F(Sandbox, ForbidsFilesOutsideWhateverIsBesideTheModel) {
     if (!kernel_has("Landlock")) {
@@ -165,7 +189,7 @@ TEST_F(Sandbox, ForbidsWritesConnectionsAndProcesses) {
         GTEST_SKIP() << "this kernel has no seccomp";
     }
     for (const char* what : {"write", "create", "remove", "change-mode", "connect", "fork", "exec", "trace",
-                             "signal", "signal-by-descriptor", "affinity"}) {
+                             "signal", "signal-by-descriptor", "affinity", "other-call", "run-memory"}) {
         EXPECT_TRUE(can(what, SandboxMode::off)) << what;
         EXPECT_FALSE(can(what, SandboxMode::automatic)) << what;
     }

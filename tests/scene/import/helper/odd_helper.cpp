@@ -1,13 +1,19 @@
 // An import helper that misbehaves as its argument says, for import_process_test.cpp.
 
 #include <fcntl.h>
+#include <linux/capability.h>
 #include <sched.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/ptrace.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <csignal>
 #include <cstdlib>
@@ -42,6 +48,21 @@ bool ends_well(pid_t process) {
     int status = 0;
     return process > 0 && waitpid(process, &status, 0) == process && WIFEXITED(status) &&
            WEXITSTATUS(status) == 0;
+}
+
+/// Any in any of its sets. (The bounding set can't be emptied by a process without CAP_SETPCAP.)
+bool has_capabilities() {
+    __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
+    std::array<__user_cap_data_struct, _LINUX_CAPABILITY_U32S_3> sets{};
+    syscall(SYS_capget, &header, sets.data());
+    bool any = false;
+    for (const __user_cap_data_struct& set : sets) {
+        any = any || (set.effective | set.permitted | set.inheritable) != 0;
+    }
+    for (int capability = 0; any && capability < 64; ++capability) {
+        any = any || prctl(PR_CAPBSET_READ, capability, 0, 0, 0) == 1;
+    }
+    return any;
 }
 
 /// Whether a helper that a model has taken over can do this. `folder` is the model's.
@@ -95,6 +116,26 @@ bool can_do(std::string_view what, const std::string& folder) {
     }
     if (what == "read-repository") {
         return can_open(folder + "/.git/config", O_RDONLY);
+    }
+    if (what == "read-nested-repository") {
+        return can_open(folder + "/sub/deep/.git/config", O_RDONLY);
+    }
+    if (what == "read-nested-secret") {
+        return can_open(folder + "/sub/.env", O_RDONLY);
+    }
+    if (what == "read-beside-secret") {
+        return can_open(folder + "/sub/texture.txt", O_RDONLY) &&
+               can_open(folder + "/sub/deep/texture.txt", O_RDONLY) &&
+               can_open(folder + "/plain/deep/texture.txt", O_RDONLY);
+    }
+    if (what == "capabilities") {
+        return has_capabilities();
+    }
+    if (what == "other-call") {
+        return syscall(SYS_getpriority, PRIO_PROCESS, 0) >= 0;
+    }
+    if (what == "run-memory") {
+        return mmap(nullptr, 4096, PROT_READ | PROT_EXEC, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0) != MAP_FAILED;
     }
     if (what == "thread") {
         bool ran = false;
