@@ -27,7 +27,7 @@ struct FailureScene {
 /// Why a walk did not pass: a step that gave up or an expectation that doesn't hold.
 struct Failure {
     SourceMark mark;      ///< the step or expectation in the walk file
-    std::string code;     ///< one of failure_codes(), or "xfail": should have failed but didn't
+    std::string code;     ///< one of failure_codes(), is_lack(), or "xfail": should have failed but didn't
     std::string message;  ///< one line: what was expected and what happened instead
     FailureScene scene = {};
 };

@@ -1,5 +1,7 @@
 #include "engine/report/outcome.h"
 
+#include <algorithm>
+#include <iterator>
 #include <set>
 #include <string>
 #include <utility>
@@ -18,15 +20,26 @@ std::string listed(const Codes& codes) {
     return list;
 }
 
+/// The codes among them that no status can expect.
+Codes lacks_among(const Codes& failed) {
+    Codes lacks;
+    std::ranges::copy_if(failed, std::inserter(lacks, lacks.end()), is_lack);
+    return lacks;
+}
+
 /// How the failures differ from those that the status lists; empty if they don't.
 std::string mismatch(const Codes& failed, const WalkStatus& status) {
     const Codes expected(status.codes.begin(), status.codes.end());
-    if (!failed.empty() && (expected.empty() || expected == failed)) {
+    const Codes lacks = lacks_among(failed);
+    if (!failed.empty() && lacks.empty() && (expected.empty() || expected == failed)) {
         return "";
     }
     std::string message = "expected to fail";
     message += expected.empty() ? "" : " with " + listed(expected);
     message += status.reason.empty() ? "" : " because " + status.reason;
+    if (!lacks.empty()) {
+        return message + ", but can't be evaluated: " + listed(lacks);
+    }
     return message + (failed.empty() ? ", but passed" : ", but failed with " + listed(failed));
 }
 

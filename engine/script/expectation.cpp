@@ -16,6 +16,11 @@ std::vector<std::string> plain_names(std::index_sequence<index...>) {
 
 }  // namespace
 
+bool is_lack(std::string_view code) {
+    return code == kGoldenMissing || code == kGoldenUnreadable || code == kSnapshotMissing ||
+           code == kNotEvaluated;
+}
+
 std::vector<std::string> failure_codes() {
     std::vector<std::string> codes = {"blocked", "enclosed", "timeout", "unreachable"};
     const std::vector<std::string> names =

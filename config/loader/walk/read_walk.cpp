@@ -50,7 +50,13 @@ std::vector<std::string> read_codes(const CheckedNode& node) {
     std::vector<std::string> codes;
     const std::vector<CheckedNode> items = node.items_or_one("a failure");
     for (const CheckedNode& item : items) {
-        if (const auto index = item.one_of(known)) {
+        const std::optional<std::string> code = item.is_scalar() ? item.text() : std::nullopt;
+        if (code && engine::is_lack(*code)) {
+            item.diagnose("bad-value",
+                          "'" + *code +
+                              "' says that something is lacking which the walk's verdict needs; no walk may "
+                              "be expected to fail for that");
+        } else if (const auto index = item.one_of(known)) {
             codes.push_back(known[*index]);
         }
     }

@@ -49,6 +49,18 @@ TEST(OutcomeOfFailures, XfailFailsIfTheWalkPasses) {
                 mentions({"never", "the door is locked", "passed"}));
 }
 
+TEST(OutcomeOfFailures, XfailTakesNoFailureThatIsALack) {
+    for (const std::string lack :
+         {"golden-missing", "golden-unreadable", "snapshot-missing", "not-evaluated"}) {
+        EXPECT_THAT(message_of({failure(lack)}, xfail()), mentions({"can't be evaluated", lack}));
+        EXPECT_THAT(message_of({failure(lack)}, xfail({lack})), mentions({"can't be evaluated", lack}));
+        EXPECT_THAT(message_of({failure("near"), failure(lack)}, xfail({"near"})),
+                    mentions({"can't be evaluated: " + lack}));
+        EXPECT_EQ(outcome_of_failures({failure(lack)}, {}).outcome, Outcome::failed);
+        EXPECT_THAT(failure_codes(), testing::Not(testing::Contains(lack)));
+    }
+}
+
 TEST(OutcomeOfFailures, XfailFailsUnlessTheCodesAreThoseExpected) {
     EXPECT_THAT(message_of({failure("blocked")}, xfail({"never"})), mentions({"never", "failed", "blocked"}));
     EXPECT_THAT(message_of({failure("never"), failure("blocked")}, xfail({"never"})),

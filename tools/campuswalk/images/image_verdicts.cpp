@@ -68,7 +68,7 @@ public:
     void evaluate(const ExpectSnapshot& expected) {
         remove_old_files(expected.name);
         if (request_.moments.taken(expected.name) == nullptr) {
-            fail(expected.mark, std::string(ExpectSnapshot::kName), expected.name,
+            fail(expected.mark, engine::kSnapshotMissing, expected.name,
                  "the walk ended before it took the snapshot '" + expected.name + "'");
             return;
         }
@@ -83,7 +83,7 @@ public:
             return;
         }
         if (missing) {
-            fail(expected.mark, std::string(ExpectSnapshot::kName), expected.name,
+            fail(expected.mark, engine::kGoldenMissing, expected.name,
                  "there is no golden image '" + reference.string() +
                      "'; run with -u where you develop, and commit it");
             return;
@@ -93,7 +93,8 @@ public:
         if (!comparison.why.empty() && request_.update == UpdateSnapshots::changed) {
             update_reference(actual, reference);
         } else if (!comparison.why.empty()) {
-            fail(expected.mark, std::string(ExpectSnapshot::kName), expected.name,
+            fail(expected.mark, comparison.reference ? ExpectSnapshot::kName : engine::kGoldenUnreadable,
+                 expected.name,
                  "the snapshot '" + expected.name + "' differs from its golden image (" +
                      reference.filename().string() + "): " + comparison.why +
                      "; if this is intended, run with --update-snapshots=changed");
@@ -103,7 +104,7 @@ public:
 
     void evaluate(const ExpectVisible& expected) {
         if (request_.moments.taken(expected.snapshot) == nullptr) {
-            fail(expected.mark, engine::code_of(expected), expected.snapshot,
+            fail(expected.mark, engine::kSnapshotMissing, expected.snapshot,
                  "the walk ended before it took the snapshot '" + expected.snapshot + "'");
             return;
         }
@@ -165,10 +166,10 @@ private:
         evaluated_.updates.push_back({reference, read_bytes(actual)});
     }
 
-    void fail(const scene::SourceMark& mark, std::string code, const std::string& snapshot,
+    void fail(const scene::SourceMark& mark, std::string_view code, const std::string& snapshot,
               std::string message) {
         const engine::StateSnapshot* taken = request_.moments.taken(snapshot);
-        evaluated_.failures.push_back({mark, std::move(code), std::move(message),
+        evaluated_.failures.push_back({mark, std::string(code), std::move(message),
                                        engine::scene_of(taken != nullptr ? *taken : request_.moments.last(),
                                                         request_.campus, request_.walk.avatar)});
     }

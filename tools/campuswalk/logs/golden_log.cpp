@@ -116,7 +116,7 @@ engine::Failure failure_at(const fs::path& file, const ComparableLog& golden, co
 
 engine::Failure missing(const fs::path& file, const ComparableLog& run) {
     engine::Failure failure;
-    failure.code = "log";
+    failure.code = engine::kGoldenMissing;
     failure.message =
         "there is no golden log '" + file.string() + "'; run with -u where you develop, and commit it";
     failure.scene = scene_of(run, run.lines.size());

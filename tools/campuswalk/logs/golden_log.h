@@ -29,8 +29,9 @@ struct GoldenUpdate {
 
 /// The result of comparing a run with a golden log.
 struct GoldenCheck {
-    /// The log differs or the golden one is missing; code "log". Its scene has what the log tells: the tick
-    /// of the divergence or the last one, and the events before it. The caller sets the mark and the rest.
+    /// The log differs (code "log"), or the golden one is missing (kGoldenMissing). Its scene has what the
+    /// log tells: the tick of the divergence or the last one, and the events before it. The caller sets the
+    /// mark and the rest.
     std::optional<engine::Failure> failure;
     std::optional<GoldenUpdate> update;  ///< instead of a failure, if the mode allows it
 };

@@ -43,9 +43,10 @@ const engine::ExpectLog* golden_log_of(const engine::Walk& walk) {
     return nullptr;
 }
 
-/// Whether a failure says that the walk differs from a golden file.
+/// Whether a failure says that the walk differs from a golden file, or that there is none to compare with.
 bool is_golden_code(std::string_view code) {
-    return code == engine::ExpectLog::kName || code == engine::ExpectSnapshot::kName;
+    return code == engine::ExpectLog::kName || code == engine::ExpectSnapshot::kName ||
+           code == engine::kGoldenMissing || code == engine::kGoldenUnreadable;
 }
 
 /// Whether the walk fails whatever its golden files are.
@@ -96,8 +97,10 @@ std::vector<engine::Failure> failures_not_evaluated(const engine::Walk& walk) {
             const auto* snapshot = std::get_if<engine::ExpectSnapshot>(&expectation);
             const engine::SourceMark& mark =
                 snapshot != nullptr ? snapshot->mark : std::get<engine::ExpectVisible>(expectation).mark;
-            failures.push_back(
-                {mark, "not-evaluated", "nothing draws pictures, and --strict wants all evaluated", {}});
+            failures.push_back({mark,
+                                std::string(engine::kNotEvaluated),
+                                "nothing draws pictures, and --strict wants all evaluated",
+                                {}});
         }
     }
     return failures;
