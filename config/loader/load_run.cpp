@@ -153,7 +153,7 @@ public:
             avatars_near(overrides_.avatar.folder, names).read(node_of(overrides_.avatar, "'avatar'"));
         }
         if (overrides_.spawn) {
-            names.placement(node_of(overrides_.spawn, "'spawn'"));
+            names.spawn(node_of(overrides_.spawn, "'spawn'"));
         }
     }
 
@@ -212,8 +212,9 @@ private:
             return;
         }
         const CheckedNode node = node_of(overrides_.spawn, "'spawn'");
-        Placement placement = names.placement(node);
-        *spawn = {node.mark(), std::move(placement.label), placement.position, placement.yaw.value_or(0.0)};
+        Placement placement = names.spawn(node);
+        *spawn = {node.mark(), std::move(placement.label), placement.position, placement.yaw.value_or(0.0),
+                  placement.fall};
     }
 
     fs::path walk_file_;  ///< empty without a walk

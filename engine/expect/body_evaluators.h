@@ -48,6 +48,11 @@ public:
         }
     }
 
+    static PossibleVerdicts possible(const ExpectNoPenetration& expected, const WalkBounds& bounds) {
+        // Nothing is deeper in the body than its axis, whose distance from the skin is the radius.
+        return {.fails = expected.tolerance < bounds.avatar().radius};
+    }
+
     Finding finding(bool /*ended*/) const {
         constexpr double kMillimetres = 1000.0;
         if (!inside_) {
@@ -102,12 +107,16 @@ public:
         }
     }
 
+    static PossibleVerdicts possible(const ExpectGrounded& expected, const WalkBounds& bounds) {
+        return {.fails = expected.ratio * bounds.ticks() > kRounding};
+    }
+
     Finding finding(bool /*ended*/) const {
         if (airborne_ == 0) {
             return {true, expected_->mark, "the avatar was on the ground all the time", std::nullopt, true};
         }
         const double most = (1.0 - expected_->ratio) * static_cast<double>(ticks_);
-        const bool few_enough = static_cast<double>(airborne_) <= most + 1e-9;
+        const bool few_enough = static_cast<double>(airborne_) <= most + kRounding;
         const bool always = expected_->ratio >= 1.0;
         return {few_enough, expected_->mark,
                 "the avatar was off the ground in " + std::to_string(airborne_) + " of " +
@@ -119,6 +128,8 @@ public:
     }
 
 private:
+    static constexpr double kRounding = 1e-9;  // ticks
+
     const ExpectGrounded* expected_;
     Tick last_ = -1;  ///< the walk's closing record repeats its last tick
     Tick ticks_ = 0;
@@ -177,6 +188,10 @@ public:
         }
     }
 
+    static PossibleVerdicts possible(const ExpectBlockedBy& /*expected*/, const WalkBounds& bounds) {
+        return {.holds = bounds.moves()};
+    }
+
     Finding finding(bool /*ended*/) const {
         return finder_.finding(expected_->mark,
                                "the avatar was never blocked by '" + expected_->object.glob + "'");
@@ -203,6 +218,10 @@ public:
         }
     }
 
+    static PossibleVerdicts possible(const ExpectStuck& /*expected*/, const WalkBounds& bounds) {
+        return {.holds = bounds.moves()};
+    }
+
     Finding finding(bool /*ended*/) const {
         const std::string& glob = expected_->by.glob;
         return finder_.finding(expected_->mark,
@@ -225,6 +244,10 @@ public:
         if (falls && !when_) {
             when_ = now;
         }
+    }
+
+    static PossibleVerdicts possible(const ExpectFell& /*expected*/, const WalkBounds& /*bounds*/) {
+        return {};
     }
 
     Finding finding(bool /*ended*/) const {

@@ -36,6 +36,21 @@ public:
         }
     }
 
+    static PossibleVerdicts possible(const ExpectSequence& expected, const WalkBounds& bounds) {
+        // Nothing comes before walk.start or after walk.end, and nothing else comes for certain.
+        const std::vector<EventPattern>& events = expected.events;
+        PossibleVerdicts possible;
+        for (std::size_t i = 0; i < events.size(); ++i) {
+            const bool too_late = i > 0 && bounds.is_only(events[i], EventKind::walk_start);
+            const bool too_early = i + 1 < events.size() && bounds.is_only(events[i], EventKind::walk_end);
+            possible.holds = possible.holds && !too_late && !too_early && bounds.times(events[i]).most > 0.0;
+        }
+        const bool start = !events.empty() && bounds.is_certain(events.front(), EventKind::walk_start);
+        const bool end = !events.empty() && bounds.is_certain(events.back(), EventKind::walk_end);
+        possible.fails = !(events.size() == 1 ? start || end : events.size() == 2 && start && end);
+        return possible;
+    }
+
     Finding finding(bool /*ended*/) const {
         if (count_ == expected_->events.size()) {
             return {true, expected_->mark, "all occurred in this order, the last " + last_event_, last_};
@@ -73,6 +88,11 @@ public:
         }
     }
 
+    static PossibleVerdicts possible(const ExpectNever& expected, const WalkBounds& bounds) {
+        const Interval times = bounds.times(expected.event);
+        return {.holds = times.least == 0.0, .fails = times.most > 0.0};
+    }
+
     Finding finding(bool /*ended*/) const {
         const std::string event = "'" + to_string(expected_->event) + "'";
         if (times_ == 0) {
@@ -104,6 +124,10 @@ public:
         if (too_many && !too_many_) {
             too_many_ = now;
         }
+    }
+
+    static PossibleVerdicts possible(const ExpectCount& expected, const WalkBounds& bounds) {
+        return possible_verdicts(expected.times, bounds.times(expected.event));
     }
 
     Finding finding(bool /*ended*/) const {
@@ -144,6 +168,15 @@ public:
                 waits_.push_back({describe(event, record.time), record.time});
             }
         }
+    }
+
+    static PossibleVerdicts possible(const ExpectWithin& expected, const WalkBounds& bounds) {
+        const bool long_enough =
+            bounds.times(expected.after).least > 0.0 && expected.seconds >= bounds.seconds();
+        // In the middle of a walk the event may still come; at the end walk.end is the last that can.
+        const bool comes = bounds.in_step() || (bounds.is_certain(expected.event, EventKind::walk_end) &&
+                                                bounds.is_only(expected.after, EventKind::walk_start));
+        return {.holds = bounds.times(expected.after).most > 0.0, .fails = !(long_enough && comes)};
     }
 
     Finding finding(bool ended) const {

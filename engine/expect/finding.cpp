@@ -1,7 +1,9 @@
 #include "engine/expect/finding.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 #include "engine/events/decimals.h"
 
@@ -32,6 +34,18 @@ bool can_change(const Limits<Number>& limits, Number value, Number tolerance, co
         (limits.equals && value > *limits.equals + tolerance) || (limits.at_most && value > *limits.at_most);
     const bool bounded = limits.equals || limits.at_most;
     return !too_much && (bounded || !violation.empty());
+}
+
+template <typename Number>
+PossibleVerdicts possible(const Limits<Number>& limits, const Interval& numbers, double tolerance) {
+    constexpr double kAny = std::numeric_limits<double>::infinity();
+    const auto number = [](const std::optional<Number>& limit, double otherwise) {
+        return limit ? static_cast<double>(*limit) : otherwise;
+    };
+    const double least = std::max(number(limits.equals, -kAny), number(limits.at_least, -kAny)) - tolerance;
+    const double most = std::min(number(limits.equals, kAny), number(limits.at_most, kAny)) + tolerance;
+    return {.holds = least <= most && least <= numbers.most && most >= numbers.least,
+            .fails = numbers.least < least || numbers.most > most};
 }
 
 }  // namespace
@@ -66,6 +80,14 @@ bool can_still_change(const Limits<int>& limits, int count) {
 
 bool can_still_change(const Limits<double>& limits, double value) {
     return can_change(limits, value, kHalfOfLastDigit, violated_limit(limits, value, ""));
+}
+
+PossibleVerdicts possible_verdicts(const Limits<int>& limits, const Interval& numbers) {
+    return possible(limits, numbers, 0.0);
+}
+
+PossibleVerdicts possible_verdicts(const Limits<double>& limits, const Interval& numbers) {
+    return possible(limits, numbers, kHalfOfLastDigit);
 }
 
 }  // namespace campuswalk::engine

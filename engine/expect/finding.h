@@ -5,6 +5,7 @@
 
 #include "engine/events/event.h"
 #include "engine/expect/state_snapshot.h"
+#include "engine/expect/walk_bounds.h"
 #include "engine/record/tick_record.h"
 #include "engine/script/avatar.h"
 #include "engine/script/expectation.h"
@@ -20,6 +21,13 @@ struct Finding {
     std::string message;                ///< one line
     std::optional<StateSnapshot> when;  ///< when it was decided; none: not before the end
     bool can_change = false;            ///< had the walk gone on, it might have turned out differently
+};
+
+/// What an expectation's verdict can be in some walk with these steps on this campus, or on one that differs
+/// from it elsewhere. Where that isn't certain, it is possible.
+struct PossibleVerdicts {
+    bool holds = true;
+    bool fails = true;
 };
 
 /// What evaluators are made from besides their expectation; all must outlive them.
@@ -38,6 +46,9 @@ struct EvaluatorContext {
 ///
 ///     // What holds so far; `ended`: nothing more will come.
 ///     Finding finding(bool ended) const;
+///
+///     // Whether its parameters can fail at all, and hold at all.
+///     static PossibleVerdicts possible(const Expected& expected, const WalkBounds& bounds);
 ///
 /// A copy continues independently.
 template <typename Expected>
@@ -58,6 +69,10 @@ std::string in_metres(double value);
 std::string violated_limit(const Limits<int>& limits, int count);
 /// The same; `unit` has a space before it. Prints three decimals, and numbers that agree in these are equal.
 std::string violated_limit(const Limits<double>& limits, double value, const std::string& unit);
+/// For numbers in the interval.
+PossibleVerdicts possible_verdicts(const Limits<int>& limits, const Interval& numbers);
+PossibleVerdicts possible_verdicts(const Limits<double>& limits, const Interval& numbers);
+
 /// Whether a number that only grows may still come within its limits, or leave them.
 bool can_still_change(const Limits<int>& limits, int count);
 bool can_still_change(const Limits<double>& limits, double value);

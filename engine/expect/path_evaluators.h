@@ -32,6 +32,11 @@ public:
         }
     }
 
+    static PossibleVerdicts possible(const ExpectReaches& expected, const WalkBounds& bounds) {
+        return {.holds = expected.within >= bounds.distance(expected.target).least,
+                .fails = expected.within < bounds.distance_at_start(expected.target).most};
+    }
+
     Finding finding(bool /*ended*/) const {
         const bool reached = nearest_ <= expected_->within;
         const std::string closest =
@@ -74,6 +79,16 @@ public:
         }
     }
 
+    static PossibleVerdicts possible(const ExpectNear& expected, const WalkBounds& bounds) {
+        const bool at_start = expected.at && bounds.is_only(*expected.at, EventKind::walk_start);
+        const Interval distance =
+            at_start ? bounds.distance_at_start(expected.target) : bounds.distance(expected.target);
+        const bool comes = !expected.at || bounds.times(*expected.at).least > 0.0;
+        return {.holds = expected.within >= distance.least &&
+                         (!expected.at || bounds.times(*expected.at).most > 0.0),
+                .fails = !comes || expected.within < distance.most};
+    }
+
     Finding finding(bool /*ended*/) const {
         const std::string& target = expected_->target.label;
         if (!last_) {
@@ -108,6 +123,10 @@ public:
 
     void on_tick(const TickRecord& record, const StateSnapshot& /*now*/) { time_ = record.time; }
 
+    static PossibleVerdicts possible(const ExpectDuration& expected, const WalkBounds& bounds) {
+        return possible_verdicts(expected.seconds, {0.0, bounds.seconds()});
+    }
+
     Finding finding(bool ended) const {
         const std::string limit = violated_limit(expected_->seconds, time_, " s");
         return {limit.empty(), expected_->mark,
@@ -127,6 +146,10 @@ public:
     EvaluatorOf(const ExpectDistance& expected, const EvaluatorContext&) : expected_(&expected) {}
 
     void on_tick(const TickRecord& record, const StateSnapshot& /*now*/) { distance_ = record.distance; }
+
+    static PossibleVerdicts possible(const ExpectDistance& expected, const WalkBounds& bounds) {
+        return possible_verdicts(expected.metres, {0.0, bounds.metres()});
+    }
 
     Finding finding(bool ended) const {
         const std::string limit = violated_limit(expected_->metres, distance_, " m");

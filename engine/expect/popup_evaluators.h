@@ -39,6 +39,18 @@ public:
         }
     }
 
+    static PossibleVerdicts possible(const ExpectPopup& expected, const WalkBounds& bounds) {
+        Interval times = bounds.times({expected.mark, std::string(name_of(EventKind::popup_open)), "*"});
+        if (std::ranges::none_of(bounds.campus().description.buildings, [&](const scene::Building& building) {
+                return scene::glob_matches(expected.building.glob, building.id) &&
+                       (building.title.find_first_of("{}") != std::string::npos ||  // filled in when it opens
+                        scene::glob_matches(expected.title, building.title));
+            })) {
+            times.most = 0.0;
+        }
+        return possible_verdicts(expected.times, times);
+    }
+
     Finding finding(bool /*ended*/) const {
         const std::string limit = violated_limit(expected_->times, times_);
         std::string message = "the pop-up of '" + expected_->building.glob + "'";
@@ -66,14 +78,8 @@ private:
 template <>
 class EvaluatorOf<ExpectVisits> {
 public:
-    EvaluatorOf(const ExpectVisits& expected, const EvaluatorContext& context) : expected_(&expected) {
-        const std::vector<scene::Building>& buildings = context.campus.description.buildings;
-        for (std::size_t i = 0; i < buildings.size(); ++i) {
-            if (matches_any(expected.buildings, buildings[i].id) && has_popup(context.campus, i)) {
-                buildings_.push_back(buildings[i].id);
-            }
-        }
-    }
+    EvaluatorOf(const ExpectVisits& expected, const EvaluatorContext& context)
+        : expected_(&expected), buildings_(pop_ups_of(expected, context.campus)) {}
 
     void on_tick(const TickRecord& record, const StateSnapshot& /*now*/) {
         for (const Event& event : record.events) {
@@ -84,17 +90,19 @@ public:
         }
     }
 
+    static PossibleVerdicts possible(const ExpectVisits& expected, const WalkBounds& bounds) {
+        return {.fails = needed(expected, pop_ups_of(expected, bounds.campus()).size()) > 0};
+    }
+
     Finding finding(bool /*ended*/) const {
-        constexpr double kRounding = 1e-9;
         constexpr std::size_t kMaxListed = 8;
-        const auto needed = static_cast<std::size_t>(
-            std::ceil(expected_->ratio * static_cast<double>(buildings_.size()) - kRounding));
+        const std::size_t needed_visits = needed(*expected_, buildings_.size());
         std::string message = std::to_string(visited_.size()) + " of " + std::to_string(buildings_.size()) +
                               (buildings_.size() == 1 ? " building was visited" : " buildings were visited");
-        if (visited_.size() >= needed) {
+        if (visited_.size() >= needed_visits) {
             return {true, expected_->mark, message, std::nullopt};
         }
-        message += ", expected " + std::to_string(needed) + "; not visited: ";
+        message += ", expected " + std::to_string(needed_visits) + "; not visited: ";
         std::size_t listed = 0;
         for (const std::string& building : buildings_) {
             if (!visited_.contains(building) && ++listed <= kMaxListed) {
@@ -105,6 +113,23 @@ public:
     }
 
 private:
+    static std::size_t needed(const ExpectVisits& expected, std::size_t buildings) {
+        constexpr double kRounding = 1e-9;
+        return static_cast<std::size_t>(
+            std::ceil(expected.ratio * static_cast<double>(buildings) - kRounding));
+    }
+
+    static std::vector<std::string> pop_ups_of(const ExpectVisits& expected, const scene::Campus& campus) {
+        std::vector<std::string> ids;
+        const std::vector<scene::Building>& buildings = campus.description.buildings;
+        for (std::size_t i = 0; i < buildings.size(); ++i) {
+            if (matches_any(expected.buildings, buildings[i].id) && has_popup(campus, i)) {
+                ids.push_back(buildings[i].id);
+            }
+        }
+        return ids;
+    }
+
     static bool has_popup(const scene::Campus& campus, std::size_t building) {
         return std::ranges::any_of(campus.objects, [&](const scene::CampusObject& object) {
             return object.popup && object.building == building;

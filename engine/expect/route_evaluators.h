@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/expect/finding.h"
+#include "engine/script/travel.h"
 
 namespace campuswalk::engine {
 
@@ -29,12 +30,23 @@ private:
 
 template <>
 class EvaluatorOf<ExpectReachable> : public RouteEvaluator<ExpectReachable> {
+public:
     using RouteEvaluator::RouteEvaluator;
+    static PossibleVerdicts possible(const ExpectReachable& /*expected*/, const WalkBounds& /*bounds*/) {
+        return {};
+    }
 };
 
 template <>
 class EvaluatorOf<ExpectRoute> : public RouteEvaluator<ExpectRoute> {
+public:
     using RouteEvaluator::RouteEvaluator;
+    /// No route is shorter than the straight line, but that it ends near the target.
+    static PossibleVerdicts possible(const ExpectRoute& expected, const WalkBounds& /*bounds*/) {
+        constexpr double kNear = 1.0;  // metres
+        const double straight = flat(expected.to.point - expected.from.point).norm();
+        return {.holds = !expected.max_length || *expected.max_length >= straight - kNear};
+    }
 };
 
 }  // namespace campuswalk::engine

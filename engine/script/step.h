@@ -57,6 +57,7 @@ struct SpawnStep {
     std::string label;
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
     double yaw = 0.0;
+    bool fall = false;  ///< the walk is meant to begin with a fall: see SpawnFall
 
     StepPreview preview() const {
         return {.events = {{EventKind::avatar_spawn, label}, {EventKind::avatar_depenetrated, label}},

@@ -8,12 +8,11 @@
 #include <variant>
 #include <vector>
 
-#include "collision/world/cast.h"
 #include "collision/world/placement.h"
 #include "engine/events/decimals.h"
 #include "engine/expect/name_check.h"
 #include "engine/script/avatar_body.h"
-#include "engine/simulation/body.h"
+#include "engine/simulation/spawn_fall.h"
 #include "scene/base/glob.h"
 
 namespace campuswalk::engine {
@@ -52,44 +51,7 @@ public:
         }
     }
 
-    /// A warning if there is nothing near below a visitor who is put there: others may be dropped on purpose.
-    void check_ground(const SpawnStep& spawn, std::vector<Diagnostic>& diagnostics) const {
-        constexpr double kHigh = 2.5;  // metres
-        const std::optional<Ground> ground = ground_below(spawn.position);
-        if (ground && ground->drop <= kHigh) {
-            return;
-        }
-        const std::string what =
-            ground ? fixed(ground->drop, 2) + " m above " + campus_.objects[index_of(ground->object)].id
-                   : "over nothing: the visitor falls out of the world";
-        diagnostics.push_back({scene::Severity::warning, spawn.mark, "spawn-in-air",
-                               spawn.label + " at " + fixed(spawn.position) + " is " + what});
-    }
-
 private:
-    struct Ground {
-        collision::ObjectId object{};
-        double drop = 0.0;  ///< metres
-    };
-
-    /// Below the middle of a foot or four points around it.
-    std::optional<Ground> ground_below(const collision::Vec3& foot) const {
-        const double length = foot.y() + avatar_.radius - campus_.world.bounds().min.y() + 1.0;
-        std::optional<Ground> nearest;
-        for (const auto& [x, z] :
-             {std::pair(0, 0), std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)}) {
-            const collision::Vec3 from = foot + avatar_.radius * collision::Vec3(x, 1.0, z);
-            const auto hit =
-                collision::cast(campus_.world, solids_, {from, from - length * collision::Vec3::UnitY()},
-                                collision::Detection::solid);
-            const double drop = hit ? hit->fraction * length - avatar_.radius : 0.0;
-            if (hit && (!nearest || drop < nearest->drop)) {
-                nearest = Ground{hit->object, drop};
-            }
-        }
-        return nearest;
-    }
-
     void check_place(const SourceMark& mark, const StepPreview::Place& place,
                      std::vector<Diagnostic>& diagnostics) {
         const auto& [label, foot] = place;
@@ -139,6 +101,23 @@ private:
     collision::QueryFilter solids_;
 };
 
+/// A warning if there is nothing near below a visitor who is put there, unless the walk says so.
+void check_ground(const scene::Campus& campus, const Walk& walk, const SpawnStep& spawn,
+                  std::vector<Diagnostic>& diagnostics) {
+    constexpr double kHigh = 2.5;  // metres
+    if (spawn.fall) {
+        return;
+    }
+    const SpawnFall fall = fall_at_spawn(campus, walk);
+    if (fall.lands && fall.height <= kHigh) {
+        return;
+    }
+    const std::string what = fall.lands ? fixed(fall.height, 2) + " m above the ground"
+                                        : "over nothing that carries the visitor, who falls from there";
+    diagnostics.push_back({scene::Severity::warning, spawn.mark, "spawn-in-air",
+                           spawn.label + " at " + fixed(spawn.position) + " is " + what});
+}
+
 /// The steps of a `repeat` are checked once per round.
 void drop_repeated(std::vector<Diagnostic>& diagnostics) {
     std::set<std::pair<scene::SourceMark, std::string>> seen;
@@ -154,10 +133,12 @@ std::vector<Diagnostic> check_walk(const scene::Campus& campus, const Walk& walk
     StepCheck steps(campus, walk);
     for (const Step& step : walk.steps) {
         const StepPreview preview = preview_of(step);
-        if (const auto* spawn = std::get_if<SpawnStep>(&step)) {
-            steps.check_ground(*spawn, diagnostics);
-        }
+        const std::size_t before = diagnostics.size();
         steps.check(preview, mark_of(step), diagnostics);
+        const auto* spawn = std::get_if<SpawnStep>(&step);
+        if (spawn != nullptr && &step == &walk.steps.front() && diagnostics.size() == before) {
+            check_ground(campus, walk, *spawn, diagnostics);
+        }
         names.check_events(preview.mentions);
     }
     names.check_events(mentions_of(walk.expectations));

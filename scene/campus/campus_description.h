@@ -111,6 +111,7 @@ struct Spawn {
     std::string name;
     Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< feet
     double yaw = 0.0;                                    ///< radians about +Y, 0 looks along -Z
+    bool fall = false;                                   ///< it is meant to be in the air
 };
 
 struct Place {

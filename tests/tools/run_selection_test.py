@@ -146,6 +146,13 @@ class Strict(ProgramCase):
         outcome = self.run_walks("--strict", *arguments)
         self.assert_refused(outcome, "short.walk.yaml:" + expected)
 
+    def refused_at(self, text, pattern):
+        self.write("short.walk.yaml", text)
+        self.assertNotEqual(self.run_walks().code, 2, "without --strict")
+        outcome = self.run_walks("--strict")
+        self.assertEqual(outcome.code, 2)
+        self.assertRegex(outcome.err, r"(?m)^short.walk.yaml:" + pattern)
+
     def test_a_walk_that_judges_what_it_says_passes(self):
         self.assertEqual(self.run_walks("--strict").code, 0)
 
@@ -167,6 +174,37 @@ class Strict(ProgramCase):
         outcome = self.run_walks("--strict")
         self.assertEqual(outcome.code, 2)
         self.assertRegex(outcome.err, "short.walk.yaml: error strict: ")
+
+    def test_expectations_that_cant_fail_are_refused(self):
+        head = WALK[:WALK.index("expect:")] + "expect:\n  - "
+        for vacuous, judged in (("no_penetration: {tolerance: 0.3}", "no_penetration: {tolerance: 0.1}"),
+                                ("duration: {at_least: 0}", "duration: {at_least: 1}"),
+                                ("near: {place: end, within: 1000000}", "near: {place: end, within: 1}"),
+                                ("visits: {ratio: 0}", "visits: {ratio: 1}"),
+                                ("count: {event: avatar.fell, at_least: 0}", "count: {event: popup.open, at_least: 1}"),
+                                ("grounded: {ratio: 0}", "grounded: {ratio: 0.5}"),
+                                ("sequence: [walk.start]", "sequence: [popup.open]"),
+                                ("log: {golden: false}", "never: avatar.fell")):
+            self.refused_at(head + vacuous + "\n", r"8:\d+: error strict: '.*' can't fail")
+            self.write("short.walk.yaml", head + judged + "\n")
+            self.assertEqual(self.run_walks("--strict").code, 0, judged)
+        self.refused_at(head + "not: {popup: {building: hut, title: Castle}}\n", r"8:\d+: error strict: 'not-popup' can't fail")
+        self.refused_at(WALK.replace("  - turn: 180", "  - expect: {count: {event: popup.open, at_least: 0}}"),
+                     r"6:\d+: error strict: 'count' can't fail")
+
+    def test_a_fall_at_the_start_is_announced(self):
+        falling = WALK.replace("spawn: start", "spawn: %s")
+        for spawn in ("{at: [0, 0.6, 5]}", "{at: [0, 3, 5]}", "{at: [50, 0, 5]}"):
+            self.refused_at(falling % spawn, r"4:\d+: error strict: .* begin with a fall")
+        self.write("short.walk.yaml", falling % "{at: [0, 0.6, 5], fall: true}")
+        self.assertNotIn("error strict", self.run_walks("--strict").err)
+        self.refused_at(falling % "{at: [0, 0.4, 5], fall: true}", r"4:\d+: error strict: 'fall: true' .* 0.40 m")
+        self.refused_at(falling % "{at: start, fall: true}", r"4:\d+: error strict: 'fall: true' .* 0.00 m")
+        self.write("short.walk.yaml", falling % "{at: start, yaw_deg: 10, fall: false}")
+        self.assertNotIn("error", self.run_walks("--strict").err)
+        self.write("small.campus.yaml", CAMPUS.replace("at: [0, 0, 5]", "at: [0, 2, 5], fall: true"))
+        self.write("short.walk.yaml", WALK)
+        self.assertNotIn("error strict", self.run_walks("--strict").err)
 
     def test_tolerances_are_the_default_or_tighter(self):
         walk = WALK.replace("turn: 180", "snapshot: view") + "  - snapshot: %s\n"
@@ -205,6 +243,22 @@ class Strict(ProgramCase):
         outcome = self.run_walks("--config", "strict.config.yaml")
         self.assert_refused(outcome, *outcome.err_lines[:-1], "--min-cases: error too-few-cases: 1 2")
 
+    def test_links_copies_and_projects_make_no_more_of_a_walk(self):
+        for i in range(3):
+            os.symlink("short.walk.yaml", self.path("link%d.walk.yaml" % i))
+        for strict in (), ("--strict",):
+            self.assertEqual(self.run_walks("--min-cases", "1", *strict).code, 0)
+            self.assert_refused(self.run_walks("--min-cases", "2", *strict),
+                                "--min-cases: error too-few-cases: 1 2 3 files same")
+        self.write("copy.walk.yaml", WALK)
+        self.assertEqual(self.run_walks("--min-cases", "2").code, 0)
+        self.assert_refused(self.run_walks("--min-cases", "2", "--strict"),
+                            "--min-cases: error too-few-cases: 1 2 4 files same")
+        self.write("other.walk.yaml", WALK.replace("walk_to: end", "walk_to: {to: end, speed: 1}"))
+        self.write("walks.config.yaml", "projects: {a: , b: }\n")
+        self.assertEqual(self.run_walks("--min-cases", "2", "--strict").code, 0)
+        self.assert_refused(self.run_walks("--min-cases", "3", "--strict"), "--min-cases: error too-few-cases: 2 3")
+
     def test_fewer_cases_than_asked_for_are_an_error(self):
         self.write("other.walk.yaml", WALK)
         for shard in (), ("--shard", "2/2"):
@@ -235,8 +289,18 @@ class GoldenLog(ProgramCase):
         before = self.contents()
         missing = self.run_walk()
         self.assertEqual(missing.code, 1)
-        self.assertRegex(missing.err_lines[0], r"^short.walk.yaml:10:\d+: error log: .*" + re.escape(self.GOLDEN))
+        self.assertRegex(missing.err_lines[0], r"^short.walk.yaml:10:\d+: error golden-missing: .*" + re.escape(self.GOLDEN))
         self.assertEqual(self.contents(), before)
+
+    def test_no_walk_is_expected_to_fail_for_want_of_it(self):
+        walk = self.read("short.walk.yaml").decode("utf-8") + "status: {is: xfail, %s}\n"
+        for status in ("failures: [log]", "because: the hut has moved"):
+            self.write("short.walk.yaml", walk % status)
+            outcome = self.run_walk()
+            self.assertEqual(outcome.code, 1)
+            self.assertRegex(outcome.err, "error xfail: .*can't be evaluated: golden-missing")
+        self.write("short.walk.yaml", walk % "failures: [golden-missing]")
+        self.assert_refused(self.run_walk(), "short.walk.yaml:11:32: error bad-value: golden-missing")
 
     def test_is_written_on_request_and_then_compared(self):
         first = self.run_walk("-u")

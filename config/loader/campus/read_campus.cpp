@@ -142,6 +142,7 @@ Spawn read_spawn(const CheckedNode::Entry& entry) {
     map.require("at");
     map.vector("at", kCoordinate, spawn.position);
     map.angle("yaw_deg", kYaw, spawn.yaw);
+    map.as_bool("fall", spawn.fall);
     map.refuse_other_keys();
     return spawn;
 }

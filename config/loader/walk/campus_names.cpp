@@ -133,20 +133,48 @@ Target CampusNames::target_named(const CheckedNode& node, const std::string& nam
 }
 
 Placement CampusNames::placement(const CheckedNode& node) const {
-    Placement placement;
     if (node.is_map()) {
         CheckedMap map(node, node.what());
         map.require("at");
-        map.vector("at", kCoordinate, placement.position);
-        map.angle("yaw_deg", kYaw, placement.yaw);
+        const Placement placement = placement_in(map);
         map.refuse_other_keys();
-        placement.label = label_of({placement.position.data(), 3});
         return placement;
     }
     if (!node.is_scalar()) {
         node.diagnose("wrong-type", node.what() + " must be a spawn's name or {at: [x, y, z], yaw_deg: 0}");
-        return placement;
+        return {};
     }
+    return placement_named(node);
+}
+
+Placement CampusNames::spawn(const CheckedNode& node) const {
+    if (!node.is_map()) {
+        return placement(node);
+    }
+    CheckedMap map(node, node.what());
+    const auto at = map.require("at");
+    Placement placed;
+    if (at && at->is_scalar() && !at->is_null()) {
+        placed = placement_named(*at);
+        map.angle("yaw_deg", kYaw, placed.yaw);
+    } else {
+        placed = placement_in(map);
+    }
+    map.as_bool("fall", placed.fall);
+    map.refuse_other_keys();
+    return placed;
+}
+
+Placement CampusNames::placement_in(CheckedMap& map) const {
+    Placement placement;
+    map.vector("at", kCoordinate, placement.position);
+    map.angle("yaw_deg", kYaw, placement.yaw);
+    placement.label = label_of({placement.position.data(), 3});
+    return placement;
+}
+
+Placement CampusNames::placement_named(const CheckedNode& node) const {
+    Placement placement;
     placement.label = name_in(node).value_or("");
     if (placement.label.empty() || campus_ == nullptr) {
         return placement;
@@ -158,6 +186,7 @@ Placement CampusNames::placement(const CheckedNode& node) const {
     }
     placement.position = spawn->position;
     placement.yaw = spawn->yaw;
+    placement.fall = spawn->fall;
     return placement;
 }
 

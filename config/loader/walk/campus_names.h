@@ -12,11 +12,14 @@
 
 namespace campuswalk::config {
 
+class CheckedMap;
+
 /// Where an avatar is placed.
 struct Placement {
     std::string label;
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
     std::optional<double> yaw;  ///< radians
+    bool fall = false;          ///< it is meant to be in the air
 };
 
 /// Turns the names and coordinates of a walk into points of its campus.
@@ -31,10 +34,15 @@ public:
     engine::CameraTarget camera_target(const CheckedNode& node) const;
     /// A spawn's name, or `{at: [x, y, z], yaw_deg: 90}`.
     Placement placement(const CheckedNode& node) const;
+    /// Of the first step: the same, where `at` may also be a spawn's name, and with `fall: true`.
+    Placement spawn(const CheckedNode& node) const;
     /// Reports a layer that the campus doesn't have.
     void check_layer(const CheckedNode& node, const std::string& layer) const;
 
 private:
+    /// The spawn of that name.
+    Placement placement_named(const CheckedNode& node) const;
+    Placement placement_in(CheckedMap& map) const;
     engine::Target target_at(const CheckedNode& node) const;
     engine::Target target_named(const CheckedNode& node, const std::string& name) const;
 

@@ -71,8 +71,9 @@ Step read_spawn(const CheckedNode& node, StepContext& context) {
     if (!context.first) {
         node.diagnose("bad-value", "'spawn' can only be the first step; use 'teleport' here");
     }
-    const Placement placement = context.names.campus.placement(node);
-    return SpawnStep{node.mark(), placement.label, placement.position, placement.yaw.value_or(0.0)};
+    const Placement placement = context.names.campus.spawn(node);
+    return SpawnStep{node.mark(), placement.label, placement.position, placement.yaw.value_or(0.0),
+                     placement.fall};
 }
 
 Step read_teleport(const CheckedNode& node, StepContext& context) {

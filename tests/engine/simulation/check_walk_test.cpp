@@ -55,10 +55,14 @@ TEST(CheckWalk, AcceptsAPlaceThatIsFreeUpToHalfAMetreAbove) {
 
 TEST(CheckWalk, WarnsOfASpawnInTheAir) {
     EXPECT_EQ(diagnostics(walk_of({spawn_at({0, 2.4, 0})})), Diagnostics());
-    EXPECT_THAT(diagnostics(walk_of({marked(spawn_at({-5, 30.4, 0}, 0.0, "roof"), 12)})),
-                ElementsAre(says("a.walk.yaml:12:5: warning spawn-in-air", {"roof", "30.00 m above table"})));
+    EXPECT_THAT(
+        diagnostics(walk_of({marked(spawn_at({-5, 30.4, 0}, 0.0, "roof"), 12)})),
+        ElementsAre(says("a.walk.yaml:12:5: warning spawn-in-air", {"roof", "30.00 m above the ground"})));
     EXPECT_THAT(diagnostics(walk_of({spawn_at({5000, 0, 0})})),
                 ElementsAre(says(": warning spawn-in-air", {"over nothing"})));
+    SpawnStep announced = spawn_at({-5, 30.4, 0});
+    announced.fall = true;
+    EXPECT_EQ(diagnostics(walk_of({announced})), Diagnostics());
     // Its edge is enough to stand on.
     EXPECT_EQ(diagnostics(walk_of({spawn_at({-6.2, 0.4, 0})})), Diagnostics());
 }

@@ -173,12 +173,7 @@ private:
             divided.shard_times = folder_.times();
         }
         const Plan plan = summarized(divided);
-        if (plan.walks < static_cast<std::size_t>(settings_.min_cases)) {
-            throw error_about("--min-cases", "too-few-cases",
-                              "only " + std::to_string(plan.walks) + " of at least " +
-                                  scene::plural(static_cast<std::size_t>(settings_.min_cases), "walk") +
-                                  " would be run; see --list");
-        }
+        require_walks(plan, settings_.min_cases);
         engine::RunPlan summary = plan.summary;
         summary.start = start_in_repository(environment_variable);
         return summary;

@@ -63,13 +63,16 @@ void add_selection(Command& command, const SharedRunOptions& options) {
                  options->forbid_only);
     command.flag(
         {.names = "--strict",
-         .help = "Refuse walks that are skipped, marked 'only', may fail in any way, expect nothing or have "
-                 "looser tolerances than the defaults; pictures that can't be evaluated are failures"},
+         .help = "Refuse walks that are skipped, marked 'only', may fail in any way, expect nothing or what "
+                 "can't fail, begin with a fall that they don't announce or have looser tolerances than the "
+                 "defaults; pictures that can't be evaluated are failures"},
         options->strict);
-    command.option({.names = "--min-cases",
-                    .help = "A run of fewer walks, in all shards together, is an error",
-                    .value = "N"},
-                   options->min_cases, kTimes);
+    command.option(
+        {.names = "--min-cases",
+         .help = "A run of fewer walks, in all shards together, is an error; links to a walk don't count, "
+                 "with --strict neither do copies",
+         .value = "N"},
+        options->min_cases, kTimes);
     command.flag({.names = "--pass-with-no-tests", .help = "Exit code 0 when nothing is selected"},
                  options->pass_with_no_tests);
 }

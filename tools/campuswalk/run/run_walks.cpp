@@ -144,7 +144,7 @@ public:
         selection.images = images_;
         Plan plan = make_plan(settings_, std::move(selection));
         note_shard();
-        check_number_of_cases(plan);
+        require_walks(plan, settings_.min_cases);
         if (plan.summary.all_cases == 0) {
             return nothing_selected(plan);
         }
@@ -226,15 +226,6 @@ private:
         if (shard.from != "--shard") {
             print_error_line("shard " + std::to_string(shard.index + 1) + " of " +
                              std::to_string(shard.count) + " (" + shard.from + ")");
-        }
-    }
-
-    void check_number_of_cases(const Plan& plan) const {
-        if (plan.walks < static_cast<std::size_t>(settings_.min_cases)) {
-            throw error_about("--min-cases", "too-few-cases",
-                              "only " + std::to_string(plan.walks) + " of at least " +
-                                  scene::plural(static_cast<std::size_t>(settings_.min_cases), "walk") +
-                                  " would be run; see --list");
         }
     }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "config/loader/load_run.h"
+#include "scene/lint/wording.h"
 #include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/text.h"
@@ -63,11 +64,7 @@ public:
         }
         divide();
         plan.summary = summarized();
-        std::set<std::string> walks;
-        for (const Candidate& candidate : candidates_) {
-            walks.insert(candidate.result.file);
-        }
-        plan.walks = walks.size();
+        count_walks(plan);
         if (options_.summary_only) {
             return plan;
         }
@@ -82,6 +79,23 @@ public:
     }
 
 private:
+    /// Links, copies and projects don't make more of a walk.
+    void count_walks(Plan& plan) {
+        std::set<std::string> files;
+        std::set<std::string> walks;
+        FileHashes hashes;
+        for (const Candidate& candidate : candidates_) {
+            const std::string& file = candidate.result.file;
+            std::error_code ignored;
+            if (files.insert(file).second) {
+                walks.insert(settings_.strict ? to_string(hashes.of(file))
+                                              : fs::weakly_canonical(file, ignored).string());
+            }
+        }
+        plan.walks = walks.size();
+        plan.same_walks = files.size() - walks.size();
+    }
+
     void read_all(Plan& plan) {
         const std::vector<fs::path> files = find_walks(settings_.paths);
         const std::vector<std::string> names = output_names(files);
@@ -306,6 +320,9 @@ private:
             try {
                 LoadedWalk loaded = loader_.ready(std::move(*candidate.run));
                 refuse(texture_errors(loaded));
+                if (settings_.strict) {
+                    refuse(strict_errors(*loaded.campus, loaded.walk));
+                }
                 walk = std::make_shared<LoadedWalk>(std::move(loaded));
             } catch (const InputError& error) {
                 note_errors(candidate.result, error);
@@ -379,6 +396,19 @@ PlanOptions plan_options(const RunOptions& options) {
     plan.tree = options.tree;
     plan.max_timeout = options.timeout;
     return plan;
+}
+
+void require_walks(const Plan& plan, int at_least) {
+    if (plan.walks >= static_cast<std::size_t>(at_least)) {
+        return;
+    }
+    throw error_about("--min-cases", "too-few-cases",
+                      "only " + std::to_string(plan.walks) + " of at least " +
+                          scene::plural(static_cast<std::size_t>(at_least), "walk") + " would be run" +
+                          (plan.same_walks == 0 ? ""
+                                                : ", as " + scene::plural(plan.same_walks, "file") +
+                                                      " more have the same contents as one of them") +
+                          "; see --list");
 }
 
 Plan make_plan(const RunSettings& settings, PlanOptions options) {

@@ -27,10 +27,12 @@ struct Case {
 /// The cases of a run in the order in which they are reported: by file, project and repetition.
 struct Plan {
     std::vector<Case> cases;
-    engine::RunPlan summary;   ///< for reports
-    std::size_t files = 0;     ///< number of walk files found
-    std::size_t walks = 0;     ///< number of selected walk files, of all shards
-    std::size_t left_out = 0;  ///< number of selected walks that aren't marked `only` where others are
+    engine::RunPlan summary;  ///< for reports
+    std::size_t files = 0;    ///< number of walk files found
+    /// Number of selected walks, of all shards: of files or, if the run is strict, of different contents.
+    std::size_t walks = 0;
+    std::size_t same_walks = 0;  ///< number of further selected files, each the same as one of them
+    std::size_t left_out = 0;    ///< number of selected walks that aren't marked `only` where others are
     std::vector<std::string> other_folders;  ///< as Case::folder, of the walks in other shards
     /// What the walks of all shards are read from or compared with besides YAML files: models, buffers,
     /// textures, lists of places, golden files. Walk after walk, each campus's files once.
@@ -56,6 +58,9 @@ Selector selector_of(const config::ProjectConfig& project);
 /// Reads and checks every selected walk. Prints the errors of walks, which become cases with these errors.
 /// Throws scene::InputError for errors of the run as a whole.
 Plan make_plan(const RunSettings& settings, PlanOptions options);
+
+/// Throws scene::InputError (too-few-cases) if there are fewer walks.
+void require_walks(const Plan& plan, int at_least);
 
 /// Prints what would be played, one case per line, with its tags and its status.
 void print_cases(const Plan& plan);

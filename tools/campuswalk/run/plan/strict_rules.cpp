@@ -3,6 +3,10 @@
 #include <string>
 #include <variant>
 
+#include "engine/events/decimals.h"
+#include "engine/expect/can_fail.h"
+#include "engine/simulation/spawn_fall.h"
+
 namespace campuswalk::tools {
 
 using engine::ImageTolerance;
@@ -16,6 +20,35 @@ bool is_looser_than_default(const ImageTolerance& tolerance) {
     return tolerance.threshold > standard.threshold || tolerance.min_tile_ssim < standard.min_tile_ssim ||
            tolerance.max_diff_pixels.value_or(0) > 0 || tolerance.max_diff_pixel_ratio.value_or(0.0) > 0.0 ||
            !tolerance.masks.empty();
+}
+
+scene::Diagnostic refusal(const engine::SourceMark& mark, const std::string& what) {
+    return {scene::Severity::error, mark, "strict", what};
+}
+
+/// Nothing if the walk begins as its spawn says.
+void check_fall(const scene::Campus& campus, const engine::Walk& walk, const engine::SpawnStep& spawn,
+                std::vector<scene::Diagnostic>& errors) {
+    const engine::SpawnFall fall = engine::fall_at_spawn(campus, walk);
+    const bool falls = !fall.lands || fall.height > engine::kSpawnFall;
+    if (falls == spawn.fall) {
+        return;
+    }
+    const std::string where = spawn.label + " at " + engine::fixed(spawn.position);
+    if (!falls) {
+        errors.push_back(refusal(spawn.mark, "'fall: true' isn't so: from " + where +
+                                                 " the walk falls by only " + engine::fixed(fall.height, 2) +
+                                                 " m; remove it"));
+        return;
+    }
+    const std::string how = fall.lands ? "is " + engine::fixed(fall.height, 2) + " m above the ground"
+                                       : "is above no ground that carries the visitor";
+    errors.push_back(refusal(
+        spawn.mark, where + " " + how +
+                        ", and --strict doesn't allow a walk to begin with a fall that it "
+                        "doesn't announce; put the spawn on the ground, or write 'spawn: {at: " +
+                        (spawn.label.find(',') == std::string::npos ? spawn.label : "[" + spawn.label + "]") +
+                        ", fall: true}'"));
 }
 
 }  // namespace
@@ -39,6 +72,21 @@ std::vector<scene::Diagnostic> strict_errors(const engine::Walk& walk, const Ima
         if (snapshot != nullptr && is_looser_than_default(engine::changed(tolerance, snapshot->tolerance))) {
             refuse(snapshot->mark, "the snapshot may differ by more than the default tolerance");
         }
+    }
+    return errors;
+}
+
+std::vector<scene::Diagnostic> strict_errors(const scene::Campus& campus, const engine::Walk& walk) {
+    std::vector<scene::Diagnostic> errors;
+    if (const auto* spawn =
+            walk.steps.empty() ? nullptr : std::get_if<engine::SpawnStep>(&walk.steps.front())) {
+        check_fall(campus, walk, *spawn, errors);
+    }
+    for (const engine::VacuousExpectation& vacuous : engine::vacuous_expectations(campus, walk)) {
+        errors.push_back(
+            refusal(vacuous.mark, "'" + vacuous.name +
+                                      "' can't fail like this, whatever the walk does, which --strict "
+                                      "doesn't allow; expect something that can, or remove it"));
     }
     return errors;
 }

@@ -5,6 +5,7 @@
 #include "engine/script/image_tolerance.h"
 #include "engine/script/walk.h"
 #include "scene/base/diagnostic.h"
+#include "scene/campus/campus.h"
 
 namespace campuswalk::tools {
 
@@ -13,5 +14,9 @@ namespace campuswalk::tools {
 /// `tolerance` is the run's own.
 std::vector<scene::Diagnostic> strict_errors(const engine::Walk& walk,
                                              const engine::ImageTolerance& tolerance);
+
+/// The same of a walk on its campus: expectations that can't fail, a fall at the spawn that the walk doesn't
+/// announce, and an announcement that isn't true.
+std::vector<scene::Diagnostic> strict_errors(const scene::Campus& campus, const engine::Walk& walk);
 
 }  // namespace campuswalk::tools

@@ -1,0 +1,96 @@
+#include "engine/expect/can_fail.h"
+
+#include <cstdint>
+#include <set>
+#include <string>
+
+#include "engine/expect/expectation_set.h"
+#include "engine/expect/walk_bounds.h"
+
+namespace campuswalk::engine {
+
+namespace {
+
+PossibleVerdicts possible(const PlainExpectation& expectation, const WalkBounds& bounds) {
+    return std::visit(
+        [&]<typename Expected>(const Expected& expected) {
+            return EvaluatorOf<Expected>::possible(expected, bounds);
+        },
+        expectation);
+}
+
+std::string name_of(const PlainExpectation& expectation) {
+    return std::string(std::visit([](const auto& expected) { return expected.kName; }, expectation));
+}
+
+const SourceMark& mark_of(const PlainExpectation& expectation) {
+    return std::visit([](const auto& expected) -> const SourceMark& { return expected.mark; }, expectation);
+}
+
+/// Adds an expectation that can't fail.
+class Finder {
+public:
+    Finder(const Walk& walk, const WalkBounds& bounds, std::vector<VacuousExpectation>& found)
+        : walk_(walk), bounds_(bounds), found_(found) {}
+
+    void operator()(const PlainExpectation& expected) const {
+        add_if(!possible(expected, bounds_).fails, mark_of(expected), name_of(expected));
+    }
+    void operator()(const ExpectNot& negation) const {
+        add_if(!possible(negation.what, bounds_).holds, negation.mark, "not-" + name_of(negation.what));
+    }
+    void operator()(const ExpectLog& log) const {
+        add_if(!log.golden, log.mark, std::string(ExpectLog::kName));
+    }
+    /// How much images may differ is decided where the run's own tolerance is known.
+    void operator()(const ExpectSnapshot&) const {}
+    void operator()(const ExpectVisible& expected) const {
+        const bool always = expected.min_pixels <= 0 && expected.min_ratio.value_or(0.0) <= 0.0;
+        const bool never = expected.min_pixels > pixels_of(expected.snapshot);
+        add_if(expected.negated ? never : always, expected.mark, code_of(expected));
+    }
+
+private:
+    std::int64_t pixels_of(const std::string& snapshot) const {
+        for (const Step& step : walk_.steps) {
+            const auto* taken = std::get_if<SnapshotStep>(&step);
+            if (taken != nullptr && taken->name == snapshot) {
+                return static_cast<std::int64_t>(taken->camera.width) * taken->camera.height;
+            }
+        }
+        return 0;
+    }
+
+    void add_if(bool vacuous, const SourceMark& mark, const std::string& name) const {
+        if (vacuous) {
+            found_.push_back({mark, name});
+        }
+    }
+
+    const Walk& walk_;
+    const WalkBounds& bounds_;
+    std::vector<VacuousExpectation>& found_;
+};
+
+}  // namespace
+
+std::vector<VacuousExpectation> vacuous_expectations(const scene::Campus& campus, const Walk& walk) {
+    std::vector<VacuousExpectation> found;
+    const WalkBounds at_end(campus, walk, false);
+    for (const Expectation& expectation : walk.expectations) {
+        std::visit(Finder(walk, at_end, found), expectation);
+    }
+    const WalkBounds so_far(campus, walk, true);
+    std::set<SourceMark> seen;  // the rounds of a `repeat` share them
+    for (const Step& step : walk.steps) {
+        const auto* expect = std::get_if<ExpectStep>(&step);
+        if (expect != nullptr && seen.insert(expect->mark).second) {
+            for (const Expectation& expectation : expect->expectations) {
+                std::visit(Finder(walk, so_far, found), expectation);
+            }
+        }
+    }
+    return found;
+}
+
+}  // namespace campuswalk::engine

@@ -1,0 +1,269 @@
+#include "engine/expect/can_fail.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/engine/expect/single_evaluator.h"
+#include "tests/engine/short_walk.h"
+#include "tests/engine/small_campus.h"
+#include "tests/support/dice.h"
+
+namespace campuswalk::engine {
+namespace {
+
+/// A floor of 20 m x 20 m with a hut of a metre that has a pop-up.
+const scene::Campus& hut_yard() {
+    static const scene::Campus campus = [] {
+        scene::Campus made = level_campus(10.0);
+        add_building(made, "hut", "The Hut");
+        ObjectTraits of_hut;
+        of_hut.building = "hut";
+        add_box(made, "hut/wall", {3, 0, 3}, {4, 1, 4}, of_hut);
+        return made;
+    }();
+    return campus;
+}
+
+/// Ten seconds at most, from the origin.
+Walk ten_seconds() {
+    Walk walk = walk_of({spawn_at({0, 0, 0}), walk_to(5, 5), snapshot("view")});
+    walk.sim.ticks_per_second = 10;
+    walk.timeout = 10.0;
+    return walk;
+}
+
+bool can_fail(Expectation expected, Walk walk = ten_seconds()) {
+    walk.expectations = {std::move(expected)};
+    return vacuous_expectations(hut_yard(), walk).empty();
+}
+
+bool can_fail_in_step(Expectation expected) {
+    Walk walk = ten_seconds();
+    walk.steps.emplace_back(ExpectStep{{}, {std::move(expected)}});
+    return vacuous_expectations(hut_yard(), walk).empty();
+}
+
+Target place(double x, double z) {
+    return {"place", {x, 0, z}, false};
+}
+
+Expectation count(const std::string& words, const Limits<int>& times) {
+    ExpectCount expected;
+    expected.event = pattern(words);
+    expected.times = times;
+    return PlainExpectation(expected);
+}
+
+Expectation sequence(const std::vector<std::string>& words) {
+    ExpectSequence expected;
+    for (const std::string& each : words) {
+        expected.events.push_back(pattern(each));
+    }
+    return PlainExpectation(expected);
+}
+
+Expectation never(const std::string& words) {
+    return PlainExpectation(ExpectNever{{}, pattern(words)});
+}
+
+Expectation within(const std::string& after, const std::string& event, double seconds) {
+    return PlainExpectation(ExpectWithin{{}, pattern(after), pattern(event), seconds});
+}
+
+Expectation popup(const std::string& title, const Limits<int>& times = {std::nullopt, 1, std::nullopt}) {
+    return PlainExpectation(ExpectPopup{{}, {{}, "hut"}, title, "*", times});
+}
+
+Expectation visits(double ratio) {
+    return PlainExpectation(ExpectVisits{{}, {{{}, "*"}}, ratio});
+}
+
+Expectation near(const Target& target, double distance, const std::string& at = "") {
+    ExpectNear expected{{}, target, distance, std::nullopt};
+    if (!at.empty()) {
+        expected.at = pattern(at);
+    }
+    return PlainExpectation(expected);
+}
+
+Expectation reaches(const Target& target, double distance) {
+    return PlainExpectation(ExpectReaches{{}, target, distance});
+}
+
+Expectation duration(const Limits<double>& seconds) {
+    return PlainExpectation(ExpectDuration{{}, seconds});
+}
+
+Expectation distance(const Limits<double>& metres) {
+    return PlainExpectation(ExpectDistance{{}, metres});
+}
+
+Expectation denied(const Expectation& expected) {
+    return ExpectNot{{}, std::get<PlainExpectation>(expected)};
+}
+
+constexpr std::nullopt_t kNone = std::nullopt;
+
+/// What can't fail, and the nearest that can.
+struct Pair {
+    std::string name;
+    Expectation vacuous;
+    Expectation not_vacuous;
+};
+
+std::vector<Pair> pairs() {
+    const double radius = AvatarProfile().radius;
+    return {
+        {"sequence of the start", sequence({"walk.start"}), sequence({"popup.open hut"})},
+        {"sequence of start and end", sequence({"walk.*", "walk.end"}),
+         sequence({"walk.start", "popup.open", "walk.end"})},
+        {"not sequence against the order", denied(sequence({"popup.open", "walk.start"})),
+         denied(sequence({"walk.start", "popup.open"}))},
+        {"not never of what comes", denied(never("walk.*")), denied(never("popup.*"))},
+        {"never, of nothing", never("none.*"), never("popup.*")},
+        {"count at least 0", count("avatar.fell", {kNone, 0, kNone}), count("avatar.fell", {kNone, 1, kNone})},
+        {"count of the start", count("walk.start", {1, kNone, kNone}), count("walk.start", {2, kNone, kNone})},
+        {"count at most a billion", count("popup.open", {kNone, 0, 1'000'000'000}),
+         count("popup.open", {kNone, 0, 2})},
+        {"not count out of reach", denied(count("walk.end", {kNone, 2, kNone})),
+         denied(count("popup.open", {kNone, 2, kNone}))},
+        {"within the whole walk", within("walk.start", "walk.end", 11.0), within("walk.start", "walk.end", 3.0)},
+        {"popup any number of times", popup("*", {kNone, 0, kNone}), popup("*", {kNone, 1, kNone})},
+        {"not a title that nothing has", denied(popup("Library")), denied(popup("The *"))},
+        {"visits of none", visits(0.0), visits(0.5)},
+        {"near anywhere", near(place(0, 0), 15.0), near(place(0, 0), 13.0)},
+        {"near at the start", near(place(1, 0), 1.6, "walk.start"), near(place(1, 0), 1.6, "popup.open")},
+        {"not near what is elsewhere", denied(near(place(99, 0), 80.0)), denied(near(place(99, 0), 90.0))},
+        {"reaches where it starts", reaches(place(1, 0), 1.6), reaches(place(3, 0), 1.6)},
+        {"not reaches what is elsewhere", denied(reaches(place(99, 0), 80.0)), denied(reaches(place(9, 0), 1.0))},
+        {"duration at least 0", duration({kNone, 0.0, kNone}), duration({kNone, 5.0, kNone})},
+        {"duration at most the timeout", duration({kNone, kNone, 10.1}), duration({kNone, kNone, 5.0})},
+        {"not duration beyond it", denied(duration({kNone, 10.2, kNone})), denied(duration({kNone, 2.0, kNone}))},
+        {"distance at least 0", distance({kNone, 0.0, kNone}), distance({kNone, 1.0, kNone})},
+        {"distance at most a thousand kilometres", distance({kNone, kNone, 1e6}), distance({kNone, kNone, 5.0})},
+        {"no penetration of the whole body", PlainExpectation(ExpectNoPenetration{{}, radius}),
+         PlainExpectation(ExpectNoPenetration{{}, 0.9 * radius})},
+        {"grounded never", PlainExpectation(ExpectGrounded{{}, 0.0}),
+         PlainExpectation(ExpectGrounded{{}, 0.5})},
+    };
+}
+
+/// A walk of which anything may be true: events in any order between start and end, positions on the floor,
+/// in the air or not.
+std::optional<Failure> outcome_of_random_record(const Expectation& expected, support::Dice& dice) {
+    SingleEvaluator evaluator(expected, hut_yard());
+    TickFeed feed(evaluator);
+    const std::vector<std::string> any = {"popup.open hut", "popup.close hut", "collision.enter hut/wall",
+                                          "avatar.fell stroll", "avatar.landed stroll"};
+    const int ticks = 1 + dice.below(100);
+    const double speed = dice.between(0.0, 3.0);
+    const int most_airborne = dice.below(3);
+    for (int tick = 0; tick < ticks; ++tick) {
+        std::vector<Event> events;
+        if (tick == 0) {
+            events.push_back(made_event("walk.start stroll"));
+        }
+        while (dice.below(4) == 0) {
+            Event event = made_event(any[static_cast<std::size_t>(dice.below(static_cast<int>(any.size())))]);
+            if (event.kind == EventKind::popup_open) {
+                event.fields = {{"title", Text{"The Hut"}}, {"body", Text{""}}};
+            }
+            events.push_back(event);
+        }
+        if (tick + 1 == ticks) {
+            events.push_back(made_event("walk.end stroll"));
+        }
+        const Eigen::Vector3d at(dice.between(-10, 10), 0.0, dice.between(-10, 10));
+        feed.in_the_air(dice.below(2) < most_airborne)
+            .after_metres(speed * tick)
+            .with(std::move(events), tick == 0 ? Eigen::Vector3d(0.1, 0, 0) : at);
+    }
+    return evaluator.failure();
+}
+
+TEST(CanFail, TellsWhatCantFromTheNearestThatCan) {
+    for (const Pair& pair : pairs()) {
+        EXPECT_FALSE(can_fail(pair.vacuous)) << pair.name;
+        EXPECT_TRUE(can_fail(pair.not_vacuous)) << pair.name;
+    }
+}
+
+TEST(CanFail, NoRecordFailsWhatCant) {
+    support::Dice dice(11);
+    for (const Pair& pair : pairs()) {
+        for (int i = 0; i < 300; ++i) {
+            EXPECT_FALSE(outcome_of_random_record(pair.vacuous, dice)) << pair.name;
+        }
+    }
+}
+
+TEST(CanFail, SomeRecordFailsWhatCan) {
+    support::Dice dice(12);
+    for (const Pair& pair : pairs()) {
+        bool fails = false;
+        for (int i = 0; i < 3000 && !fails; ++i) {
+            fails = outcome_of_random_record(pair.not_vacuous, dice).has_value();
+        }
+        EXPECT_TRUE(fails) << pair.name;
+    }
+}
+
+TEST(CanFail, WhatHappensToTheBodyCan) {
+    for (const PlainExpectation& expected :
+         {PlainExpectation(ExpectFell{}), PlainExpectation(ExpectStuck{}),
+          PlainExpectation(ExpectBlockedBy{{}, {{}, "hut/wall"}}), PlainExpectation(ExpectReachable{}),
+          PlainExpectation(ExpectRoute{})}) {
+        EXPECT_TRUE(can_fail(expected));
+        EXPECT_TRUE(can_fail(ExpectNot{{}, expected}));
+    }
+}
+
+TEST(CanFail, WhoNeverMovesIsNeverBlocked) {
+    const Walk idle = walk_of({spawn_at({0, 0, 0}), wait_for(1)});
+    EXPECT_FALSE(can_fail(ExpectNot{{}, ExpectStuck{}}, idle));
+    EXPECT_FALSE(can_fail(ExpectNot{{}, ExpectBlockedBy{{}, {{}, "hut/wall"}}}, idle));
+    EXPECT_TRUE(can_fail(PlainExpectation(ExpectStuck{}), idle));
+    EXPECT_FALSE(can_fail(duration({kNone, kNone, 1.2}), idle)) << "its steps take no longer";
+    EXPECT_TRUE(can_fail(duration({kNone, kNone, 0.9}), idle));
+}
+
+TEST(CanFail, ARouteIsNoShorterThanTheStraightLine) {
+    ExpectRoute route;
+    route.from = place(0, 0);
+    route.to = place(9, 0);
+    route.max_length = 7.0;
+    EXPECT_FALSE(can_fail(ExpectNot{{}, route}));
+    route.max_length = 8.5;
+    EXPECT_TRUE(can_fail(ExpectNot{{}, route}));
+}
+
+TEST(CanFail, LogsAndImagesCanUnlessTheyAskForNothing) {
+    EXPECT_TRUE(can_fail(ExpectLog{{}, true}));
+    EXPECT_FALSE(can_fail(ExpectLog{{}, false}));
+    EXPECT_TRUE(can_fail(ExpectSnapshot{{}, "view", {}}));
+    ExpectVisible visible{{}, {{}, "hut"}, {}, "view", 1, kNone, false};
+    EXPECT_TRUE(can_fail(visible));
+    visible.min_pixels = 0;
+    EXPECT_FALSE(can_fail(visible));
+    visible.min_ratio = 0.1;
+    EXPECT_TRUE(can_fail(visible));
+    ExpectVisible hidden{{}, {{}, "hut"}, {}, "view", 1280 * 720, kNone, true};
+    EXPECT_TRUE(can_fail(hidden));
+    hidden.min_pixels += 1;
+    EXPECT_FALSE(can_fail(hidden));
+}
+
+TEST(CanFail, StepsExpectWhatHasHappenedSoFar) {
+    EXPECT_FALSE(can_fail_in_step(sequence({"walk.start"})));
+    EXPECT_TRUE(can_fail_in_step(sequence({"popup.open"})));
+    EXPECT_FALSE(can_fail_in_step(never("walk.end"))) << "it hasn't ended yet";
+    EXPECT_FALSE(can_fail_in_step(within("walk.start", "popup.open", 11.0))) << "it may still come";
+    EXPECT_TRUE(can_fail_in_step(within("walk.start", "popup.open", 1.0)));
+    EXPECT_TRUE(can_fail_in_step(within("popup.open", "popup.close", 11.0)));
+}
+
+}  // namespace
+}  // namespace campuswalk::engine
