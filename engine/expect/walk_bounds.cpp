@@ -89,8 +89,8 @@ WalkBounds::WalkBounds(const scene::Campus& campus, const Walk& walk, bool in_st
         region_.extend(start_);
     }
     const double tick = 1.0 / walk.sim.ticks_per_second;
-    seconds_ = std::min({seconds_, walk.timeout.value_or(kUnbounded) + tick,
-                         static_cast<double>(walk.sim.max_ticks) * tick});
+    seconds_ = std::min(
+        {seconds_, walk.timeout.value_or(kUnbounded) + tick, static_cast<double>(walk.sim.max_ticks) * tick});
     ticks_ = seconds_ / tick + 1.0;
     // In a tick it walks, is lifted or lowered by a step, and falls no faster than from the top of all.
     const double drop = region_.empty() ? 0.0 : region_.max.y() - region_.min.y() + 1000.0;
@@ -122,8 +122,8 @@ Interval WalkBounds::times(const EventPattern& event) const {
         }
     }
     // An object enters, stays or leaves in three modes, and its building's window opens or closes.
-    const double in_a_tick = 12.0 * static_cast<double>(campus_.objects.size()) +
-                             static_cast<double>(walk_.steps.size()) + 16.0;
+    const double in_a_tick =
+        12.0 * static_cast<double>(campus_.objects.size()) + static_cast<double>(walk_.steps.size()) + 16.0;
     times.most = others ? ticks_ * in_a_tick : times.least;
     return times;
 }

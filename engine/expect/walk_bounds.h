@@ -25,10 +25,10 @@ public:
     const scene::Campus& campus() const { return campus_; }
     const AvatarProfile& avatar() const { return walk_.avatar; }
     bool in_step() const { return in_step_; }
-    bool moves() const { return moves_; }              ///< a step moves the avatar, not only a fall
-    double seconds() const { return seconds_; }        ///< simulated, at most; may be infinite
-    double ticks() const { return ticks_; }            ///< likewise
-    double metres() const { return metres_; }          ///< of its path, at most; may be infinite
+    bool moves() const { return moves_; }        ///< a step moves the avatar, not only a fall
+    double seconds() const { return seconds_; }  ///< simulated, at most; may be infinite
+    double ticks() const { return ticks_; }      ///< likewise
+    double metres() const { return metres_; }    ///< of its path, at most; may be infinite
     /// How often an event that matches comes.
     Interval times(const EventPattern& event) const;
     /// Whether it matches the walk's own event of this kind, which comes in every walk.
@@ -36,8 +36,8 @@ public:
         return matches_own(event, kind) && !(in_step_ && kind == EventKind::walk_end);
     }
     bool is_only(const EventPattern& event, EventKind kind) const;
-    /// How far the avatar can be from the target anywhere, and at the walk's start. Who falls out of the campus
-    /// isn't anywhere.
+    /// How far the avatar can be from the target anywhere, and at the walk's start. Who falls out of the
+    /// campus isn't anywhere.
     Interval distance(const Target& target) const;
     Interval distance_at_start(const Target& target) const;
 

@@ -76,22 +76,23 @@ HtmlReporter::Details HtmlReporter::details_of(const WalkResult& result, const F
 /// in the way.
 std::string HtmlReporter::images_of(const WalkResult& result, const FileReader& read_artifact,
                                     std::ptrdiff_t& thumbnail) {
-    Json chunks = Json::object();
+    std::vector<std::string> paths;
+    std::vector<const Artifact*> shown;
     for (const Artifact& artifact : result.artifacts) {
-        if (!is_still_image(artifact) || chunks.contains(artifact.path)) {
-            continue;
-        }
-        const std::optional<std::string> bytes = read_artifact(artifact.path);
-        const std::optional<ReportImage> image = bytes ? report_image(artifact, *bytes) : std::nullopt;
-        if (image) {
-            const std::size_t chunk = page_.add_image(image->bytes, image->media_type);
-            chunks[artifact.path] = chunk;
-            if (thumbnail < 0 ||
-                (result.outcome == Outcome::failed && artifact.path.ends_with("-beside.png"))) {
-                thumbnail = static_cast<std::ptrdiff_t>(chunk);
-            }
+        if (is_still_image(artifact) && std::ranges::find(paths, artifact.path) == paths.end()) {
+            paths.push_back(artifact.path);
+            shown.push_back(&artifact);
         }
     }
+    Json chunks = Json::object();
+    inputs_.read_images(read_artifact, paths, [&](std::size_t i, const scene::PixelView& pixels) {
+        const ReportImage image = report_image(*shown[i], pixels);
+        const std::size_t chunk = page_.add_image(image.bytes, image.media_type);
+        chunks[paths[i]] = chunk;
+        if (thumbnail < 0 || (result.outcome == Outcome::failed && paths[i].ends_with("-beside.png"))) {
+            thumbnail = static_cast<std::ptrdiff_t>(chunk);
+        }
+    });
     return dumped(chunks);
 }
 

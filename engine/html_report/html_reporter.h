@@ -11,6 +11,7 @@
 #include "engine/html_report/html_page.h"
 #include "engine/html_report/recorded_path.h"
 #include "engine/report/reporter.h"
+#include "scene/export/webp_image.h"
 
 namespace campuswalk::engine {
 
@@ -23,6 +24,11 @@ struct ReportCampus {
 
 /// Reads a file of a run; none if it isn't there or may not be read.
 using FileReader = std::function<std::optional<std::string>(const std::string& path)>;
+
+/// Calls `visit` for each of the pictures at `paths` that can be read, by their indices in ascending order.
+using ImageReader =
+    std::function<void(const FileReader& read, const std::vector<std::string>& paths,
+                       const std::function<void(std::size_t index, const scene::PixelView& pixels)>& visit)>;
 
 /// Another run, to compare with.
 struct ComparedRun {
@@ -40,6 +46,7 @@ struct HtmlInputs {
     std::string generator = "campuswalk";
     std::string command;  ///< that made the run; may be empty
     FileReader read_artifact;
+    ImageReader read_images;
     FileReader read_source;  ///< walk files, to show the lines that failures are about
     /// The campus file of a walk that has no recording; empty if it can't be told.
     std::function<std::string(const WalkResult& result)> campus_file_of;

@@ -1,11 +1,5 @@
 #include "engine/html_report/report_images.h"
 
-#include <cstdint>
-#include <span>
-
-#include "scene/export/webp_image.h"
-#include "scene/import/source/decode_image.h"
-
 namespace campuswalk::engine {
 
 namespace {
@@ -22,24 +16,16 @@ bool is_compared(const Artifact& artifact) {
 }  // namespace
 
 bool is_still_image(const Artifact& artifact) {
-    return artifact.media_type == "image/png" || artifact.media_type == "image/jpeg" ||
-           artifact.media_type == "image/webp";
+    return artifact.media_type == "image/png";
 }
 
-std::optional<ReportImage> report_image(const Artifact& artifact, std::string_view bytes) {
-    std::string reason;
-    const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
-    const auto decoded = scene::decode_image(std::span(data, bytes.size()), reason);
-    if (!decoded) {
-        return std::nullopt;
-    }
-    const scene::PixelView pixels{decoded->width, decoded->height, decoded->rgba};
+ReportImage report_image(const Artifact& artifact, const scene::PixelView& pixels) {
     if (is_compared(artifact)) {
         const scene::Pixels whole = scene::shrunk_to_fit(pixels, kMaxHeight, kMaxHeight);
-        return ReportImage{scene::encode_webp_lossless(whole.view()), "image/webp"};
+        return {scene::encode_webp_lossless(whole.view()), "image/webp"};
     }
     const scene::Pixels shown = scene::shrunk_to_fit(pixels, kMaxWidth, kMaxHeight);
-    return ReportImage{scene::encode_webp(shown.view(), kQuality), "image/webp"};
+    return {scene::encode_webp(shown.view(), kQuality), "image/webp"};
 }
 
 }  // namespace campuswalk::engine

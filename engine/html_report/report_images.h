@@ -1,10 +1,9 @@
 #pragma once
 
-#include <optional>
 #include <string>
-#include <string_view>
 
 #include "engine/report/walk_result.h"
+#include "scene/export/webp_image.h"
 
 namespace campuswalk::engine {
 
@@ -18,7 +17,7 @@ struct ReportImage {
 bool is_still_image(const Artifact& artifact);
 
 /// As WebP: pictures that are compared keep every pixel, others lose what is hard to see and are at most 1280
-/// pixels wide. None for bytes that can't be decoded.
-std::optional<ReportImage> report_image(const Artifact& artifact, std::string_view bytes);
+/// pixels wide.
+ReportImage report_image(const Artifact& artifact, const scene::PixelView& pixels);
 
 }  // namespace campuswalk::engine

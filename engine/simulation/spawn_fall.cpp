@@ -25,7 +25,8 @@ SpawnFall fall_at_spawn(const scene::Campus& campus, const Walk& walk) {
     const double depth = std::max(0.0, start - campus.world.bounds().min.y()) + kAbyss;
     const double longest = 2.0 * std::sqrt(2.0 * depth / collision::MoverSettings().gravity) + 5.0;
     const Tick ticks = walk.sim.ticks_of(longest);
-    for (Tick tick = 0; tick < ticks && !body.state().grounded && !body.has_fallen_out_of_the_world(); ++tick) {
+    for (Tick tick = 0; tick < ticks && !body.state().grounded && !body.has_fallen_out_of_the_world();
+         ++tick) {
         body.follow(intent, statistics);
     }
     return {std::max(0.0, start - body.foot().y()), body.state().grounded};

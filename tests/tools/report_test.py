@@ -8,10 +8,12 @@ import hashlib
 import json
 import os
 import re
+import resource
 import shutil
 import struct
 import sys
 import unittest
+import zlib
 
 import jsonschema
 
@@ -111,6 +113,33 @@ class Reports(ReportCase):
         self.assertNotIn("<img", page.html)
         self.assertEqual(page.index["walks"][0]["name"], name)
         self.assertIn(name, page.index["title"])
+
+    def test_strangers_pictures_are_left_out_with_a_warning(self):
+        """Only PNG files are decoded, none of too many pixels, and not in this process."""
+        def chunk(kind, data):
+            return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+        def png(width, height):
+            packer = zlib.compressobj(1)
+            rows = b"".join(packer.compress(bytes(width * 4 + 1)) for _ in range(height)) + packer.flush()
+            return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 6, 0, 0, 0)) +
+                    chunk(b"IDAT", rows) + chunk(b"IEND", b""))
+        pictures = {"good.png": png(40, 30), "bomb.png": png(16384, 16384), "cut.png": png(40, 30)[:-20],
+                    "tga.png": struct.pack("<BBBHHBHHHHBB", 0, 0, 2, 0, 0, 0, 0, 0, 8, 8, 24, 0) + bytes(192)}
+        self.write("other.walk.yaml", WALK)
+        self.passes("run", "short.walk.yaml", "other.walk.yaml", "-q", "--rendering-backend", "none", "--reporter", "jsonl=r.jsonl")
+        artifacts = [{"name": "x", "path": name, "media_type": "image/png"} for name in pictures]
+        self.write("r.jsonl", self.read("r.jsonl").replace(b'"artifacts":[]', b'"artifacts":' + json.dumps(artifacts).encode(), 1))
+        for name, content in pictures.items():
+            self.write("out/" + name, content)
+        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
+        outcome = self.passes("report", "r.jsonl", "-o", "report.html")
+        page = self.page("report.html")
+        self.assertEqual([list(page.details(row)["pictures"]) for row in page.index["walks"]], [["good.png"], []])
+        for name in ("bomb.png", "cut.png", "tga.png"):
+            self.assertIn(name + ": warning bad-picture: ", outcome.err)
+        self.assertNotIn("good.png", outcome.err)
+        self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss, max(before, 400_000), "kilobytes")
 
     def test_the_title_is_what_was_named(self):
         for named, title in (("short.walk.yaml", "short.walk.yaml"), (".", "campuswalk"), ("", "campuswalk")):

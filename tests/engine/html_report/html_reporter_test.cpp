@@ -15,6 +15,7 @@
 #include "engine/html_report/encodings.h"
 #include "engine/html_report/walk_row.h"
 #include "engine/report/result_json.h"
+#include "scene/import/source/decode_image.h"
 #include "tests/engine/report/some_results.h"
 
 namespace campuswalk::engine {
@@ -99,9 +100,27 @@ FileReader reader_of(const std::map<std::string, std::string>& files) {
     };
 }
 
+/// As the program's, without a process and limits.
+void read_images(const FileReader& read, const std::vector<std::string>& paths,
+                 const std::function<void(std::size_t, const scene::PixelView&)>& visit) {
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        const std::optional<std::string> bytes = read(paths[i]);
+        std::string reason;
+        const auto image =
+            bytes
+                ? scene::decode_image(
+                      std::span(reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size()), reason)
+                : std::nullopt;
+        if (image) {
+            visit(i, {image->width, image->height, image->rgba});
+        }
+    }
+}
+
 HtmlInputs inputs_of(const Files& files) {
     HtmlInputs inputs;
     inputs.viewer = kViewer;
+    inputs.read_images = read_images;
     inputs.read_artifact = reader_of(files.artifacts);
     inputs.read_source = reader_of(files.sources);
     inputs.campus_file_of = [](const WalkResult&) { return ""; };

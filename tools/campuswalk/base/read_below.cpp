@@ -26,6 +26,11 @@ std::optional<std::string> read_below(const fs::path& folder, const std::string&
     if (!fs::is_regular_file(status)) {
         return std::nullopt;
     }
+    constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 28U;
+    std::error_code failed;
+    if (fs::file_size(file, failed) > kMostBytes || failed) {
+        return std::nullopt;
+    }
     try {
         return read_bytes(file);
     } catch (const scene::InputError&) {

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "collision/base/simd_target.h"
+#include "scene/import/helper/image_process.h"
 #include "scene/import/helper/serve_import.h"
 #include "scene/osm/helper/map_process.h"
 #include "tools/campuswalk/base/environment.h"
@@ -49,6 +50,9 @@ int run_program(int argc, char** argv, const ProgramName& name,
                 const std::function<void(Command, CommandAction&)>& add_commands) {
     if (argc == 2 && argv[1] == std::string_view(scene::kImportHelperArgument)) {
         return scene::serve_import();
+    }
+    if (argc == 2 && argv[1] == std::string_view(scene::kImageHelperArgument)) {
+        return scene::serve_images();
     }
     if (argc == 2 && argv[1] == std::string_view(scene::osm::kMapHelperArgument)) {
         return scene::osm::serve_map();

@@ -15,7 +15,9 @@
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/html/campus_bundle.h"
 #include "tools/campuswalk/html/compared_run.h"
+#include "tools/campuswalk/html/foreign_images.h"
 #include "tools/campuswalk/html/viewer_bundle.h"
+#include "tools/campuswalk/loading/model_importer.h"
 #include "tools/campuswalk/loading/walk_loader.h"
 
 namespace campuswalk::tools {
@@ -191,6 +193,7 @@ std::unique_ptr<engine::Reporter> make_html_reporter(const HtmlRequest& request,
     inputs.read_artifact = [output = request.output](const std::string& path) {
         return read_below(output, path);
     };
+    inputs.read_images = image_reader(decode_images);
     inputs.read_source = [sources](const std::string& file) { return sources->read(file); };
     inputs.campus_file_of = [campuses](const engine::WalkResult& result) {
         return campuses->campus_file_of(result);

@@ -39,6 +39,12 @@ void check_sandbox() {
     print_error_line("warning no-sandbox: " + lacks + "; --sandbox off accepts that");
 }
 
+/// When the first model is imported: caches need none.
+void check_sandbox_once() {
+    static std::once_flag checked;
+    std::call_once(checked, check_sandbox);
+}
+
 /// For all imports at once, bytes: 8 GB, or half of a larger machine's.
 std::uint64_t import_memory() {
     const auto machine = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) *
@@ -61,8 +67,7 @@ scene::Importer model_importer(std::size_t at_once) {
     scene::Importer importer =
         scene::import_in_process({"/proc/self/exe", {scene::kImportHelperArgument}}, limits, sandbox);
     return [importer = std::move(importer)](const scene::SceneFile& file, scene::EmptyModel if_empty) {
-        static std::once_flag checked;  // when the first model is imported: caches need none
-        std::call_once(checked, check_sandbox);
+        check_sandbox_once();
         return importer(file, if_empty);
     };
 }
@@ -77,6 +82,11 @@ scene::osm::MapFiles read_osm_map(const scene::osm::MapRequest& request) {
     limits.cpu_per_megabyte = 20;
     return scene::osm::import_map_in_process({"/proc/self/exe", {scene::osm::kMapHelperArgument}}, request,
                                              limits, sandbox);
+}
+
+std::vector<scene::ForeignImage> decode_images(std::span<const std::string_view> files) {
+    check_sandbox_once();
+    return scene::decode_in_process({"/proc/self/exe", {scene::kImageHelperArgument}}, files, sandbox);
 }
 
 void add_import_options(Command command) {

@@ -1,6 +1,11 @@
 #pragma once
 
+#include <span>
+#include <string_view>
+#include <vector>
+
 #include "scene/cache/load_model.h"
+#include "scene/import/helper/image_process.h"
 #include "scene/import/import_model.h"
 #include "scene/osm/helper/map_files.h"
 #include "tools/campuswalk/command_line/command.h"
@@ -18,6 +23,9 @@ std::size_t imports_at_once(std::size_t models);
 
 /// Imports a map of OpenStreetMap, likewise in a process of its own. Throws scene::InputError.
 scene::osm::MapFiles read_osm_map(const scene::osm::MapRequest& request);
+
+/// Decodes PNG files, likewise.
+std::vector<scene::ForeignImage> decode_images(std::span<const std::string_view> files);
 
 /// `--no-cache` and `--sandbox`.
 void add_import_options(Command command);

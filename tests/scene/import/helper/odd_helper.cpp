@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "scene/import/helper/helper_streams.h"
+#include "scene/import/helper/image_process.h"
 #include "scene/import/helper/import_protocol.h"
 #include "scene/import/helper/sandbox.h"
 #include "scene/import/helper/serve_import.h"
@@ -171,6 +172,9 @@ int main(int argc, char** argv) {
     const std::string_view behaviour = argc > 1 ? argv[1] : "";
     if (behaviour == "serve") {
         return serve_import();
+    }
+    if (behaviour == "images") {
+        return serve_images();
     }
     if (behaviour == "attempt" && argc > 2) {
         attempt(argv[2]);
