@@ -364,6 +364,21 @@ class Explore(ProgramCase):
         self.assertTrue(images[0].startswith(b"\x89PNG"))
         self.assertEqual(images[0], images[1])
 
+    def test_what_the_most_cells_cut_off(self):
+        whole = self.run_program("explore", "yard.campus.yaml")
+        self.assertNotIn("the most cells", whole.out)
+        reports = []
+        for arguments in (("-j", "1", "--no-cache"), ("-j", "2", "--no-cache"), ("-j", "2"), ("-j", "2")):
+            outcome = self.run_program("explore", "yard.campus.yaml", "--max-cells", "100", "--json", "cut.json", *arguments)
+            self.assertEqual(outcome.code, 3, outcome.err)
+            self.assertIn("incomplete: the most cells", outcome.out)
+            self.assertRegex(outcome.out, r"failed     --max-cells: \d+ cells, [\d.]+ m²")
+            self.assertIn("nodes", json.loads(self.read("cut.json"))["incomplete"])
+            reports.append((outcome.out, self.read("cut.json")))
+        self.assertEqual(len(set(reports)), 1)
+        self.assertEqual(self.run_program("explore", "yard.campus.yaml").out, whole.out)  # not the cut one from the cache
+        self.assertEqual(self.run_program("explore", "yard.campus.yaml", "--max-cells", "0").code, 2)
+
     def test_exit_codes(self):
         self.report("--require", "corner")
         self.report("--require", "shed", code=1)

@@ -119,6 +119,12 @@ void add_explore(Command program, CommandAction& chosen) {
                     .help = "Find passages that are too narrow for a visitor of this width",
                     .value = "METRES"},
                    options->min_width, Limits<double>{0.0, 20.0});
+    command.option(
+        {.names = "--max-cells",
+         .help =
+             "Explore no more cells of 0.25 m than this, 16 for each m², and exit with 3 if there are more",
+         .value = "N"},
+        options->max_cells, Limits<int>{1, kMostCells});
     command.option({.names = "--walks",
                     .help = "Measure how much the walks of this file or folder visit; may be repeated",
                     .value = "PATH"},
@@ -173,7 +179,7 @@ void add_explore(Command program, CommandAction& chosen) {
         "  hot        spots with so many triangles around the visitor that ticks take long\n"
         "\n"
         "Exit code: 0 explored, 1 the report has what --require, --fail-on or --fail-under forbids,\n"
-        "2 bad usage or input, 3 something failed on the way.");
+        "2 bad usage or input, 3 something failed on the way, or --max-cells ended it.");
     command.choose(chosen, [all, command] {
         check_slurm(all->slurm);
         return explore_campuses(*all, command.given_except(options_of_exploration()));

@@ -71,6 +71,7 @@ engine::ExploreSettings settings_for(const ExploreOptions& options, const scene:
     engine::ExploreSettings settings =
         engine::explore_settings(campus, avatar, engine::SimSettings().ticks_per_second);
     settings.solids.disabled = &disabled;
+    settings.max_nodes = static_cast<std::size_t>(options.max_cells);
     settings.run = has(options.allow, "run");
     settings.jump = has(options.allow, "jump");
     if (has(options.allow, "crouch")) {  // what is walked upright is walked like that, too
@@ -135,6 +136,10 @@ std::vector<std::string> objections(const ExploreOptions& options, const engine:
                         engine::fixed(100.0 * coverage->share, 1) + " %");
     }
     return lines;
+}
+
+bool is_cut(const engine::WalkReport& report) {
+    return std::ranges::find(report.space.bounds, engine::Bound::nodes) != report.space.bounds.end();
 }
 
 /// Those in the files and folders of `--walks`; says how many are left out.
@@ -360,6 +365,13 @@ int explore_campus(const ExploreOptions& options, std::string* json) {
         objections(options, report, findings, coverage ? &*coverage : nullptr);
     for (const std::string& objection : against) {
         print_line("failed     %s", objection.c_str());
+    }
+    if (is_cut(report)) {  // what isn't reached may lie beyond
+        print_line(
+            "failed     --max-cells: %zu cells, %s m², were explored, and there are more; raise it, or start "
+            "elsewhere with --from",
+            report.space.node_count(), engine::fixed(report.space.area(), 1).c_str());
+        return kRunFailed;
     }
     return against.empty() ? kPass : kExpectationFailed;
 }

@@ -13,6 +13,9 @@ inline constexpr const char* kUsualAvatar = "adult";
 /// The option of the spawns, which errors are about.
 inline constexpr const char* kFromOption = "--from";
 
+/// Cells of 0.25 m that are explored, however long that takes: 3.75 km² of ground.
+inline constexpr int kMostCells = 60'000'000;
+
 /// How to explore a campus.
 struct ExploreOptions {
     std::filesystem::path campus;
@@ -29,6 +32,7 @@ struct ExploreOptions {
     std::vector<std::filesystem::path> covered_by;  ///< walks whose coverage is measured
     std::optional<double> fail_under;               ///< percent of the ground
     double min_width = 0.0;                         ///< metres
+    int max_cells = kMostCells;
     std::optional<int> workers;
 };
 

@@ -37,6 +37,7 @@ void add(ContentHasher& hasher, const engine::AvatarProfile& avatar) {
 }
 
 void add(ContentHasher& hasher, const engine::ExploreSettings& settings) {
+    hasher.add_number(std::uint64_t{settings.max_nodes});
     for (const bool flag : {settings.run, settings.jump, settings.strides.full_height.has_value()}) {
         hasher.add_number(std::uint64_t{flag ? 1U : 0U});
     }

@@ -24,7 +24,7 @@ namespace {
 const char* text_of(engine::Bound bound) {
     switch (bound) {
         case engine::Bound::nodes:
-            return "the most nodes that are kept were reached";
+            return "the most cells that are explored were reached: see --max-cells";
         case engine::Bound::levels:
             return "there were more levels above one another than are kept";
         case engine::Bound::falls:
