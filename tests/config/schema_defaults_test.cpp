@@ -72,6 +72,7 @@ std::multimap<std::string, json> campus_defaults() {
             {"campus/definitions/scene/properties/scale", scene.scale},
             {"campus/definitions/origin/properties/height", scene::GeographicPlace().height},
             {"campus/definitions/yaw_deg", scene::Spawn().yaw},
+            {"campus/definitions/spawn/properties/fall", scene::Spawn().fall},
             {"campus/definitions/yaw_deg", scene::BoxShape().yaw},
             {"campus/definitions/each", scene::ColliderDescription().each},
             {"campus/definitions/popup/anyOf/0", building.popup},
@@ -102,7 +103,8 @@ std::multimap<std::string, json> step_defaults() {
     const engine::WalkToStep walk_to;
     const bool fails = walk_to.if_blocked == engine::IfBlocked::fail;
     const std::string step = "walk/definitions/step/properties/";
-    return {{"walk/definitions/within", walk_to.within},
+    return {{step + "spawn/anyOf/1/properties/fall", engine::SpawnStep().fall},
+            {"walk/definitions/within", walk_to.within},
             {"walk/definitions/within", engine::FollowStep().within},
             {"walk/definitions/if_blocked", fails ? "fail" : "another"},
             {step + "jump/anyOf/2/properties/forward", engine::JumpStep().forward},
