@@ -325,6 +325,10 @@ class LaterReports(ReportCase):
             result["artifacts"] = [{"name": "recording", "path": file, "media_type": "application/json"},
                                    {"name": "x", "path": file, "media_type": "image/png"}]
             self.write("forged.jsonl", "\n".join([lines[0], json.dumps(result), lines[2]]) + "\n")
+            outcome = self.run_program("report", "forged.jsonl", "-o", "forged.html")
+            self.assert_refused(outcome, "forged.jsonl:2:1: error bad-report: artifacts[0].path")
+            result["artifacts"] = []
+            self.write("forged.jsonl", "\n".join([lines[0], json.dumps(result), lines[2]]) + "\n")
             self.run_program("report", "forged.jsonl", "-o", "forged.html")
             page = self.page("forged.html")
             self.assertNotIn(b"secret: 1", b"".join(page.chunks.values()))
