@@ -100,7 +100,7 @@ TEST_F(GoldenLog, IsOneFilePerProject) {
 TEST_F(GoldenLog, FailsIfMissingAndMayNotBeWritten) {
     const GoldenCheck checked = check(kLog, UpdateSnapshots::none);
     ASSERT_TRUE(checked.failure);
-    EXPECT_EQ(checked.failure->code, "log");
+    EXPECT_EQ(checked.failure->code, "golden-missing");
     EXPECT_THAT(checked.failure->message, HasSubstr("run with -u"));
     EXPECT_FALSE(fs::exists(folder_.path() / "visit.walk.yaml-snapshots"));
 }
