@@ -28,8 +28,9 @@ std::size_t refused_bytes(std::string_view path, std::size_t at) {
     }
     const char c = path[at];
     const bool is_drive = c == ':' && at == 1 && is_letter(path[0]);
+    const bool is_hidden = c == '.' && (at == 0 || path[at - 1] == '/');  // `..` among them, and `.git`
     const bool is_pair = (c == '[' || c == ']') && at > 0 && path[at - 1] == c;
-    const bool refused = c == '\\' || c == '|' || is_drive || is_pair ||
+    const bool refused = c == '\\' || c == '|' || is_drive || is_hidden || is_pair ||
                          scene::controls_display(scene::code_point(path.substr(at, bytes)));
     return refused ? bytes : 0;
 }
@@ -49,8 +50,7 @@ std::string percent_encoded(std::string_view bytes) {
 bool is_artifact_path(std::string_view path) {
     for (std::size_t start = 0; start <= path.size();) {
         const std::size_t end = std::min(path.find('/', start), path.size());
-        const std::string_view part = path.substr(start, end - start);
-        if (part.empty() || part == "." || part == "..") {
+        if (end == start) {
             return false;
         }
         start = end + 1;

@@ -45,7 +45,8 @@ FileStream create_temporary(const fs::path& file, fs::path& temporary) {
     constexpr int kTries = 100;
     for (int i = 0; i < kTries; ++i) {
         temporary = file;
-        temporary += "." + std::to_string(getpid()) + "-" + std::to_string(i) + std::string(kTemporarySuffix);
+        temporary += std::string(kTemporaryMark) + std::to_string(getpid()) + "-" + std::to_string(i) +
+                     std::string(kTemporarySuffix);
         FileStream stream(std::fopen(temporary.c_str(), "wbxe"));
         if (!stream && errno != EEXIST) {
             return nullptr;
@@ -58,25 +59,6 @@ FileStream create_temporary(const fs::path& file, fs::path& temporary) {
     }
     errno = EEXIST;
     return nullptr;
-}
-
-/// Whether create_temporary() gives such names: NAME.PROCESS-NUMBER.part.
-bool is_temporary(const std::string& name) {
-    if (!name.ends_with(kTemporarySuffix)) {
-        return false;
-    }
-    std::size_t at = name.size() - kTemporarySuffix.size();
-    for (const char before : {'-', '.'}) {
-        const std::size_t end = at;
-        while (at > 0 && name[at - 1] >= '0' && name[at - 1] <= '9') {
-            --at;
-        }
-        if (at == end || at == 0 || name[at - 1] != before) {
-            return false;
-        }
-        --at;
-    }
-    return at > 0;
 }
 
 void remove_if_abandoned(const fs::path& temporary) {
@@ -110,6 +92,18 @@ void remove_abandoned_once(const fs::path& folder) {
 }
 
 }  // namespace
+
+bool is_temporary(std::string_view name) {
+    const std::size_t mark = name.rfind(kTemporaryMark);
+    if (mark == std::string_view::npos || mark == 0 || !name.ends_with(kTemporarySuffix)) {
+        return false;
+    }
+    name.remove_prefix(mark + kTemporaryMark.size());
+    name.remove_suffix(kTemporarySuffix.size());
+    const std::size_t dash = name.find_first_not_of("0123456789");
+    return dash != 0 && dash != std::string_view::npos && name[dash] == '-' && dash + 1 < name.size() &&
+           name.find_first_not_of("0123456789", dash + 1) == std::string_view::npos;
+}
 
 AtomicFile::AtomicFile(fs::path file) : file_(std::move(file)) {
     std::error_code error;

@@ -48,7 +48,12 @@ private:
         lock_;  ///< the stream's descriptor once more: it outlives the stream until the file has its name
 };
 
-/// The suffix of temporary files, which a killed process leaves behind.
+/// The suffix of temporary files, which a killed process leaves behind: NAME.campuswalk-PROCESS-NUMBER.part.
+/// Nobody else's file is called so.
 inline constexpr std::string_view kTemporarySuffix = ".part";
+inline constexpr std::string_view kTemporaryMark = ".campuswalk-";
+
+/// Whether a file's name is that of a temporary file.
+bool is_temporary(std::string_view name);
 
 }  // namespace campuswalk::scene

@@ -2,8 +2,10 @@
 """What may be in the output folder of a run: no links, and where CI is set, nothing that came with a checkout."""
 
 import os
+import resource
 import shutil
 import socket
+import subprocess
 
 from program import WALK, ProgramCase, main
 
@@ -39,6 +41,62 @@ class OutputFolder(ProgramCase):
                     self.assert_names(self.run_walks(ci=ci), "output-unwritable", name)
             os.remove(self.path(name))
         self.assertEqual(self.run_walks().code, 0)
+
+    def deepen(self, folder, levels, count):
+        """More levels than a process may open files. They come before and after others, in whichever order these are listed."""
+        self.addCleanup(subprocess.run, ["rm", "-rf", self.path(folder)], check=False)
+        for number in range(count):
+            here = self.path(os.path.join(folder, f"d{number}"))
+            os.makedirs(here)
+            at = os.open(here, os.O_RDONLY | os.O_DIRECTORY)
+            for _ in range(levels):
+                os.mkdir("d", dir_fd=at)
+                below = os.open("d", os.O_RDONLY | os.O_DIRECTORY, dir_fd=at)
+                os.close(at)
+                at = below
+            os.close(at)
+
+    def limited(self, *arguments):
+        """With 128 open files at most."""
+        def limit():
+            resource.setrlimit(resource.RLIMIT_NOFILE, (128, 128))
+        return self.run_program(*arguments, preexec_fn=limit, env={**os.environ, "CAMPUSWALK_RUN_KEY": self.KEY, "CI": "true"})
+
+    def test_deep_folders_hide_nothing(self):
+        self.deepen("out", 200, 8)
+        os.symlink("/etc/passwd", self.path("out/link"))
+        self.assert_names(self.limited("run", "-q"), "output-unwritable", "out/link")
+        os.remove(self.path("out/link"))
+        self.write("out/planted", "planted\n")
+        self.assert_names(self.limited("run", "-q"), "foreign-output", "out/planted")
+        os.remove(self.path("out/planted"))
+        self.assertEqual(self.limited("run", "-q").code, 0)
+
+    def test_deep_folders_hide_no_broken_file_from_validate(self):
+        self.deepen("a", 200, 8)
+        self.write("b/broken.walk.yaml", "campus: [\n")
+        outcome = self.limited("validate", ".")
+        self.assertEqual(outcome.code, 2)
+        self.assertIn("b/broken.walk.yaml:", outcome.err)
+
+    def test_no_option_but_that_of_a_job_makes_it_tolerant(self):
+        self.write("out/state/junit.xml", "planted\n")
+        self.assert_names(self.run_walks("--save", "out/state/last.jsonl", "--shard=1/2"), "foreign-output", "out/state/junit.xml")
+
+    def test_a_key_in_a_checkout_is_nobodys(self):
+        """Who can commit the key could sign a list."""
+        os.makedirs(self.path("home/.git"))
+        for variables in ({"HOME": self.path("home")}, {"XDG_STATE_HOME": self.path("home/states"), "HOME": "/"}):
+            with self.subTest(variables=variables):
+                def run(variables=variables, **more):
+                    return self.run_program("run", "-q", env={**{name: value for name, value in os.environ.items()
+                                                              if name not in ("XDG_STATE_HOME", "CAMPUSWALK_RUN_KEY")}, **variables, **more})
+                self.assertEqual(run(CI="true").code, 0)
+                self.assertEqual([name for name in self.contents() if name.endswith("run.key")], [])
+                outcome = run(CI="true")
+                self.assertEqual(outcome.code, 2)
+                self.assertIn("CAMPUSWALK_RUN_KEY", outcome.err)
+                shutil.rmtree(self.path("out"))
 
     def test_what_is_neither_file_nor_folder_is_refused(self):
         os.makedirs(self.path("out"))
@@ -101,7 +159,9 @@ class OutputFolder(ProgramCase):
         self.assertEqual(self.run_walks("--reporter", "list=out/list.txt").code, 0)
         os.remove(self.path("out/.written.json"))  # it is written at the end
         self.refuses("foreign-output", "out/last-run.jsonl")
-        self.assertEqual(self.run_walks("--resume", "--reporter", "list=out/list.txt").code, 0)
+        self.write("out/j.xml.campuswalk-12345-0.part", "half\n")
+        self.assertEqual(self.run_walks("--resume", "--reporter", "list=out/list.txt", "--reporter", "junit=out/j.xml").code, 0)
+        self.assertFalse(os.path.exists(self.path("out/j.xml.campuswalk-12345-0.part")))
         self.write("out/planted", "planted\n")
         self.assert_names(self.run_walks("--resume", "--reporter", "list=out/list.txt"), "foreign-output", "out/planted")
 

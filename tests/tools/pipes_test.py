@@ -166,5 +166,24 @@ class Pipes(CheckoutCase):
         self.assert_pipe_refused("heights.asc", "import", "osm", "map.osm", "-o", "campus", "--bbox", "0,0,0.001,0.001", "--heights", "heights.asc")
 
 
+class CommittedLinks(CheckoutCase):
+    """A link of a checkout that leads to a stream isn't what somebody means who names a file there."""
+
+    def test_no_report_or_log_is_written_through_one(self):
+        os.mkfifo(os.path.join(self.outer, "pipe"))
+        for target in ("/dev/null", "/proc/self/comm", os.path.join(self.outer, "pipe"), "/dev/fd/1"):
+            for name, arguments in (("r.xml", ("--reporter", "junit=r.xml")), ("r.txt", ("--reporter", "list=r.txt")),
+                                    ("log.txt", ("--log", "log.txt")), ("e.jsonl", ("--jsonl", "e.jsonl"))):
+                with self.subTest(target=target, name=name):
+                    os.symlink(target, self.path(name))
+                    outcome = self.run_program("run", "short.walk.yaml", *arguments)
+                    self.assertEqual((outcome.code, outcome.out), (2, ""), outcome.err)
+                    self.assertIn("is a symbolic link", outcome.err)
+                    os.remove(self.path(name))
+
+    def test_streams_that_the_user_names_are_written_to(self):
+        self.assertIn("pass", self.passes("run", "short.walk.yaml", "--reporter", "list=/dev/stdout").out)
+
+
 if __name__ == "__main__":
     main()

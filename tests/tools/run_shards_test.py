@@ -152,7 +152,8 @@ class TwoShards(ProgramCase):
         os.remove(self.path("short.walk.yaml"))
 
     def environment(self, key):
-        return {**os.environ, "CAMPUSWALK_RUN_KEY": key}
+        others = {name: value for name, value in os.environ.items() if name != "CAMPUSWALK_RUN_KEY"}
+        return {**others, "CAMPUSWALK_RUN_KEY": key} if key else others
 
     def shard(self, number, *arguments, key=""):
         self.passes("run", "-q", "--rendering-backend", "none", f"--shard={number}/2", "--reporter", f"jsonl={number}.jsonl",
@@ -191,6 +192,13 @@ class Fingerprints(TwoShards):
                     self.assert_refused_because("on other files")
                     self.shard(1, *cached)
                     self.assertEqual(self.merged().code, 0)
+
+    def test_whose_golden_file_it_is_counts(self):
+        self.write("a.walk.yaml-snapshots/far.png", "golden\n")
+        self.shard(1)
+        os.rename(self.path("a.walk.yaml-snapshots"), self.path("b.walk.yaml-snapshots"))
+        self.shard(2)
+        self.assert_refused_because("on other files")
 
     def test_every_option_that_results_depend_on_counts(self):
         for options in (("--strict",), ("--require-identical",), ("--record", "csv")):
@@ -267,6 +275,15 @@ class Signatures(TwoShards):
             self.assert_foreign(f"2.jsonl:{number}:1")
 
 
+class EmptyKeys(TwoShards):
+    def test_an_empty_key_is_said_to_demand_nothing(self):
+        self.shard(1)
+        self.shard(2)
+        outcome = self.run_program("merge-reports", "1.jsonl", "2.jsonl", env={**os.environ, "CAMPUSWALK_RUN_KEY": ""})
+        self.assertEqual(outcome.code, 0)
+        self.assert_diagnostics(outcome.err_lines, "warning unsigned-reports: CAMPUSWALK_RUN_KEY")
+
+
 class Artifacts(TwoShards):
     """`merge-reports --artifacts`: each shard's results and files from its own artifact."""
 
@@ -334,9 +351,16 @@ class Artifacts(TwoShards):
     def test_the_output_has_no_links_nor_what_came_with_a_checkout(self):
         self.write("all/junit.xml", "planted\n")
         self.assert_merge_refused("all/junit.xml: error foreign-output:", CI="true")
+        self.assert_merge_refused("all/junit.xml: error foreign-output:")  # nothing of anybody's is replaced, in CI or not
         os.remove(self.path("all/junit.xml"))
         os.symlink("..", self.path("all/a"))
         self.assert_merge_refused("all/a: error output-unwritable:")
+
+    def test_results_name_nothing_hidden(self):
+        results = self.read("artifacts/walks-2/results-2.jsonl")
+        for path in (".git/config", "a/.git/config"):
+            self.write("artifacts/walks-2/results-2.jsonl", results.replace(b'"path":"b/trajectory.csv"', f'"path":"{path}"'.encode()))
+            self.assert_merge_refused("artifacts/walks-2/results-2.jsonl:2:1: error bad-report: ")
 
     def test_a_folder_without_artifacts_is_refused(self):
         shutil.rmtree(self.path("artifacts"))

@@ -10,13 +10,13 @@ namespace {
 
 TEST(ArtifactPath, LeadsIntoTheOutputFolder) {
     for (const char* path :
-         {"a.png", "a/b/c.json", "図書館/x.png", "a..b/..c/d..", "a[1]/b.png", "a b", "%41", "xy:z"}) {
+         {"a.png", "a/b/c.json", "図書館/x.png", "a..b/d..", "a[1]/b.png", "a b", "%41", "xy:z"}) {
         EXPECT_TRUE(is_artifact_path(path)) << path;
     }
-    for (const char* path :
-         {"",      "/etc/passwd", "..",   "../x",  "a/../../x", "a/..",    ".",         "./a",
-          "a/./b", "a//b",        "a/",   "C:/x",  "c:x",       "a\\b",    "..\\x",     "a|b",
-          "a]]b",  "[[a",         "a\nb", "a\x1b", "a\u202e",   "caf\xe9", "a\xe2\x82", "\x80"}) {
+    for (const char* path : {"",      "/etc/passwd", "..",      "../x",        "a/../../x", "a/..",  ".",
+                             "./a",   "a/./b",       "a//b",    "a/",          "C:/x",      "c:x",   "a\\b",
+                             "..\\x", "a|b",         "a]]b",    ".git/config", "a/.b",      "a/..c", "[[a",
+                             "a\nb",  "a\x1b",       "a\u202e", "caf\xe9",     "a\xe2\x82", "\x80"}) {
         EXPECT_FALSE(is_artifact_path(path)) << path;
     }
 }
@@ -24,6 +24,7 @@ TEST(ArtifactPath, LeadsIntoTheOutputFolder) {
 TEST(ArtifactPath, IsMadeOfAnyName) {
     EXPECT_EQ(to_artifact_path("walks/visit [1] 図書館"), "walks/visit [1] 図書館");
     EXPECT_EQ(to_artifact_path("a]]|b"), "a]%5D%7Cb");
+    EXPECT_EQ(to_artifact_path(".git/../b.c"), "%2Egit/%2E./b.c");
     EXPECT_EQ(to_artifact_path("C:x\\y\n\u202e"), "C%3Ax%5Cy%0A%E2%80%AE");
 }
 

@@ -43,7 +43,7 @@ TEST(AtomicFile, ReplacesAFileAndCreatesItsFolders) {
 /// Another process with the same id may be writing it, for example in another container.
 TEST(AtomicFile, LeavesTemporaryFilesThatAreBeingWritten) {
     const support::TemporaryFolder folder;
-    const std::string foreign = "c.txt." + std::to_string(getpid()) + "-0.part";
+    const std::string foreign = "c.txt.campuswalk-" + std::to_string(getpid()) + "-0.part";
     folder.write(foreign, "of somebody else");
     const int descriptor = open((folder.path() / foreign).c_str(), O_RDWR | O_CLOEXEC);
     ASSERT_EQ(flock(descriptor, LOCK_EX), 0);
@@ -56,19 +56,24 @@ TEST(AtomicFile, LeavesTemporaryFilesThatAreBeingWritten) {
 
 TEST(AtomicFile, RemovesWhatKilledProcessesHaveLeft) {
     const support::TemporaryFolder folder;
-    const std::vector<std::string> others = {"a.part",    "b.1.part", "c.1-.part",
-                                             "d.-0.part", "1-0.part", "e.x-0.part"};
+    const std::vector<std::string> others = {"a.part",
+                                             "backup.2024-06.part",
+                                             "b.campuswalk-1.part",
+                                             "c.campuswalk-1-.part",
+                                             "d.campuswalk--0.part",
+                                             ".campuswalk-1-0.part",
+                                             "e.campuswalk-x-0.part"};
     for (const std::string& name : others) {
         folder.write(name, "a download of somebody else");
     }
-    folder.write("c.txt.123-0.part", "half");
-    folder.write("d.png.4567890-12.part", "half");
+    folder.write("c.txt.campuswalk-123-0.part", "half");
+    folder.write("d.png.campuswalk-4567890-12.part", "half");
     folder.write("victim", "precious");
-    fs::create_symlink(folder.path() / "victim", folder.path() / "e.png.1-0.part");
-    ASSERT_EQ(mkfifo((folder.path() / "f.png.1-0.part").c_str(), 0600), 0);
+    fs::create_symlink(folder.path() / "victim", folder.path() / "e.png.campuswalk-1-0.part");
+    ASSERT_EQ(mkfifo((folder.path() / "f.png.campuswalk-1-0.part").c_str(), 0600), 0);
     write_file_atomically(folder.path() / "c.txt", "whole");
-    EXPECT_FALSE(fs::exists(folder.path() / "c.txt.123-0.part"));
-    EXPECT_FALSE(fs::exists(folder.path() / "d.png.4567890-12.part"));
+    EXPECT_FALSE(fs::exists(folder.path() / "c.txt.campuswalk-123-0.part"));
+    EXPECT_FALSE(fs::exists(folder.path() / "d.png.campuswalk-4567890-12.part"));
     EXPECT_EQ(files_in(folder.path()), static_cast<std::ptrdiff_t>(others.size()) + 4);
 }
 

@@ -16,4 +16,10 @@ inline std::optional<std::string> environment_variable(const std::string& name) 
     return value == nullptr || *value == '\0' ? std::nullopt : std::optional<std::string>(value);
 }
 
+/// Whether a CI machine plays what anybody may have written. Azure Pipelines sets only a variable of its own.
+inline bool is_ci(const Environment& environment) {
+    const std::string ci = environment("CI").value_or(environment("TF_BUILD").value_or("false"));
+    return ci != "false" && ci != "False" && ci != "0";
+}
+
 }  // namespace campuswalk::tools

@@ -47,4 +47,20 @@ std::string start_in_repository(const Environment& environment) {
     return !root || *root == here ? "" : here.lexically_relative(*root).generic_string();
 }
 
+fs::path checkout_above(const fs::path& folder, const Environment& environment) {
+    std::error_code ignored;
+    // Many keep their settings under version control; a CI machine has no such home.
+    const fs::path home =
+        is_ci(environment) ? fs::path() : fs::weakly_canonical(environment("HOME").value_or("/"), ignored);
+    for (fs::path at = fs::weakly_canonical(fs::absolute(folder, ignored), ignored); at != at.parent_path();
+         at = at.parent_path()) {
+        const bool is_checkout =
+            fs::exists(at / ".git", ignored) || fs::exists(at / "walks.config.yaml", ignored);
+        if (is_checkout && at != home) {
+            return at;
+        }
+    }
+    return {};
+}
+
 }  // namespace campuswalk::tools

@@ -82,6 +82,10 @@ void throw_if_any(const std::string& obstacle, const fs::path& path, const std::
 
 }  // namespace
 
+bool leads_through_link(const fs::path& path) {
+    return !link_in(path).empty();
+}
+
 std::string why_folder_unwritable(const fs::path& folder) {
     if (std::string why = refusal_of_links(folder); !why.empty()) {
         return why;

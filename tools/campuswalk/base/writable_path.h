@@ -12,6 +12,9 @@ namespace campuswalk::tools {
 // the current folder. Nor is anything written into a pipe, a socket or a device, which a checkout may contain
 // as well: opening one could take forever.
 
+/// Whether the path leads through such a link: then it isn't what whoever wrote it on a command line knows.
+bool leads_through_link(const std::filesystem::path& path);
+
 /// Why a file can't be created or replaced here, including the folders it needs; empty when it can.
 std::string why_file_unwritable(const std::filesystem::path& file);
 

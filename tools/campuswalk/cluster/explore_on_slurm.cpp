@@ -16,11 +16,11 @@
 #include "tools/campuswalk/base/read_lines.h"
 #include "tools/campuswalk/base/text.h"
 #include "tools/campuswalk/base/writable_path.h"
-#include "tools/campuswalk/cluster/job_folder.h"
 #include "tools/campuswalk/cluster/job_scripts.h"
 #include "tools/campuswalk/cluster/slurm_job.h"
 #include "tools/campuswalk/cluster/submission.h"
 #include "tools/campuswalk/cluster/task_verdicts.h"
+#include "tools/campuswalk/run/output/job_folder.h"
 
 namespace campuswalk::tools {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "tools/campuswalk/cluster/job_folder.h"
 #include "tools/campuswalk/cluster/slurm_options.h"
+#include "tools/campuswalk/run/output/job_folder.h"
 
 namespace campuswalk::tools {
 

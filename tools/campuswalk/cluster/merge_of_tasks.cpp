@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "tools/campuswalk/base/report_diagnostics.h"
-#include "tools/campuswalk/cluster/job_folder.h"
 #include "tools/campuswalk/cluster/slurm_tasks.h"
 #include "tools/campuswalk/cluster/task_verdicts.h"
+#include "tools/campuswalk/run/output/job_folder.h"
 #include "tools/campuswalk/run/results/result_file.h"
 
 namespace campuswalk::tools {

@@ -14,10 +14,10 @@
 #include "tools/campuswalk/base/repository.h"
 #include "tools/campuswalk/base/text.h"
 #include "tools/campuswalk/base/writable_path.h"
-#include "tools/campuswalk/cluster/job_folder.h"
 #include "tools/campuswalk/cluster/job_scripts.h"
 #include "tools/campuswalk/cluster/slurm_job.h"
 #include "tools/campuswalk/cluster/submission.h"
+#include "tools/campuswalk/run/output/job_folder.h"
 #include "tools/campuswalk/run/output/output_folder.h"
 #include "tools/campuswalk/run/plan/case_times.h"
 #include "tools/campuswalk/run/plan/plan.h"
@@ -96,8 +96,9 @@ public:
         check_targets(settings_.reports);
         check_name_for_scripts(folder_.root);
         require_writable_folder(folder_.root, "the job's files can't be written here");
-        const OutputFolder output(settings_.output, run_key(environment_variable),
-                                  {.all = !settings_.ci, .paths = {folder_.root.filename()}});
+        const OutputFolder output(
+            settings_.output, run_key(environment_variable),
+            {.all = !settings_.ci, .temporaries = true, .paths = {folder_.root.filename()}});
         const std::vector<std::string> sbatch = sbatch_options(slurm_);
         refuse_if_busy(folder_);
         const engine::RunPlan plan = options_.resume ? planned_again() : planned();

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "tools/campuswalk/cluster/job_folder.h"
 #include "tools/campuswalk/cluster/job_scripts.h"
+#include "tools/campuswalk/run/output/job_folder.h"
 
 namespace campuswalk::tools {
 

@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "tools/campuswalk/cluster/job_folder.h"
 #include "tools/campuswalk/cluster/job_scripts.h"
+#include "tools/campuswalk/run/output/job_folder.h"
 
 namespace campuswalk::tools {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "tools/campuswalk/cluster/job_folder.h"
 #include "tools/campuswalk/cluster/slurm_tasks.h"
+#include "tools/campuswalk/run/output/job_folder.h"
 
 namespace campuswalk::tools {
 

@@ -17,6 +17,7 @@
 #include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/repository.h"
+#include "tools/campuswalk/base/walk_folder.h"
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/loading/model_importer.h"
 #include "tools/campuswalk/loading/walk_loader.h"
@@ -66,20 +67,16 @@ std::optional<FileKind> kind_of(const fs::path& file) {
 }
 
 /// The files of a known kind in a folder and below, sorted, without folders whose name starts with a dot.
-/// Throws scene::InputError for a folder without any.
+/// Throws scene::InputError for a folder without any, or with one in it that can't be read.
 std::vector<fs::path> files_below(const fs::path& folder) {
     std::vector<fs::path> files;
-    std::error_code error;
-    const auto options = fs::directory_options::skip_permission_denied;
-    for (auto entry = fs::recursive_directory_iterator(folder, options, error);
-         !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
+    walk_folder(folder, [&](const fs::directory_entry& entry) {
         std::error_code ignored;
-        if (entry->is_directory(ignored) && entry->path().filename().string().starts_with('.')) {
-            entry.disable_recursion_pending();
-        } else if (entry->is_regular_file(ignored) && kind_of(entry->path())) {
-            files.push_back(entry->path().lexically_normal());
+        if (entry.is_regular_file(ignored) && kind_of(entry.path())) {
+            files.push_back(entry.path().lexically_normal());
         }
-    }
+        return !entry.path().filename().native().starts_with('.');
+    });
     std::ranges::sort(files, {}, [](const fs::path& file) { return file.generic_string(); });
     if (files.empty()) {
         throw error_about(folder, "no-files", std::string("none of ") + kCheckedFiles + " is in this folder");

@@ -13,6 +13,7 @@
 #include "tools/campuswalk/base/environment.h"
 #include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
+#include "tools/campuswalk/base/repository.h"
 
 namespace campuswalk::tools {
 
@@ -55,22 +56,6 @@ std::uint64_t max_bytes() {
     return count << *shift;
 }
 
-/// The folder of a checkout that could contain this one; empty if there is none. A pull request could bring a
-/// cache along there, whose models would decide what walks see.
-fs::path checkout_above(const fs::path& folder) {
-    std::error_code ignored;
-    const fs::path home = fs::weakly_canonical(environment_variable("HOME").value_or("/"), ignored);
-    for (fs::path at = fs::weakly_canonical(fs::absolute(folder), ignored); at != at.parent_path();
-         at = at.parent_path()) {
-        const bool is_checkout =
-            fs::exists(at / ".git", ignored) || fs::exists(at / "walks.config.yaml", ignored);
-        if (is_checkout && at != home) {
-            return at;
-        }
-    }
-    return {};
-}
-
 /// Shared with the processes that this one forks, so that only one of them warns.
 std::atomic<bool>& warned() {
     static_assert(std::atomic<bool>::is_always_lock_free);
@@ -99,7 +84,7 @@ const scene::CacheFolder* model_cache() {
         if (size == 0) {
             return std::optional<scene::CacheFolder>();
         }
-        if (const fs::path checkout = checkout_above(where); !checkout.empty()) {
+        if (const fs::path checkout = checkout_above(where, environment_variable); !checkout.empty()) {
             warn_once("'" + where.string() + "' is in the project '" + checkout.filename().string() +
                       "', whose files could replace it");
             return std::optional<scene::CacheFolder>();

@@ -17,12 +17,16 @@ std::string hash_of_text(std::string_view text) {
     return to_string(hasher.result());
 }
 
-std::string hash_of_files(const std::vector<std::filesystem::path>& files) {
+std::string hash_of_files(const std::vector<Inputs>& inputs) {
     scene::ContentHasher hasher;
     FileHashes hashes;
-    for (const std::filesystem::path& file : files) {
-        hasher.add_text(file.filename().string());
-        hasher.add_hash(hashes.of(file));
+    for (const Inputs& each : inputs) {
+        hasher.add_text(each.owner);
+        hasher.add_number(std::uint64_t{each.files.size()});
+        for (const std::filesystem::path& file : each.files) {
+            hasher.add_text(file.filename().string());
+            hasher.add_hash(hashes.of(file));
+        }
     }
     return to_string(hasher.result());
 }

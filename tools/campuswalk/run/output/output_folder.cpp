@@ -13,6 +13,7 @@
 #include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/base/read_lines.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
+#include "tools/campuswalk/base/walk_folder.h"
 #include "tools/campuswalk/run/results/signed_line.h"
 
 namespace campuswalk::tools {
@@ -64,38 +65,45 @@ OutputFolder::OutputFolder(fs::path folder, std::string key, const Tolerance& to
     for (const auto& [path, identity] : before_) {
         const bool tolerated =
             tolerance.all || known_.contains(path) ||
+            (tolerance.temporaries && scene::is_temporary(path.filename().native())) ||
             std::ranges::any_of(tolerance.paths,
                                 [&](const fs::path& each) { return is_below(path, each); }) ||
             (is_list(path) && is_authentic_list(path));
         if (!tolerated) {
             throw error_about(
                 folder_ / path, "foreign-output",
-                "no run of yours has written this file as it is, and where CI is set, what came with "
-                "a checkout isn't taken for output; remove it, or choose an --output of your own");
+                std::string(
+                    "no list of your runs names this file as it is, and where CI is set, what came ") +
+                    "with a checkout isn't taken for output; " +
+                    (key_.empty() ? "lists need CAMPUSWALK_RUN_KEY, or a HOME outside of the checkout; "
+                                  : "if a run was killed, continue it with --resume; else ") +
+                    "remove the file, or choose an --output of your own");
         }
     }
 }
 
 OutputFolder::Files OutputFolder::scanned() const {
     Files files;
-    std::error_code error;
-    constexpr auto kOptions = fs::directory_options::skip_permission_denied;
-    for (fs::recursive_directory_iterator entry(folder_, kOptions, error), end; !error && entry != end;
-         entry.increment(error)) {
+    walk_folder(folder_, [&](const fs::directory_entry& entry) {
         struct stat status {};
-        if (lstat(entry->path().c_str(), &status) != 0) {
-            continue;  // another shard's temporary file, renamed meanwhile
+        if (lstat(entry.path().c_str(), &status) != 0) {
+            if (errno == ENOENT) {
+                return false;  // another shard's temporary file, renamed meanwhile
+            }
+            throw error_about(entry.path(), "output-unwritable",
+                              "it can't be looked at: " + std::generic_category().message(errno));
         }
         if (S_ISREG(status.st_mode)) {
-            files[entry->path().lexically_relative(folder_)] = identity_of(status);
+            files[entry.path().lexically_relative(folder_)] = identity_of(status);
         } else if (!S_ISDIR(status.st_mode)) {
             throw error_about(
-                entry->path(), "output-unwritable",
+                entry.path(), "output-unwritable",
                 std::string("this is ") + kind_of(status) +
                     ", and in an output folder there may be only files and folders; remove it, or "
                     "choose another --output");
         }
-    }
+        return true;
+    });
     return files;
 }
 

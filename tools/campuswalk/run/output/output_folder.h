@@ -22,7 +22,8 @@ class OutputFolder {
 public:
     /// What may be in the folder besides what the lists name.
     struct Tolerance {
-        bool all = false;  ///< any regular file
+        bool all = false;          ///< any regular file
+        bool temporaries = false;  ///< those of a process that was killed (scene::AtomicFile)
         /// Files and folders, relative to the folder: what an interrupted run, or processes that work at the
         /// same time, may have left there.
         std::vector<std::filesystem::path> paths;
@@ -30,6 +31,7 @@ public:
 
     /// Looks through the folder, which need not exist. Throws scene::InputError:
     ///   output-unwritable  what is neither a file nor a folder, such as a link
+    ///   folder-unreadable  a folder whose contents can't be listed
     ///   foreign-output     a file that is on no list of this user's runs and isn't tolerated
     OutputFolder(std::filesystem::path folder, std::string key, const Tolerance& tolerance);
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "tools/campuswalk/run/cases/records.h"
+#include "tools/campuswalk/run/output/job_folder.h"
 
 namespace campuswalk::tools {
 
@@ -20,6 +21,7 @@ public:
         tolerance_.paths.emplace_back(report_record_file(folder));
     }
     void add_file(const fs::path& file) { tolerance_.paths.push_back(file.lexically_relative(output_)); }
+    void add_temporaries() { tolerance_.temporaries = true; }
     void add(const fs::path& path) { tolerance_.paths.push_back(path); }
 
     OutputFolder::Tolerance result() const { return tolerance_; }
@@ -29,18 +31,16 @@ private:
     OutputFolder::Tolerance tolerance_;
 };
 
-/// The folder in the output folder where the tasks of a job keep their results; empty for other runs, which
-/// keep them in the output folder itself.
-fs::path folder_of_tasks(const RunSettings& settings) {
-    const fs::path saved = settings.saved.lexically_relative(settings.output);
-    return saved.has_parent_path() && *saved.begin() != ".." ? *saved.begin() : fs::path();
+/// Whether this is a task of a job on a cluster, whose script has it save its results in the job's folder.
+bool is_task(const RunSettings& settings) {
+    return settings.saved.parent_path() == job_folder(settings.output).saved();
 }
 
 }  // namespace
 
 OutputFolder::Tolerance tolerated_output(const RunSettings& settings, const Plan& plan, bool continues) {
     if (!settings.ci) {
-        return {.all = true, .paths = {}};
+        return {.all = true, .temporaries = true, .paths = {}};
     }
     Tolerated tolerated(settings.output);
     if (continues) {
@@ -53,14 +53,15 @@ OutputFolder::Tolerance tolerated_output(const RunSettings& settings, const Plan
             }
         }
         tolerated.add_file(settings.saved);
+        tolerated.add_temporaries();
         tolerated.add(kBundleFolder);
     }
-    if (const fs::path tasks = folder_of_tasks(settings);
-        !tasks.empty()) {  // whose submission has looked there
+    if (is_task(settings)) {  // its submission has looked through the folder, and other tasks write there
         for (const std::string& folder : plan.other_folders) {
             tolerated.add_case(folder);
         }
-        tolerated.add(tasks);
+        tolerated.add_file(job_folder(settings.output).root);
+        tolerated.add_temporaries();
         tolerated.add(kBundleFolder);
     }
     return tolerated.result();

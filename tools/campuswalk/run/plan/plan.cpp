@@ -281,19 +281,18 @@ private:
         return sources;
     }
 
-    std::vector<fs::path> inputs_of(const std::vector<Sources>& sources) {
-        std::vector<fs::path> inputs;
+    std::vector<Inputs> inputs_of(const std::vector<Sources>& sources) {
+        std::vector<Inputs> inputs;
         std::set<const scene::CampusDescription*> listed;
         std::set<fs::path> folders;
         for (const Sources& each : sources) {
             if (each.campus && listed.insert(each.campus.get()).second) {
-                const std::set<fs::path>& files = loader_.files_of(each.campus_file, *each.campus);
-                inputs.insert(inputs.end(), files.begin(), files.end());
+                inputs.push_back({each.campus_file.lexically_normal().generic_string(),
+                                  loader_.files_of(each.campus_file, *each.campus)});
             }
             const fs::path goldens = golden_log_file(each.walk, each.project).parent_path();
             if (folders.insert(goldens).second) {
-                const std::set<fs::path> files = reference_files(goldens);
-                inputs.insert(inputs.end(), files.begin(), files.end());
+                inputs.push_back({each.walk.generic_string(), reference_files(goldens)});
             }
         }
         return inputs;

@@ -24,6 +24,12 @@ struct Case {
     std::string folder;                      ///< of its files, relative to the output folder, with `/`
 };
 
+/// Files that belong together.
+struct Inputs {
+    std::string owner;  ///< the file of a campus or a walk, as found
+    std::set<std::filesystem::path> files;
+};
+
 /// The cases of a run in the order in which they are reported: by file, project and repetition.
 struct Plan {
     std::vector<Case> cases;
@@ -34,9 +40,9 @@ struct Plan {
     std::size_t same_walks = 0;  ///< number of further selected files, each the same as one of them
     std::size_t left_out = 0;    ///< number of selected walks that aren't marked `only` where others are
     std::vector<std::string> other_folders;  ///< as Case::folder, of the walks in other shards
-    /// What the walks of all shards are read from or compared with besides YAML files: models, buffers,
-    /// textures, lists of places, golden files. Walk after walk, each campus's files once.
-    std::vector<std::filesystem::path> inputs;
+    /// What the walks of all shards are read from or compared with besides YAML files: of each campus, once,
+    /// its models, buffers, textures and lists of places; of each walk its golden files.
+    std::vector<Inputs> inputs;
 };
 
 struct PlanOptions {

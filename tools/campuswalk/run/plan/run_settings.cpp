@@ -149,12 +149,6 @@ bool uses_color(ColorChoice choice, const Environment& environment) {
     return isatty(STDOUT_FILENO) == 1 && !environment("NO_COLOR") && environment("TERM") != "dumb";
 }
 
-/// Azure Pipelines sets only a variable of its own.
-bool is_ci(const Environment& environment) {
-    const std::string ci = environment("CI").value_or(environment("TF_BUILD").value_or("false"));
-    return ci != "false" && ci != "False" && ci != "0";
-}
-
 /// References are written and checked by a person, never by a CI machine.
 UpdateSnapshots updates_for(const RunOptions& options, const Environment& environment) {
     const UpdateSnapshots update = options.update.value_or(UpdateSnapshots::none);

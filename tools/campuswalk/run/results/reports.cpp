@@ -71,7 +71,7 @@ void check_target(const ReportTarget& target) {
     if (target.file->extension() == ".yaml") {  // as in `--log a.walk.yaml b.walk.yaml`
         throw about(target, "a " + noun(target) + " would overwrite this YAML file; name another");
     }
-    if (!target.configured && scene::is_stream(*target.file)) {
+    if (!target.configured && !leads_through_link(*target.file) && scene::is_stream(*target.file)) {
         return;  // the user knows who reads it
     }
     if (const std::string why = why_file_unwritable(*target.file); !why.empty()) {

@@ -16,6 +16,7 @@
 #include "scene/base/diagnostic.h"
 #include "scene/process/pipe.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
+#include "tools/campuswalk/base/walk_folder.h"
 #include "tools/campuswalk/run/results/signed_line.h"
 
 namespace campuswalk::tools {
@@ -66,11 +67,13 @@ std::string opened(std::string_view line, const std::string& header, const std::
 
 std::vector<ResultFile> open_folder(const fs::path& folder, const std::optional<std::string>& key) {
     std::set<fs::path> files;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-        if (entry.is_regular_file() && entry.path().extension() == ".jsonl") {
+    walk_folder(folder, [&](const fs::directory_entry& entry) {
+        std::error_code ignored;
+        if (entry.is_regular_file(ignored) && entry.path().extension() == ".jsonl") {
             files.insert(entry.path());
         }
-    }
+        return true;
+    });
     std::vector<ResultFile> reports;
     for (const fs::path& file : files) {
         if (std::optional<ResultFile> report = ResultFile::open(file, key)) {  // event logs may be there, too

@@ -12,6 +12,7 @@
 
 #include "scene/cache/file_contents.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
+#include "tools/campuswalk/base/repository.h"
 
 namespace campuswalk::tools {
 
@@ -29,7 +30,9 @@ fs::path key_file(const Environment& environment) {
         const fs::path home = environment("HOME").value_or("");
         states = home.is_absolute() ? home / ".local" / "state" : fs::path();
     }
-    return states.empty() ? fs::path() : states / "campuswalk" / "run.key";
+    // A key that came with a checkout is anybody's.
+    return states.empty() || !checkout_above(states, environment).empty() ? fs::path()
+                                                                          : states / "campuswalk" / "run.key";
 }
 
 /// Empty if it isn't there, or if another user may have written it.
