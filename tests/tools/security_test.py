@@ -2,7 +2,7 @@
 """What SECURITY.md promises holds: every row of its tables names tests, which are run.
 
 `security_test.py PROGRAM BUILD`. A test is named as `FILE: Class`, `FILE: Class.test_name`, of tests/tools/FILE_test.py, or as
-`Suite.Name` of GoogleTest, which ctest knows in the folder BUILD. Several are separated by `;`.
+ctest knows it in the folder BUILD, such as `Suite.Name`. Several are separated by `;`.
 """
 
 import importlib
@@ -57,7 +57,7 @@ class Promises(unittest.TestCase):
         self.assertTrue(outcome.wasSuccessful())
         print("promises: %d tests of the program" % outcome.testsRun)
 
-    def test_the_unit_tests_pass(self):
+    def test_the_tests_of_ctest_pass(self):
         names = sorted({test for _, tests in rows() for test in tests if ": " not in test})
         pattern = "^(%s)$" % "|".join(map(re.escape, names))
         listed = subprocess.run(["ctest", "--test-dir", BUILD, "--show-only=json-v1", "-R", pattern], capture_output=True, check=True)
