@@ -40,7 +40,10 @@ target_include_directories(campuswalk_flags INTERFACE ${campuswalk_root})
 # What a bug in reading strangers' files may become is made harder: in release builds, thus also in the packages, and named here
 # rather than left to the compilers' defaults, which differ. tests/tools/hardening_test.py reads it in the built program. Indirect
 # jumps are marked, but the program as a whole can't say so to the processor: Debian's start files aren't.
-set(campuswalk_hardened $<AND:$<CONFIG:Release>,$<NOT:$<BOOL:${CAMPUSWALK_SANITIZE}>>>)
+set(campuswalk_hardened $<CONFIG:Release>)
+if(CAMPUSWALK_SANITIZE)
+    set(campuswalk_hardened 0)
+endif()
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     set(campuswalk_marked_jumps -fcf-protection)
 elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64")
