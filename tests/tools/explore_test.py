@@ -533,7 +533,7 @@ class Explore(ProgramCase):
             self.assertNotEqual(listed, explored(option, one))
         done = self.run_program("explore", "yard.campus.yaml", "--allow", "run,fly")
         self.assertEqual((2, ""), (done.code, done.out), done.err)
-        self.assertIn("'fly' is none of run|jump|crouch", done.err)
+        self.assertIn("'fly' is not one of run|jump|crouch", done.err)
 
     def test_its_walks_fail_until_the_campus_is_mended(self):
         self.passes("explore", "yard.campus.yaml", "--write-walks", "walks")

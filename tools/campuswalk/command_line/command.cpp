@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "scene/base/diagnostic.h"
+#include "scene/base/printable.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/text.h"
 
@@ -45,12 +46,13 @@ std::string option_message(const CLI::App& app, const CLI::Error& error) {
     return error.what();
 }
 
+/// What was typed may come from a script that got it from elsewhere: its words stay words.
 std::string failure_message(const CLI::App* app, const CLI::Error& error) {
     if (app->get_subcommands().empty()) {
-        return "error: " + command_message(*app) + "\nsee " + app->get_name() + " --help\n";
+        return "error: " + scene::printable(command_message(*app)) + "\nsee " + app->get_name() + " --help\n";
     }
     const CLI::App& command = *app->get_subcommands().front();
-    return "error: " + option_message(command, error) + "\nsee " + app->get_name() + " " +
+    return "error: " + scene::printable(option_message(command, error)) + "\nsee " + app->get_name() + " " +
            command.get_name() + " --help\n";
 }
 
@@ -201,7 +203,7 @@ void Command::restrict_to(const std::vector<std::string>& words, OptionSpec& spe
     spec.value = joined(words, "|");
     spec.check = [words, shown = spec.value](const std::string& word) {
         const bool known = std::ranges::find(words, word) != words.end();
-        return known ? std::string() : "'" + word + "' is none of " + shown;
+        return known ? std::string() : "'" + word + "' is not one of " + shown;
     };
 }
 

@@ -29,7 +29,7 @@ void choose_simd_target() {
     const auto found = known.find(*requested);
     if (found == known.end() || !can_run(found->second)) {
         const char* why =
-            found == known.end() ? "' is none of sse42, avx2, avx512" : "': this processor can't";
+            found == known.end() ? "' is not one of sse42, avx2, avx512" : "': this processor can't";
         throw error_about("CAMPUSWALK_INSTRUCTIONS", "bad-value", "'" + *requested + why);
     }
     collision::use_simd_target(found->second);
