@@ -41,6 +41,7 @@ target_include_directories(campuswalk_flags INTERFACE ${campuswalk_root})
 # rather than left to the compilers' defaults, which differ. tests/tools/hardening_test.py reads it in the built program. Indirect
 # jumps are marked, but the program as a whole can't say so to the processor: Debian's start files aren't.
 set(campuswalk_hardened $<CONFIG:Release>)
+# Not in the generator expression, which would take the comma in `address,undefined` for one of its own.
 if(CAMPUSWALK_SANITIZE)
     set(campuswalk_hardened 0)
 endif()

@@ -140,7 +140,8 @@ void allow_reading_files(Filter& filter) {
         filter.allow_if("fcntl", {is(1, static_cast<std::uint64_t>(command))});
     }
     filter.allow("write writev");  // what is open for writing is the answer, and standard error
-    // Reaches nobody outside of this process; the sanitizers try through a pipe whether memory can be read.
+    // A pipe of its own lets this process reach nobody else; UBSan tries through one whether memory can be
+    // read.
     filter.allow("pipe pipe2");
 }
 
