@@ -123,7 +123,7 @@ GroundCover cover_of(const collision::World& world, const WalkSpace& space, doub
         cover.height = *low;
     }
     cover.area = static_cast<double>(heights.size()) * space.grid.cell * space.grid.cell;
-    cover.is_cut_short = std::ranges::find(space.bounds, Bound::nodes) != space.bounds.end();
+    cover.is_cut_short = space.is_cut_by(Bound::nodes);
     cover.share = footprint > 0.0 ? std::min(cover.area / footprint, 1.0) : 0.0;
     cover.share_below = share_of_area_below(world, cover.height - kDrop);
     return cover;
@@ -144,7 +144,8 @@ public:
     }
 
     GroundCover largest() {
-        for (Island& island : find_unreached_ground(worlds_, settings_, columns_, 0.0)) {
+        auto islands = find_unreached_ground(worlds_, settings_, columns_, 0.0);
+        for (Island& island : islands.value()) {  // there are fewer columns than are looked for
             while (is_wanted() && walk_about(island)) {
             }
         }

@@ -1,8 +1,11 @@
 #include "engine/walkspace/island_approaches.h"
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
 #include <set>
 #include <tuple>
+#include <vector>
 
 namespace campuswalk::engine {
 
@@ -42,26 +45,32 @@ void thin_out(std::vector<Approach>& approaches) {
     }
 }
 
-/// The heights of an island's spots by cell.
-using Heights = std::map<GridCell, std::vector<double>>;
+/// A spot of an island.
+struct SpotHeight {
+    GridCell cell;
+    double y = 0.0;  ///< metres
+};
 
-Heights heights_of(const Island& island, const WalkGrid& grid, const collision::Aabb& within) {
-    Heights heights;
+/// Those within the region, by cell. Islands may have millions of them.
+std::vector<SpotHeight> heights_of(const Island& island, const WalkGrid& grid,
+                                   const collision::Aabb& within) {
+    std::vector<SpotHeight> heights;
     for (const UnreachedSpot& spot : island.spots) {
         if (within.overlaps({spot.at.foot, spot.at.foot})) {
-            heights[grid.cell_at(spot.at.foot)].push_back(spot.at.foot.y());
+            heights.push_back({grid.cell_at(spot.at.foot), spot.at.foot.y()});
         }
     }
+    std::ranges::sort(heights, {}, &SpotHeight::cell);
     return heights;
 }
 
-/// Whether a node is on the island, for PassageQuery.
+/// Whether a node is on the island, for PassageQuery. Copies of it share the heights.
 auto on_island(const Island& island, const WalkGrid& grid, const collision::Aabb& within) {
-    return [heights = heights_of(island, grid, within)](const GridCell& cell, double y) {
-        const auto there = heights.find(cell);
-        return there != heights.end() && std::ranges::any_of(there->second, [&](double height) {
-                   return std::abs(height - y) <= kSpotGround;
-               });
+    const auto heights = std::make_shared<const std::vector<SpotHeight>>(heights_of(island, grid, within));
+    return [heights](const GridCell& cell, double y) {
+        return std::ranges::any_of(
+            std::ranges::equal_range(*heights, cell, {}, &SpotHeight::cell),
+            [&](const SpotHeight& spot) { return std::abs(spot.y - y) <= kSpotGround; });
     };
 }
 

@@ -44,7 +44,9 @@ LandingPlaces::LandingPlaces(const WorkerWorlds& worlds, const ExploreSettings& 
 
 void LandingPlaces::add_surfaces(const WorkerWorlds& worlds, const WalkSpace& reached,
                                  const collision::Aabb& region) {
-    for (const Surface& surface : unreached_surfaces(worlds, settings_, reached, region)) {
+    const auto surfaces = unreached_surfaces(worlds, settings_, reached, region);
+    for (const Surface& surface :
+         surfaces.value_or(std::vector<Surface>())) {  // too many: none is steered to
         Vec3 at = reached.grid.center(surface.cell);
         at.y() = surface.y;
         if (!is_explored_elsewhere(at)) {

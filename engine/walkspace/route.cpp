@@ -177,7 +177,7 @@ private:
         for (int searches = 1;; ++searches) {
             WalkSpace space = explore(worlds_, explore_settings());
             if (!space.goal) {
-                const bool cut = std::ranges::find(space.bounds, Bound::nodes) != space.bounds.end();
+                const bool cut = space.is_cut_by(Bound::nodes);
                 return NoRoute{target_, std::move(space), cut};
             }
             chain_ = chain_to(space);

@@ -107,7 +107,8 @@ public:
                 const StartPreference& preference)
         : world_(worlds[0]), settings_(settings), preference_(preference), grid_{kStartCell} {
         const WalkSpace nothing_reached(grid_);
-        islands_ = find_unreached_ground(worlds, settings, nothing_reached, kLeastGround);
+        islands_ = find_unreached_ground(worlds, settings, nothing_reached, kLeastGround)
+                       .value_or(std::vector<Island>());
         for (const Island& island : islands_) {
             for (const UnreachedSpot& spot : island.spots) {
                 double& lowest = lowest_.try_emplace(grid_.cell_at(spot.at.foot), 1e300).first->second;

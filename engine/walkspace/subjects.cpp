@@ -88,7 +88,9 @@ private:
             return;
         }
         subject.island = island_at(place.ground->foot);
-        if (!subject.island) {
+        if (!subject.island && s_.reached.is_cut_by(Bound::nodes)) {
+            subject.reason = "it isn't on the ground that was explored, and there is more";
+        } else if (!subject.island) {
             subject.reason = nearest > 1.0 ? "nothing that is reached lies near it"
                                            : "one gets to " + fixed(nearest, 3) + " m from it, not nearer" +
                                                  touching(subject.at);

@@ -43,7 +43,7 @@ std::optional<GroundState> stand_on(const Surface& surface, const collision::Cap
 }
 
 std::vector<UnreachedSpot> spots_with_room(const WorkerWorlds& worlds, const ExploreSettings& settings,
-                                           const WalkSpace& reached, const std::vector<Surface>& surfaces) {
+                                           const WalkSpace& reached, std::vector<Surface> surfaces) {
     constexpr std::size_t kChunk = 256;
     std::vector<std::optional<GroundState>> found(surfaces.size());
     std::vector<collision::MoverCache> caches(worlds.size());
@@ -60,6 +60,8 @@ std::vector<UnreachedSpot> spots_with_room(const WorkerWorlds& worlds, const Exp
         }
     });
     std::vector<UnreachedSpot> spots;
+    spots.reserve(static_cast<std::size_t>(
+        std::ranges::count_if(found, [](const auto& state) { return state.has_value(); })));
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
         if (found[i]) {
             spots.push_back({*found[i], surfaces[i].object, surfaces[i].triangle});
@@ -77,6 +79,7 @@ public:
           sets_(spots.size()),
           strider_(worlds[0], settings.strides, settings.solids),
           step_(settings.strides.body.step_height + collision::kHeightSlack) {
+        cells_.reserve(spots.size());
         for (const UnreachedSpot& spot : spots) {
             cells_.push_back(grid.cell_at(spot.at.foot));
         }
@@ -172,18 +175,30 @@ Vec3 Island::nearest_to(const Vec3& point) const {
     return std::ranges::min_element(spots, {}, apart)->at.foot;
 }
 
-std::vector<Island> find_unreached_ground(const WorkerWorlds& worlds, const ExploreSettings& settings,
-                                          const WalkSpace& reached, double least_area) {
+std::optional<std::vector<Island>> find_unreached_ground(const WorkerWorlds& worlds,
+                                                         const ExploreSettings& settings,
+                                                         const WalkSpace& reached, double least_area,
+                                                         std::size_t most) {
     const collision::Aabb& region = settings.within.empty() ? worlds[0].bounds() : settings.within;
-    const std::vector<Surface> surfaces = unreached_surfaces(worlds, settings, reached, region);
-    const std::vector<UnreachedSpot> spots = spots_with_room(worlds, settings, reached, surfaces);
+    auto surfaces = unreached_surfaces(worlds, settings, reached, region, most);
+    if (!surfaces) {
+        return std::nullopt;
+    }
+    const std::vector<UnreachedSpot> spots = spots_with_room(worlds, settings, reached, *std::move(surfaces));
     SpotJoiner joiner(worlds, settings, reached.grid, spots);
     return islands_of(spots, joiner.sets(), reached.grid, least_area);
 }
 
 std::vector<Island> islands_of(const std::vector<UnreachedSpot>& spots, collision::DisjointSets& sets,
                                const WalkGrid& grid, double least_area) {
+    std::map<std::size_t, std::size_t> sizes;
+    for (std::size_t i = 0; i < spots.size(); ++i) {
+        ++sizes[sets.root(i)];
+    }
     std::map<std::size_t, Island> by_root;
+    for (const auto& [root, size] : sizes) {
+        by_root[root].spots.reserve(size);
+    }
     for (std::size_t i = 0; i < spots.size(); ++i) {
         Island& island = by_root[sets.root(i)];
         island.spots.push_back(spots[i]);

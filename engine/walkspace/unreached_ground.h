@@ -2,12 +2,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "collision/geometry/disjoint_sets.h"
 #include "collision/geometry/shapes.h"
 #include "collision/world/broad_phase.h"
 #include "engine/walkspace/explore.h"
+#include "engine/walkspace/unreached_surfaces.h"
 #include "engine/walkspace/walk_space.h"
 #include "engine/walkspace/worker_worlds.h"
 
@@ -38,9 +40,12 @@ inline constexpr double kNotableIsland = 1.0;
 /// Walkable ground that the exploration didn't get to: the middle of each cell on a triangle that isn't too
 /// steep, with room for the body above. Spots in neighbouring cells belong together if their heights differ
 /// by no more than a step, or than the steepest walkable slope. The largest island first; those below
-/// `least_area` (m²) are left out. Only within `settings.within`; tops of round solids don't count.
-std::vector<Island> find_unreached_ground(const WorkerWorlds& worlds, const ExploreSettings& settings,
-                                          const WalkSpace& reached, double least_area);
+/// `least_area` (m²) are left out. Only within `settings.within`; tops of round solids don't count. None if
+/// there are more than `most` cells of such ground, with room for the body or not.
+std::optional<std::vector<Island>> find_unreached_ground(const WorkerWorlds& worlds,
+                                                         const ExploreSettings& settings,
+                                                         const WalkSpace& reached, double least_area,
+                                                         std::size_t most = kMostUnreached);
 
 /// The spots of each set of their numbers as an island, likewise.
 std::vector<Island> islands_of(const std::vector<UnreachedSpot>& spots, collision::DisjointSets& sets,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -88,8 +89,8 @@ void sort_in_order(std::vector<Surface>& surfaces) {
 class SurfaceCollector {
 public:
     SurfaceCollector(const ExploreSettings& settings, const WalkGrid& grid, const collision::Aabb& region,
-                     std::vector<Surface>& out)
-        : settings_(settings), grid_(grid), region_(region), out_(out) {}
+                     std::size_t most, std::vector<Surface>& out)
+        : settings_(settings), grid_(grid), region_(region), most_(most), out_(out) {}
 
     void add(ObjectId object, std::uint32_t index, const std::array<Vec3, 3>& t) {
         const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
@@ -101,8 +102,9 @@ public:
         const Vec3 high = t[0].cwiseMax(t[1]).cwiseMax(t[2]).cwiseMin(region_.max);
         const GridCell first = grid_.cell_at(low.x() - 0.5 * grid_.cell, low.z() - 0.5 * grid_.cell);
         const GridCell last = grid_.cell_at(high);
-        for (int z = first.z; z <= last.z; ++z) {
-            for (int x = first.x; x <= last.x; ++x) {
+        for (int z = first.z; z <= last.z && out_.size() <= most_; ++z) {
+            const auto [left, right] = columns_in_row(t, z, first.x, last.x);
+            for (int x = left; x <= right && out_.size() <= most_; ++x) {
                 const Vec3 p = grid_.center({x, z});
                 if (is_below(t, p)) {
                     const double y =
@@ -115,6 +117,40 @@ public:
     }
 
 private:
+    /// The cells from `first` to `last` of a row that the triangle may be above or below. A long one that
+    /// lies askew has hardly any of those around it.
+    std::pair<int, int> columns_in_row(const std::array<Vec3, 3>& t, int z, int first, int last) const {
+        constexpr int kFew = 16;
+        if (last - first <= kFew) {
+            return {first, last};
+        }
+        const double near = grid_.center({first, z}).z() - grid_.cell;
+        const double far = near + 2.0 * grid_.cell;
+        double low = std::numeric_limits<double>::infinity();
+        double high = -low;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Vec3& a = t[i].z() < t[(i + 1) % 3].z() ? t[i] : t[(i + 1) % 3];
+            const Vec3& b = t[i].z() < t[(i + 1) % 3].z() ? t[(i + 1) % 3] : t[i];
+            if (b.z() < near || a.z() > far) {
+                continue;
+            }
+            for (const double at : {std::max(near, a.z()), std::min(far, b.z())}) {
+                const double share = b.z() > a.z() ? (at - a.z()) / (b.z() - a.z()) : 0.0;
+                low = std::min({low, a.x() + share * (b.x() - a.x()), b.z() > a.z() ? low : b.x()});
+                high = std::max({high, a.x() + share * (b.x() - a.x()), b.z() > a.z() ? high : b.x()});
+            }
+        }
+        if (!(low <= high)) {
+            return {first, first - 1};
+        }
+        const double x0 = grid_.center({first, z}).x();
+        const auto column = [&](double x, int beside) {
+            return first + beside +
+                   static_cast<int>(std::clamp(std::floor((x - x0) / grid_.cell), -2.0, last - first + 2.0));
+        };
+        return {std::max(first, column(low, -1)), std::min(last, column(high, 2))};
+    }
+
     /// Whether the vertical line through p crosses the triangle.
     static bool is_below(const std::array<Vec3, 3>& t, const Vec3& p) {
         int sides = 0;
@@ -136,6 +172,7 @@ private:
     const ExploreSettings& settings_;
     const WalkGrid& grid_;
     const collision::Aabb& region_;
+    std::size_t most_;
     std::vector<Surface>& out_;
 };
 
@@ -250,16 +287,22 @@ private:
     std::array<std::size_t, 3> first_in_row_{};  ///< for the last cell asked about: earlier ones are behind
 };
 
-/// Of the square of `side` x `side` cells with this one first, as far as it lies in the region.
-std::vector<Surface> unreached_in_square(const collision::World& world, const ExploreSettings& settings,
-                                         const WalkSpace& reached, const collision::Aabb& region,
-                                         const GridCell& square, int side) {
+/// Of the square of `side` x `side` cells with this one first, as far as it lies in the region. None if more
+/// than `most` surfaces are there, reached or not.
+std::optional<std::vector<Surface>> unreached_in_square(const collision::World& world,
+                                                        const ExploreSettings& settings,
+                                                        const WalkSpace& reached,
+                                                        const collision::Aabb& region, const GridCell& square,
+                                                        int side, std::size_t most) {
     const double cell = reached.grid.cell;
     const Vec3 low(square.x * cell, region.min.y(), square.z * cell);
     const Vec3 high = low + side * cell * Vec3::Ones();
     collision::Aabb part{low.cwiseMax(region.min), high.cwiseMin(region.max)};
     part.max.y() = region.max.y() + Covers::room(settings);
-    const std::vector<Surface> all = walkable_surfaces(world, settings, reached.grid, part);
+    const std::vector<Surface> all = walkable_surfaces(world, settings, reached.grid, part, most);
+    if (all.size() > most) {
+        return std::nullopt;
+    }
     Covers covers(world, settings, reached.grid, all);
     std::vector<Surface> unreached;
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -274,9 +317,10 @@ std::vector<Surface> unreached_in_square(const collision::World& world, const Ex
 }  // namespace
 
 std::vector<Surface> walkable_surfaces(const collision::World& world, const ExploreSettings& settings,
-                                       const WalkGrid& grid, const collision::Aabb& region) {
+                                       const WalkGrid& grid, const collision::Aabb& region,
+                                       std::size_t most) {
     std::vector<Surface> surfaces;
-    SurfaceCollector collector(settings, grid, region, surfaces);
+    SurfaceCollector collector(settings, grid, region, most, surfaces);
     std::vector<ObjectId> solids;
     world.candidates(region, settings.solids, solids);
     for (const ObjectId id : solids) {
@@ -290,10 +334,12 @@ std::vector<Surface> walkable_surfaces(const collision::World& world, const Expl
     return surfaces;
 }
 
-std::vector<Surface> unreached_surfaces(const WorkerWorlds& worlds, const ExploreSettings& settings,
-                                        const WalkSpace& reached, const collision::Aabb& region) {
+std::optional<std::vector<Surface>> unreached_surfaces(const WorkerWorlds& worlds,
+                                                       const ExploreSettings& settings,
+                                                       const WalkSpace& reached,
+                                                       const collision::Aabb& region, std::size_t most) {
     if (region.empty()) {
-        return {};
+        return std::vector<Surface>();
     }
     const GridCell lowest = reached.grid.cell_at(region.min.cwiseMax(-kFarthest));
     const GridCell last = reached.grid.cell_at(region.max.cwiseMin(kFarthest));
@@ -307,12 +353,24 @@ std::vector<Surface> unreached_surfaces(const WorkerWorlds& worlds, const Explor
         }
     }
     std::vector<std::vector<Surface>> found(squares.size());
+    std::atomic<std::size_t> count = 0;  // ends above `most` in whatever order squares are taken, or in none
     for_each_item(squares.size(), worlds.size(), [&](std::size_t worker, std::size_t i) {
-        found[i] = unreached_in_square(worlds[worker], settings, reached, region, squares[i], side);
+        if (count > most) {
+            return;
+        }
+        auto surfaces =
+            unreached_in_square(worlds[worker], settings, reached, region, squares[i], side, most);
+        count += surfaces ? surfaces->size() : most + 1;
+        found[i] = std::move(surfaces).value_or(std::vector<Surface>());
     });
+    if (count > most) {
+        return std::nullopt;
+    }
     std::vector<Surface> unreached;
-    for (const std::vector<Surface>& surfaces : found) {
+    unreached.reserve(count);
+    for (std::vector<Surface>& surfaces : found) {
         unreached.insert(unreached.end(), surfaces.begin(), surfaces.end());
+        surfaces = {};
     }
     std::ranges::sort(unreached, kInOrder);
     return unreached;

@@ -14,6 +14,20 @@ namespace campuswalk::engine {
 
 namespace {
 
+/// None if whatever could be said of it would be a guess: there is more to explore, or too much to look at.
+std::vector<Island> unreached_ground(const WorkerWorlds& worlds, const ExploreSettings& settings,
+                                     WalkSpace& reached) {
+    if (reached.is_cut_by(Bound::nodes)) {
+        return {};
+    }
+    auto islands =
+        find_unreached_ground(worlds, settings, reached, 0.0, std::min(kMostUnreached, settings.max_nodes));
+    if (!islands) {
+        reached.bounds.push_back(Bound::islands);
+    }
+    return std::move(islands).value_or(std::vector<Island>());
+}
+
 /// The most islands that are explained: those that are worth a line or that a subject is on.
 std::size_t explained(const std::vector<Island>& islands, const std::vector<Subject>& subjects,
                       const WalkGrid& grid) {
@@ -146,7 +160,7 @@ WalkReport report_walks(const scene::Campus& campus, const AvatarProfile& avatar
     WalkReport report{explore(worlds, settings)};
     tell("looking for ground that isn't reached");
     report.storeys = find_storeys(report.space);
-    std::vector<Island> islands = find_unreached_ground(worlds, settings, report.space, 0.0);
+    std::vector<Island> islands = unreached_ground(worlds, settings, report.space);
     const std::vector<Subject> subjects =
         find_subjects({campus, avatar, worlds, settings, report.space, islands});
     const scene::NodeTriangles nodes(campus, campus.world.bounds());

@@ -28,7 +28,7 @@ double area_of(const WalkSpace& space, const Counts& counts) {
 }  // namespace
 
 const char* name_of(Bound bound) {
-    constexpr std::array kNames{"nodes", "levels", "falls", "steering"};
+    constexpr std::array kNames{"nodes", "levels", "falls", "steering", "islands"};
     return kNames[static_cast<std::size_t>(bound)];
 }
 
@@ -38,6 +38,10 @@ double length_of(const std::vector<ChainLink>& chain) {
         length += (chain[i].at.foot - chain[i - 1].at.foot).norm();
     }
     return length;
+}
+
+bool WalkSpace::is_cut_by(Bound bound) const {
+    return std::ranges::find(bounds, bound) != bounds.end();
 }
 
 std::size_t WalkSpace::node_count() const {

@@ -13,15 +13,16 @@
 
 namespace campuswalk::engine {
 
-/// What cut an exploration short. Places beyond may be reachable.
+/// What cut an exploration, or a report of it, short. Places beyond may be reachable.
 enum class Bound : std::uint8_t {
     nodes,     ///< the most nodes that are kept
     levels,    ///< more levels above one another than a tile holds
     falls,     ///< a fall that didn't end: see StrideEnd::Kind::falling
     steering,  ///< in falls, only some of the ways to steer were tried
+    islands,   ///< more ground that isn't reached than is looked at: none of it is reported
 };
 
-/// What it is called in files: "nodes", "levels", "falls", "steering".
+/// What it is called in files: "nodes", "levels", "falls", "steering", "islands".
 const char* name_of(Bound bound);
 
 /// One stride of a chain, and where it ended.
@@ -49,6 +50,7 @@ public:
     std::uint64_t ticks = 0;            ///< simulated, for statistics
     std::uint64_t strides = 0;
 
+    bool is_cut_by(Bound bound) const;
     std::size_t node_count() const;
     /// m² of cells, each level counted; bodies that hang over an edge stand on no ground of their own.
     double area() const;

@@ -379,6 +379,33 @@ class Explore(ProgramCase):
         self.assertEqual(self.run_program("explore", "yard.campus.yaml").out, whole.out)  # not the cut one from the cache
         self.assertEqual(self.run_program("explore", "yard.campus.yaml", "--max-cells", "0").code, 2)
 
+    def test_more_unreached_ground_than_the_most_cells(self):
+        # The middle of a floor of 40 m x 40 m, walled in: 25,600 cells, and over 25,000 beyond the walls.
+        wall = [(x, y, z) for y in (0, 3) for x, z in ((-2, -2), (2, -2), (2, 2), (-2, 2))]
+        floor = [(-20, 0, -20), (20, 0, -20), (20, 0, 20), (-20, 0, 20)]
+        sides = ((1, 2, 6, 5), (2, 3, 7, 6), (3, 4, 8, 7), (4, 1, 5, 8), (9, 12, 11, 10))
+        self.write("cell.obj", "".join("v %g %g %g\n" % point for point in wall + floor) +
+                   "".join("f %d %d %d %d\n" % side for side in sides))
+        self.write("cell.campus.yaml", """scenes: [{file: cell.obj}]
+colliders: [{id: ground, nodes: "*", shape: mesh, mode: [solid]}]
+spawns: {gate: {at: [0, 0.01, 0]}}
+places: {corner: [19, 0, 19]}
+""")
+        whole = self.run_program("explore", "cell.campus.yaml", "--json", "whole.json")
+        self.assertEqual(whole.code, 0, whole.err)
+        self.assertGreater(json.loads(self.read("whole.json"))["islands"][0]["area"], 1500.0)
+        outcomes = []
+        for workers in ("1", "2"):
+            cut = self.run_program("explore", "cell.campus.yaml", "--max-cells", "10000", "--no-cache", "-j", workers,
+                                   "--json", "cut.json")
+            self.assertEqual(cut.code, 3, cut.err)
+            self.assertIn("incomplete: there is more ground that isn't reached than is looked at", cut.out)
+            self.assertRegex(cut.out, r"failed     --max-cells: \d+ cells, [\d.]+ m², are reached")
+            report = json.loads(self.read("cut.json"))
+            self.assertEqual(report["incomplete"], ["islands"])
+            outcomes.append((cut.out, report))
+        self.assertEqual(outcomes[0], outcomes[1])
+
     def test_exit_codes(self):
         self.report("--require", "corner")
         self.report("--require", "shed", code=1)

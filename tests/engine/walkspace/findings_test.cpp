@@ -46,7 +46,7 @@ protected:
         return *space_;
     }
     std::vector<Island> islands(double least = kNotableIsland) {
-        return find_unreached_ground(*worlds_, settings_, *space_, least);
+        return find_unreached_ground(*worlds_, settings_, *space_, least).value();
     }
 
     std::optional<WorkerWorlds> worlds_;

@@ -119,12 +119,12 @@ void add_explore(Command program, CommandAction& chosen) {
                     .help = "Find passages that are too narrow for a visitor of this width",
                     .value = "METRES"},
                    options->min_width, Limits<double>{0.0, 20.0});
-    command.option(
-        {.names = "--max-cells",
-         .help =
-             "Explore no more cells of 0.25 m than this, 16 for each m², and exit with 3 if there are more",
-         .value = "N"},
-        options->max_cells, Limits<int>{1, kMostCells});
+    command.option({.names = "--max-cells",
+                    .help = "Explore no more cells of 0.25 m than this, 16 for each m², nor look at more "
+                            "that aren't reached, "
+                            "and exit with 3 if there are more",
+                    .value = "N"},
+                   options->max_cells, Limits<int>{1, kMostCells});
     command.option({.names = "--walks",
                     .help = "Measure how much the walks of this file or folder visit; may be repeated",
                     .value = "PATH"},

@@ -31,6 +31,8 @@ const char* text_of(engine::Bound bound) {
             return "a fall didn't end: a body hung somewhere, or fell for half a minute";
         case engine::Bound::steering:
             return "in falls of over half a metre, some ways to steer were tried, not all";
+        case engine::Bound::islands:
+            return "there is more ground that isn't reached than is looked at, so none of it is listed";
     }
     return "";
 }
