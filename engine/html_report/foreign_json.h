@@ -13,10 +13,9 @@ namespace campuswalk::engine {
 // JSON of files that anybody may have written: a report shows what is as expected and leaves the rest out.
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // browsers refuse it before JSON
-/// Copying, printing and reading what is nested more deeply would take as much stack.
-constexpr int kDeepest = 64;
 
-/// None for text that isn't JSON, begins with a byte order mark, or is nested deeply.
+/// None for text that isn't JSON, begins with a byte order mark, or is nested deeply (see
+/// scene/base/json_depth.h).
 std::optional<nlohmann::ordered_json> parse_foreign(std::string_view text);
 
 inline bool is_finite_number(const nlohmann::ordered_json& json) {

@@ -9,6 +9,7 @@
 #include <simdjson.h>
 
 #include "engine/html_report/foreign_json.h"
+#include "scene/base/json_depth.h"
 
 namespace campuswalk::engine {
 
@@ -174,7 +175,7 @@ std::optional<RecordedPath> read_recorded_path(std::string_view recording) {
     dom::parser parser;
     dom::element json;
     const bool is_json = !recording.starts_with(kByteOrderMark) &&
-                         parser.allocate(recording.size(), kDeepest) == simdjson::SUCCESS &&
+                         parser.allocate(recording.size(), scene::kDeepestJson) == simdjson::SUCCESS &&
                          parser.parse(recording.data(), recording.size()).get(json) == simdjson::SUCCESS;
     return is_json && is_recording(json) ? path_of(json) : std::nullopt;
 }

@@ -17,6 +17,7 @@
 #include "engine/events/decimals.h"
 #include "engine/report/artifact_path.h"
 #include "engine/report/result_fields.h"
+#include "scene/base/json_depth.h"
 #include "scene/base/printable.h"
 
 namespace campuswalk::engine {
@@ -102,16 +103,19 @@ requires std::is_class_v<Struct> Json json_of(const Struct& value) {
 
 // ---- reading ------------------------------------------------------------------------------------------
 
+/// For messages.
+std::string shortened(const std::string& text) {
+    constexpr std::size_t kShown = 40;
+    return text.size() <= kShown ? text : text.substr(0, kShown) + "…";
+}
+
 /// `where` is the path to the value: "failures[0].scene.tick".
 [[noreturn]] void refuse(const std::string& where, const std::string& expected, const Json& json) {
     // Lists and objects may be nested more deeply than dump() can recurse.
-    std::string found = json.is_array()    ? "a list"
-                        : json.is_object() ? "an object"
-                                           : json.dump(-1, ' ', false, Json::error_handler_t::replace);
-    if (found.size() > 40) {
-        found = found.substr(0, 40) + "…";
-    }
-    throw std::runtime_error(where + " must be " + expected + ", not " + found);
+    const std::string found = json.is_array()    ? "a list"
+                              : json.is_object() ? "an object"
+                                                 : json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    throw std::runtime_error(where + " must be " + expected + ", not " + shortened(found));
 }
 
 void read(const Json& json, const std::string& where, std::string& value) {
@@ -211,7 +215,7 @@ public:
     void finish() const {
         for (const auto& [name, value] : json_.items()) {
             if (std::ranges::find(names_, name) == names_.end()) {
-                throw std::runtime_error("unknown field " + path(name));
+                throw std::runtime_error("unknown field " + path(shortened(name)));
             }
         }
     }
@@ -260,10 +264,13 @@ void read(const Json& json, const std::string& where, Struct& value) {
     check(value, where, json);
 }
 
-/// The parser would accept repeated keys and use the last.
-Json parsed_without_repeated_keys(std::string_view line) {
+/// The parser would accept repeated keys and use the last. Throws std::runtime_error.
+Json parsed(std::string_view line) {
+    if (scene::is_nested_deeply(line)) {
+        throw std::runtime_error("it is nested deeply");
+    }
     std::vector<std::set<std::string>> keys;  // of the objects that the parser is in
-    return Json::parse(line, [&](int, Json::parse_event_t event, Json& json) {
+    const auto visit = [&](int, Json::parse_event_t event, Json& json) {
         if (event == Json::parse_event_t::object_start) {
             keys.emplace_back();
         } else if (event == Json::parse_event_t::object_end) {
@@ -271,11 +278,18 @@ Json parsed_without_repeated_keys(std::string_view line) {
         } else if (event == Json::parse_event_t::key) {
             const std::string key = json.get<std::string>();
             if (!keys.back().insert(key).second) {
-                throw std::runtime_error(key + " is repeated");
+                throw std::runtime_error(shortened(key) + " is repeated");
             }
         }
         return true;
-    });
+    };
+    try {
+        return Json::parse(line, visit);
+    } catch (const Json::parse_error& error) {  // its words quote all that the parser has read
+        throw std::runtime_error("not JSON from byte " + std::to_string(error.byte) + " on");
+    } catch (const Json::exception&) {
+        throw std::runtime_error("not JSON: it has a number that no double holds");
+    }
 }
 
 }  // namespace
@@ -287,9 +301,7 @@ std::string to_json_line(const WalkResult& result) {
 WalkResult result_from_json_line(std::string_view line) {
     WalkResult result;
     try {
-        read(parsed_without_repeated_keys(line), "", result);
-    } catch (const Json::exception& error) {  // also for a number that no double holds
-        throw std::runtime_error(std::string("not a walk's result: not JSON: ") + error.what());
+        read(parsed(line), "", result);
     } catch (const std::runtime_error& error) {
         throw std::runtime_error(std::string("not a walk's result: ") + error.what());
     }
@@ -307,16 +319,20 @@ std::string to_header_line(const RunPlan& plan) {
 }
 
 std::optional<RunPlan> plan_from_header_line(std::string_view line) {
-    Json header = Json::parse(line, nullptr, false);
-    if (!header.is_object() || !header.contains(kHeaderKey)) {
+    if (scene::is_nested_deeply(line)) {
         return std::nullopt;
     }
-    if (header[kHeaderKey] != kHeaderVersion) {
+    const Json any = Json::parse(line, nullptr, false);
+    if (!any.is_object() || !any.contains(kHeaderKey)) {
+        return std::nullopt;
+    }
+    if (any[kHeaderKey] != kHeaderVersion) {
         throw std::runtime_error("a report of another version of campuswalk");
     }
-    header.erase(kHeaderKey);
     RunPlan plan;
     try {
+        Json header = parsed(line);
+        header.erase(kHeaderKey);
         read(header, "", plan);
     } catch (const std::runtime_error& error) {
         throw std::runtime_error(std::string("not a report's header: ") + error.what());

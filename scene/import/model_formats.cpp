@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "scene/base/why_unreadable.h"
 #include "scene/import/source/ply_header.h"
 #include "scene/import/source/scene_folder.h"
 
@@ -64,21 +65,13 @@ Reader reader_for(const SceneFile& file) {
 }
 
 void check_readable(const SceneFile& file) {
-    std::error_code ignored;
     // The full path: users may not expect that it is relative to the campus file.
     const std::string shown = "'" + file.path.lexically_normal().generic_string() + "': ";
-    const auto refuse = [&](const char* why) { throw InputError(file.mark, "missing-file", shown + why); };
-    if (!std::filesystem::exists(file.path, ignored)) {
-        refuse("no such file; check the path");
-    }
-    if (!std::filesystem::is_regular_file(file.path, ignored)) {
-        refuse("is not a file; name a model file");
-    }
-    std::ifstream in(file.path, std::ios::binary);
-    if (!in) {
-        refuse("cannot be read; check its permissions");
+    if (const std::string why = why_unreadable(file.path); !why.empty()) {
+        throw InputError(file.mark, "missing-file", shown + why);
     }
     if (lower_case(file.path.extension().string()) == ".ply") {
+        std::ifstream in(file.path, std::ios::binary);
         if (const std::string fault = ply_fault(in); !fault.empty()) {
             throw InputError(
                 file.mark, "bad-model",

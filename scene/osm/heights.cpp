@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "scene/base/why_unreadable.h"
+
 namespace campuswalk::scene::osm {
 namespace {
 
@@ -201,14 +203,14 @@ Grid read_srtm_tile(std::istream& in, std::uintmax_t size, const std::string& na
 }
 
 Grid read_grid(const std::filesystem::path& file, const SourceMark& mark) {
-    std::error_code error;
-    const std::uintmax_t size = std::filesystem::file_size(file, error);  // fails for a pipe
-    std::ifstream in;
-    if (!error) {
-        in.open(file, std::ios::binary);
+    if (const std::string why = why_unreadable(file); !why.empty()) {
+        throw InputError(mark, "missing-file", why);
     }
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(file, error);
+    std::ifstream in(file, std::ios::binary);
     if (error || !in) {
-        throw InputError(mark, "missing-file", "there is no such file, or it can't be read; check the path");
+        throw InputError(mark, "missing-file", "it can't be read");
     }
     const std::filesystem::path given = mark.file;  // `file` may be what a link of that name leads to
     const std::string extension = given.extension().string();

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <system_error>
+#include <string>
 #include <utility>
 
+#include "scene/base/why_unreadable.h"
 #include "scene/model/projection.h"
 #include "scene/osm/raw_map.h"
 
@@ -185,18 +186,13 @@ void check_size(const GeographicBox& box, const SourceMark& mark) {
     set_boxes(box, Projection(0.5 * (box.south + box.north), 0.5 * (box.west + box.east)), mark, ignored);
 }
 
-void check_file(const std::filesystem::path& file, const SourceMark& mark) {
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(file, error)) {
-        throw InputError(mark, "missing-file", "there is no such file; check the path");
-    }
-}
-
 }  // namespace
 
 Map read_map(const std::filesystem::path& file, const SourceMark& mark, const MapSection& section,
              DiagnosticList& warnings) {
-    check_file(file, mark);
+    if (const std::string why = why_unreadable(file); !why.empty()) {
+        throw InputError(mark, "missing-file", why);
+    }
     const std::optional<GeographicBox> chosen = box_of_section(section);
     std::optional<GeographicBox> box = chosen ? chosen : stated_bounds(file, mark);
     if (box) {

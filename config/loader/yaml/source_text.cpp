@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "scene/base/utf8.h"
+#include "scene/base/why_unreadable.h"
 
 namespace campuswalk::config {
 
@@ -15,25 +16,6 @@ using scene::utf8_length;
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-
-/// Why the path can't be read; empty if it can.
-std::string why_unreadable(const std::filesystem::path& path) {
-    std::error_code error;
-    const std::filesystem::file_status status = std::filesystem::status(path, error);
-    if (status.type() == std::filesystem::file_type::not_found) {
-        return "no such file; check the path";
-    }
-    if (error) {
-        return "cannot be read: " + error.message();
-    }
-    if (std::filesystem::is_directory(status)) {
-        return "is a folder, not a file";
-    }
-    if (!std::filesystem::is_regular_file(status)) {
-        return "is not a regular file";
-    }
-    return "";
-}
 
 /// An invalid character: where it is, and why it is invalid.
 struct TextFault {
@@ -106,7 +88,7 @@ std::optional<std::string> read_bytes(const std::filesystem::path& path, const S
         diagnostics.error(named_at, "missing-file", named_at.line > 0 ? "'" + shown + "': " + why : why);
         return std::nullopt;
     };
-    if (const std::string why = why_unreadable(path); !why.empty()) {
+    if (const std::string why = scene::why_unreadable(path); !why.empty()) {
         return missing(why);
     }
     std::error_code error;
@@ -119,7 +101,7 @@ std::optional<std::string> read_bytes(const std::filesystem::path& path, const S
     std::ifstream in(path, std::ios::binary);
     std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
     if (!in || in.bad()) {
-        return missing("cannot be read; check its permissions");
+        return missing("it can't be read");
     }
     return bytes;
 }

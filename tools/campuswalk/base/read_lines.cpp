@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "scene/base/why_unreadable.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 
 namespace campuswalk::tools {
@@ -15,24 +16,17 @@ namespace {
 
 constexpr std::uintmax_t kMostReserved = std::uintmax_t{1} << 26U;  // bytes
 
-scene::InputError unreadable(const std::filesystem::path& file) {
-    std::error_code ignored;
-    const std::filesystem::file_status status = std::filesystem::status(file, ignored);
-    return error_about(
-        file, "unreadable",
-        !std::filesystem::exists(status) ? "there is no such file"
-        : std::filesystem::is_other(status)
-            ? "it is a pipe, a socket or a device; write what it gives to a file, and name that"
-            : "the file can't be read");
-}
-
-/// Opening a pipe would wait for a writer, and a device may never end.
 std::ifstream open_file(const std::filesystem::path& file) {
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(file, ignored)) {
-        throw unreadable(file);
+    if (const std::string why = scene::why_unreadable(file); !why.empty()) {
+        throw error_about(file, "unreadable", why);
     }
     return std::ifstream(file, std::ios::binary);
+}
+
+void check_end(const std::ifstream& stream, const std::filesystem::path& file) {
+    if (!stream.eof()) {
+        throw error_about(file, "unreadable", "it can't be read to its end");
+    }
 }
 
 }  // namespace
@@ -43,9 +37,7 @@ std::vector<std::string> read_lines(const std::filesystem::path& file) {
     for (std::string line; std::getline(stream, line);) {
         lines.push_back(std::move(line));
     }
-    if (!stream.eof()) {
-        throw unreadable(file);
-    }
+    check_end(stream, file);
     return lines;
 }
 
@@ -61,9 +53,7 @@ std::string read_bytes(const std::filesystem::path& file) {
         stream.read(part.data(), part.size());
         bytes.append(part.data(), static_cast<std::size_t>(stream.gcount()));
     } while (stream);
-    if (!stream.eof()) {
-        throw unreadable(file);
-    }
+    check_end(stream, file);
     return bytes;
 }
 

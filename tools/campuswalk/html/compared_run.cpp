@@ -17,7 +17,7 @@ namespace {
 struct ResultIndex {
     struct Place {
         std::size_t file = 0;
-        std::streamoff offset = 0;
+        std::uintmax_t offset = 0;
     };
     std::vector<ResultFile> files;
     std::unordered_map<std::string, Place> places;  ///< by id
@@ -29,7 +29,7 @@ engine::ComparedRun open_compared_run(const fs::path& input, const fs::path& out
     const auto index = std::make_shared<ResultIndex>();
     index->files = open_result_files({input});
     for (std::size_t i = 0; i < index->files.size(); ++i) {
-        index->files[i].for_each_located([&](std::streamoff offset, const engine::WalkResult& result) {
+        index->files[i].for_each_located([&](std::uintmax_t offset, const engine::WalkResult& result) {
             index->places.try_emplace(result.id, ResultIndex::Place{i, offset});
         });
     }

@@ -1,32 +1,21 @@
 #include "tools/campuswalk/run/plan/case_times.h"
 
-#include <fstream>
-#include <system_error>
-
 #include "scene/base/diagnostic.h"
+#include "scene/base/json_depth.h"
+#include "tools/campuswalk/base/file_lines.h"
 #include "tools/campuswalk/base/json_text.h"
-#include "tools/campuswalk/base/report_diagnostics.h"
 
 namespace campuswalk::tools {
 
 namespace fs = std::filesystem;
 
 void add_case_times(const fs::path& file, CaseTimes& times) {
-    std::error_code ignored;
-    std::ifstream stream;
-    if (fs::is_regular_file(file, ignored)) {
-        stream.open(file, std::ios::binary);
-    }
-    if (!stream.is_open() || !stream) {
-        throw error_about(file, "missing-file", "no such file, or it can't be read; check the path");
-    }
-    std::string line;
-    for (int number = 1; std::getline(stream, line) && !stream.eof();
-         ++number) {  // the last may be cut short
-        const nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
+    FileLines lines(file);
+    while (const auto line = lines.next()) {
+        const auto json = scene::is_nested_deeply(*line) ? Json() : Json::parse(*line, nullptr, false);
         if (!json.is_object()) {
             throw scene::InputError(
-                {file.generic_string(), number, 1}, "bad-times",
+                {file.generic_string(), lines.number(), 1}, "bad-times",
                 "this isn't a line of JSON with a case's id and microseconds; name a run's "
                 "last-run.jsonl");
         }

@@ -12,6 +12,8 @@
 #include "engine/report/result_json.h"
 #include "scene/base/atomic_file.h"
 #include "scene/base/diagnostic.h"
+#include "scene/base/json_depth.h"
+#include "tools/campuswalk/base/file_lines.h"
 #include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/base/read_lines.h"
 #include "tools/campuswalk/run/plan/case_times.h"
@@ -50,6 +52,14 @@ std::string without_time(const std::string& object) {
     return timed ? "{" + object.substr(end + 1) : object;
 }
 
+std::string plan_of(const std::string& header) {
+    const Json json = scene::is_nested_deeply(header) ? Json() : Json::parse(header, nullptr, false);
+    if (!json.is_object() || !json.contains(kHeaderKey) || !json.at(kHeaderKey).is_string()) {
+        throw std::runtime_error("it doesn't begin as what a run has saved");
+    }
+    return json.at(kHeaderKey).get<std::string>();
+}
+
 }  // namespace
 
 std::optional<LastRun> read_last_run(const fs::path& file, const std::string& key) {
@@ -57,35 +67,24 @@ std::optional<LastRun> read_last_run(const fs::path& file, const std::string& ke
     if (!fs::is_regular_file(file, ignored)) {
         return std::nullopt;
     }
-    const std::string bytes = read_bytes(file);
+    FileLines lines(file);
     LastRun run;
     run.authentic = true;
-    int number = 0;
-    for (std::size_t start = 0; start < bytes.size();) {
-        const std::size_t end = bytes.find('\n', start);
-        if (end == std::string::npos) {
-            break;  // the line was cut short
-        }
-        const std::string line = bytes.substr(start, end - start);
-        ++number;
+    while (const auto line = lines.next()) {  // a last one that was cut short isn't a result
         try {
-            const std::string object = unsigned_line(line);
-            if (number == 1) {
-                run.plan = Json::parse(object).at(kHeaderKey).get<std::string>();
+            const std::string object = unsigned_line(*line);
+            if (lines.number() == 1) {
+                run.plan = plan_of(object);
             } else {
                 run.results.push_back(engine::result_from_json_line(without_time(object)));
             }
-            run.authentic = run.authentic && is_authentic(line, run.plan, key);
+            run.authentic = run.authentic && is_authentic(*line, run.plan, key);
         } catch (const std::exception& error) {
-            refuse(file, number, error.what());
+            refuse(file, lines.number(), error.what());
         }
-        start = end + 1;
-        run.whole_bytes = start;
     }
-    if (number == 0) {
-        return std::nullopt;
-    }
-    return run;
+    run.whole_bytes = lines.end();
+    return lines.number() > 0 ? std::optional(std::move(run)) : std::nullopt;
 }
 
 std::set<std::string> failed_ids(const LastRun& run) {

@@ -1,10 +1,5 @@
 #include "tools/campuswalk/run/results/result_file.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <fstream>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -14,7 +9,6 @@
 #include "engine/report/report_paths.h"
 #include "engine/report/result_json.h"
 #include "scene/base/diagnostic.h"
-#include "scene/process/pipe.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/walk_folder.h"
 #include "tools/campuswalk/run/results/signed_line.h"
@@ -34,23 +28,6 @@ scene::InputError about(const fs::path& file, int line, const std::string& messa
 
 scene::InputError about_line(const fs::path& file, int line, const std::exception& error) {
     return about(file, line, std::string(error.what()) + "; create the report again");
-}
-
-std::ifstream open_stream(const fs::path& file) {
-    std::error_code ignored;
-    if (!fs::is_regular_file(file, ignored)) {
-        throw error_about(file, "missing-file", "no such file; check the path");
-    }
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) {
-        throw error_about(file, "missing-file", "it can't be read; check its permissions");
-    }
-    return stream;
-}
-
-/// False at the end, and for a last line that was cut short.
-bool next_line(std::istream& stream, std::string& line) {
-    return static_cast<bool>(std::getline(stream, line)) && !stream.eof();
 }
 
 /// The line without its signature, which must be the key's if there is one.
@@ -94,14 +71,14 @@ std::string report_line(const std::string& object, const std::string& header,
 }
 
 std::optional<ResultFile> ResultFile::open(const fs::path& file, const std::optional<std::string>& key) {
-    std::ifstream stream = open_stream(file);
-    std::string line;
-    if (!next_line(stream, line)) {
+    FileLines lines(file);
+    const std::optional<std::string_view> line = lines.next();
+    if (!line) {
         return std::nullopt;
     }
     ResultFile report;
     report.file_ = file;
-    report.header_ = has_signature(line) ? unsigned_line(line) : line;
+    report.header_ = has_signature(*line) ? unsigned_line(*line) : std::string(*line);
     report.key_ = key;
     try {
         const std::optional<engine::RunPlan> plan = engine::plan_from_header_line(report.header_);
@@ -112,7 +89,7 @@ std::optional<ResultFile> ResultFile::open(const fs::path& file, const std::opti
     } catch (const std::runtime_error& error) {
         throw about_line(file, 1, error);
     }
-    opened(line, "", key, file, 1);
+    opened(*line, "", key, file, 1);
     return report;
 }
 
@@ -126,77 +103,33 @@ engine::WalkResult ResultFile::result_of(std::string_view line, int number) cons
 }
 
 std::size_t ResultFile::for_each(const ResultVisitor& visit) const {
-    return for_each_located([&](std::streamoff, engine::WalkResult&& result) { visit(std::move(result)); });
+    return for_each_located([&](std::uintmax_t, engine::WalkResult&& result) { visit(std::move(result)); });
 }
 
-engine::WalkResult ResultFile::read_at(std::streamoff offset) const {
-    std::ifstream stream = open_stream(file_);
-    std::string line;
-    stream.seekg(offset);
-    next_line(stream, line);
-    return result_of(line, 0);
+engine::WalkResult ResultFile::read_at(std::uintmax_t offset) const {
+    FileLines lines(file_, FileLines::kUsualBlock, offset);
+    return result_of(lines.next().value_or(""), 0);
 }
 
 std::size_t ResultFile::for_each_located(
-    const std::function<void(std::streamoff offset, engine::WalkResult&& result)>& visit) const {
-    std::ifstream stream = open_stream(file_);
-    std::string line;
-    next_line(stream, line);  // the header
+    const std::function<void(std::uintmax_t offset, engine::WalkResult&& result)>& visit) const {
+    FileLines lines(file_);
+    lines.next();  // the header
     std::size_t count = 0;
-    std::streamoff offset = stream.tellg();
-    for (int number = 2; next_line(stream, line);
-         ++number, ++count, offset += static_cast<std::streamoff>(line.size()) + 1) {
-        visit(offset, result_of(line, number));
+    for (; const auto line = lines.next(); ++count) {
+        visit(lines.begin(), result_of(*line, lines.number()));
     }
     return count;
 }
 
+ResultBlocks::ResultBlocks(const ResultFile& file, std::size_t block_bytes)
+    : file_(&file), lines_(file.file(), block_bytes) {
+    lines_.next();  // the header
+}
+
 std::optional<engine::WalkResult> ResultBlocks::next() {
-    std::optional<std::string_view> line = next_line();
-    if (line && line_ == 1) {  // the header
-        line = next_line();
-    }
-    if (!line) {
-        block_ = std::string();
-        used_ = 0;
-        return std::nullopt;
-    }
-    return file_->result_of(*line, line_);
-}
-
-std::optional<std::string_view> ResultBlocks::next_line() {
-    std::size_t searched = used_;
-    while (true) {
-        const std::size_t end = block_.find('\n', searched);
-        if (end != std::string::npos) {
-            const std::string_view line = std::string_view(block_).substr(used_, end - used_);
-            used_ = end + 1;
-            ++line_;
-            return line;
-        }
-        block_.erase(0, used_);
-        used_ = 0;
-        searched = block_.size();
-        if (!read_block()) {
-            return std::nullopt;
-        }
-    }
-}
-
-/// Fills the block up, or makes it longer for a line that doesn't fit.
-bool ResultBlocks::read_block() {
-    const scene::Descriptor file(::open(file_->file().c_str(), O_RDONLY | O_CLOEXEC));
-    const std::size_t before = block_.size();
-    block_.resize(before < block_bytes_ / 2 ? block_bytes_ : before + block_bytes_);
-    const ssize_t count =
-        file.open() ? ::pread(file.number(), block_.data() + before, block_.size() - before, offset_) : -1;
-    if (count < 0) {
-        throw error_about(file_->file(), "missing-file",
-                          "it can't be read any more: " + std::generic_category().message(errno));
-    }
-    block_.resize(before + static_cast<std::size_t>(count));
-    offset_ += count;
-    return count > 0;
+    const std::optional<std::string_view> line = lines_.next();
+    return line ? std::optional(file_->result_of(*line, lines_.number())) : std::nullopt;
 }
 
 std::vector<ResultFile> open_result_files(const std::vector<fs::path>& inputs,

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <ios>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,6 +11,7 @@
 
 #include "engine/report/run_plan.h"
 #include "engine/report/walk_result.h"
+#include "tools/campuswalk/base/file_lines.h"
 
 namespace campuswalk::tools {
 
@@ -26,8 +27,8 @@ std::string report_line(const std::string& object, const std::string& header,
 class ResultFile {
 public:
     /// nullopt if the file isn't such a report. With a key, every line must have been signed with it. Throws
-    /// scene::InputError: missing-file; bad-report for a header of another version; foreign-results for a
-    /// header that wasn't signed with the key.
+    /// scene::InputError: missing-file, long-line; bad-report for a header of another version;
+    /// foreign-results for a header that wasn't signed with the key.
     static std::optional<ResultFile> open(const std::filesystem::path& file,
                                           const std::optional<std::string>& key = {});
 
@@ -35,14 +36,14 @@ public:
     const engine::RunPlan& plan() const { return plan_; }
 
     /// Calls `visit` for each result, in the file's order, and returns how many there are. A last line that
-    /// was cut short doesn't count. Throws scene::InputError at a line that isn't a result (bad-report) or
-    /// wasn't signed with the key (foreign-results).
+    /// was cut short doesn't count. Throws scene::InputError at a line that isn't a result (bad-report), is
+    /// too long (long-line) or wasn't signed with the key (foreign-results).
     std::size_t for_each(const ResultVisitor& visit) const;
     /// The same, with where each result is in the file, bytes.
     std::size_t for_each_located(
-        const std::function<void(std::streamoff offset, engine::WalkResult&& result)>& visit) const;
+        const std::function<void(std::uintmax_t offset, engine::WalkResult&& result)>& visit) const;
     /// The result at such an offset.
-    engine::WalkResult read_at(std::streamoff offset) const;
+    engine::WalkResult read_at(std::uintmax_t offset) const;
 
 private:
     friend class ResultBlocks;
@@ -60,23 +61,14 @@ private:
 class ResultBlocks {
 public:
     /// `file` must live as long as this.
-    ResultBlocks(const ResultFile& file, std::size_t block_bytes) : file_(&file), block_bytes_(block_bytes) {}
+    ResultBlocks(const ResultFile& file, std::size_t block_bytes);
 
     /// nullopt at the end; a last line that was cut short doesn't count. Throws as ResultFile::for_each.
     std::optional<engine::WalkResult> next();
 
 private:
-    /// The next line, without its end; nullopt at the end.
-    std::optional<std::string_view> next_line();
-    /// False at the end of the file.
-    bool read_block();
-
     const ResultFile* file_;
-    std::size_t block_bytes_;
-    std::string block_;
-    std::size_t used_ = 0;       ///< bytes of the block that have been handed out
-    std::streamoff offset_ = 0;  ///< of what follows the block
-    int line_ = 0;
+    FileLines lines_;
 };
 
 /// The reports among the inputs and, of folders, in them and below; at least one of each input. Throws
