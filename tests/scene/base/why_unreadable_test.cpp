@@ -12,7 +12,7 @@
 namespace campuswalk::scene {
 namespace {
 
-TEST(WhyUnreadable, TellsWhatStandsInTheWay) {
+TEST(WhyUnreadable, NamesTheObstacle) {
     const support::TemporaryFolder folder;
     folder.write("file.txt", "text");
     std::filesystem::create_symlink("missing.txt", folder.path() / "link.txt");
@@ -21,7 +21,8 @@ TEST(WhyUnreadable, TellsWhatStandsInTheWay) {
     EXPECT_EQ(why_unreadable(folder.path() / "missing.txt"), "no such file; check the path");
     EXPECT_EQ(why_unreadable(folder.path() / "link.txt"), "no such file; check the path");
     EXPECT_EQ(why_unreadable(folder.path()), "it is a folder; name a file");
-    for (const std::filesystem::path& endless : {folder.path() / "pipe", std::filesystem::path("/dev/zero")}) {
+    for (const std::filesystem::path& endless :
+         {folder.path() / "pipe", std::filesystem::path("/dev/zero")}) {
         EXPECT_EQ(why_unreadable(endless),
                   "it is a pipe, a socket or a device; write what it gives to a file, and name that");
     }
