@@ -34,10 +34,11 @@ FileStream create(const fs::path& file) {
 bool make_room(const fs::path& file) {
     if (errno == EEXIST) {
         struct stat status {};
-        const bool is_ours =
-            lstat(file.c_str(), &status) == 0 && (S_ISREG(status.st_mode) || S_ISLNK(status.st_mode));
-        errno = EEXIST;
-        return is_ours && unlink(file.c_str()) == 0;
+        if (lstat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISLNK(status.st_mode)) {
+            errno = EEXIST;
+            return false;
+        }
+        return unlink(file.c_str()) == 0 || errno == ENOENT;
     }
     std::error_code error;
     if (errno == ENOENT && file.has_parent_path()) {
@@ -85,10 +86,12 @@ bool is_below(const fs::path& path, const fs::path& folder) {
 }  // namespace
 
 FileStream open_new_file(const fs::path& file) {
+    constexpr int kMostTries = 1000;  // other processes may write the same file
     FileStream stream = create(file);
-    if (!stream && make_room(file)) {
+    for (int tries = 0; !stream && tries < kMostTries && make_room(file); ++tries) {
         stream = create(file);
-    } else if (!stream && (errno == EACCES || errno == EPERM || errno == EBUSY || errno == EROFS)) {
+    }
+    if (!stream && (errno == EACCES || errno == EPERM || errno == EBUSY || errno == EROFS)) {
         stream = empty_in_place(file);
     }
     if (!stream) {

@@ -6,9 +6,11 @@
 #include <csignal>
 #include <cstdio>
 #include <fstream>
+#include <future>
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -45,6 +47,23 @@ TEST(NewFile, ReplacesALinkInsteadOfFollowingIt) {
     }
     EXPECT_EQ(contents_of(folder.path() / "precious.txt"), "precious");
     EXPECT_FALSE(fs::exists(folder.path() / "missing.txt"));
+}
+
+TEST(NewFile, IsWrittenByManyAtOnce) {
+    const support::TemporaryFolder folder;
+    const auto write_often = [&] {
+        for (int i = 0; i < 500; ++i) {
+            write_new_file(folder.path() / "new" / "same.txt", "whole");
+        }
+    };
+    std::vector<std::future<void>> writers;
+    for (int i = 0; i < 4; ++i) {
+        writers.push_back(std::async(std::launch::async, write_often));
+    }
+    for (std::future<void>& writer : writers) {
+        EXPECT_NO_THROW(writer.get());
+    }
+    EXPECT_EQ(contents_of(folder.path() / "new" / "same.txt"), "whole");
 }
 
 TEST(NewFile, ReplacesAFileThatHasAnotherName) {
