@@ -348,6 +348,21 @@ class Artifacts(TwoShards):
         self.write("artifacts/walks-2/a/trajectory.csv", "forged\n")
         self.assert_merge_refused("artifacts/walks-2/a/trajectory.csv: error foreign-results:")
 
+    def test_a_refused_merge_leaves_no_file(self):
+        results = self.read("artifacts/walks-2/results-2.jsonl")
+        for name in ("results.jsonl", "junit.xml", "report.html"):
+            self.write("artifacts/walks-2/" + name, "planted\n")
+            self.write("artifacts/walks-2/results-2.jsonl", results.replace(b'"path":"b/trajectory.csv"', f'"path":"{name}"'.encode()))
+            self.assert_merge_refused(f"artifacts/walks-2/results-2.jsonl: error foreign-results: b.walk.yaml {name}")
+            self.assertFalse(os.path.exists(self.path("all")))
+
+    def test_of_the_folder_of_campuses_only_campuses_are_copied(self):
+        names = ("school-0.json", "school-0.glb.gz", ".hidden.json", "run.sh", "page.html", "school.glb")
+        for name in names:
+            self.write("artifacts/walks-1/campuses/" + name, name)
+        self.assertEqual(self.merged().code, 0)
+        self.assertEqual(sorted(os.listdir(self.path("all/campuses"))), ["school-0.glb.gz", "school-0.json"])
+
     def test_the_output_has_no_links_nor_what_came_with_a_checkout(self):
         self.write("all/junit.xml", "planted\n")
         self.assert_merge_refused("all/junit.xml: error foreign-output:", CI="true")

@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <set>
@@ -68,24 +70,71 @@ void gather(const std::vector<ShardArtifact>& artifacts, const std::filesystem::
     }
 }
 
-/// Merges the reports of a run's shards. Returns the exit code that the whole run would have had, but none
-/// that means success if something is missing.
-int merge_reports(const MergeOptions& options) {
-    const std::optional<std::string> key = key_to_demand();
-    const std::optional<MergeOfTasks> tasks =
-        options.slurm_job ? std::optional(merge_of_tasks(*options.slurm_job, options.inputs, key))
-                          : std::nullopt;
+/// What the shards of a run have found.
+struct Shards {
+    std::vector<ShardArtifact> artifacts;  ///< with --artifacts
+    MergedRun run;
+    std::vector<std::string> problems;  ///< for which the run can't pass
+    bool has_lost_tasks = false;        ///< tasks of --slurm that didn't come to their end
+};
+
+Shards open_shards(const MergeOptions& options, const std::optional<std::string>& key) {
+    if (options.slurm_job) {
+        MergeOfTasks tasks = merge_of_tasks(*options.slurm_job, options.inputs, key);
+        const bool has_lost_tasks = !tasks.problems.empty();
+        std::vector<std::string> problems = std::move(tasks.problems);
+        std::ranges::copy(tasks.run.problems(), std::back_inserter(problems));
+        return {{}, std::move(tasks.run), std::move(problems), has_lost_tasks};
+    }
     std::vector<ShardArtifact> artifacts;
     if (options.artifacts) {
         artifacts = open_shard_artifacts(*options.artifacts, key);
     }
-    const MergedRun merged =
-        tasks ? tasks->run
-              : MergedRun(options.artifacts ? results_of(artifacts) : open_result_files(options.inputs, key));
-    std::vector<std::string> problems = merged.problems();
-    if (tasks) {
-        problems.insert(problems.begin(), tasks->problems.begin(), tasks->problems.end());
+    MergedRun run(options.artifacts ? results_of(artifacts) : open_result_files(options.inputs, key));
+    std::vector<std::string> problems = run.problems();
+    return {std::move(artifacts), std::move(run), std::move(problems)};
+}
+
+engine::ReportStyle style_of(const MergeOptions& options, const engine::RunPlan& plan, bool color) {
+    engine::ReportStyle style{color, options.quiet};
+    style.start = plan.start;
+    style.folder = engine::path_in_repository(start_in_repository(environment_variable),
+                                              as_seen_from_here(options.output).generic_string());
+    style.images_url = options.images_url;
+    if (!style.images_url.empty() && !style.images_url.ends_with('/')) {
+        style.images_url += '/';
     }
+    return style;
+}
+
+HtmlRequest html_request(const MergeOptions& options, const Shards& shards) {
+    HtmlRequest html;
+    html.output = as_seen_from_here(options.output);
+    html.title = title_of_inputs(options.artifacts ? std::vector{*options.artifacts} : options.inputs);
+    html.problems = shards.problems;
+    html.start = shards.run.plan().start;
+    return html;
+}
+
+/// Reports the run once more, as a whole. Returns the outcomes of its walks.
+std::set<engine::Outcome> report(const MergedRun& run, Reports& reports) {
+    reports.begin(run.plan());
+    std::set<engine::Outcome> outcomes;
+    run.for_each([&](engine::WalkResult&& result) {
+        reports.result(result);
+        outcomes.insert(result.outcome);
+    });
+    reports.end(engine::ResultSequence([&](const engine::ResultSequence::Visit& visit) {
+        run.for_each([&](engine::WalkResult&& result) { visit(result); });
+    }));
+    return outcomes;
+}
+
+/// Merges the reports of a run's shards. Returns the exit code that the whole run would have had, but none
+/// that means success if something is missing.
+int merge_reports(const MergeOptions& options) {
+    const std::optional<std::string> key = key_to_demand();
+    const Shards shards = open_shards(options, key);
     RunOptions run;
     run.reporters = options.reporters;
     run.color = options.color;
@@ -95,43 +144,24 @@ int merge_reports(const MergeOptions& options) {
     if (options.artifacts) {
         output.emplace(options.output, run_key(environment_variable),
                        OutputFolder::Tolerance());  // no file of anybody else's is replaced
-        gather(artifacts, options.output);
+        gather(shards.artifacts, options.output);
     }
-    HtmlRequest html;
-    html.output = as_seen_from_here(options.output);
-    html.title = title_of_inputs(options.artifacts ? std::vector{*options.artifacts} : options.inputs);
-    html.problems = problems;
-    engine::ReportStyle style{settings.color, options.quiet};
-    style.start = merged.plan().start;
-    style.folder =
-        engine::path_in_repository(start_in_repository(environment_variable), html.output.generic_string());
-    style.images_url = options.images_url;
-    if (!style.images_url.empty() && !style.images_url.ends_with('/')) {
-        style.images_url += '/';
-    }
-    html.start = style.start;
+    const HtmlRequest html = html_request(options, shards);
+    engine::ReportStyle style = style_of(options, shards.run.plan(), settings.color);
     style.html = [&html](engine::TextSink sink) { return make_html_reporter(html, std::move(sink)); };
     Reports reports(settings.reports, style, false, key);
-    reports.begin(merged.plan());
-    std::set<engine::Outcome> outcomes;
-    merged.for_each([&](engine::WalkResult&& result) {
-        reports.result(result);
-        outcomes.insert(result.outcome);
-    });
-    reports.end(engine::ResultSequence([&](const engine::ResultSequence::Visit& visit) {
-        merged.for_each([&](engine::WalkResult&& result) { visit(result); });
-    }));
+    const std::set<engine::Outcome> outcomes = report(shards.run, reports);
     if (output) {
         output->save_list(1);
     }
-    for (const std::string& problem : problems) {
+    for (const std::string& problem : shards.problems) {
         print_error_line(problem);
     }
-    if (tasks && !tasks->problems.empty()) {
+    if (shards.has_lost_tasks) {
         return kRunFailed;  // who knows what else they would have found; also if they were interrupted
     }
     const int code = exit_code_of(outcomes);
-    return code == kPass && !problems.empty() ? kExpectationFailed : code;
+    return code == kPass && !shards.problems.empty() ? kExpectationFailed : code;
 }
 
 }  // namespace

@@ -46,38 +46,51 @@ std::multimap<int, fs::path> numbered_folders(const fs::path& folder) {
     return folders;
 }
 
+/// Whether a file of this name can be what html reports show of a campus.
+bool is_bundle(std::string_view name) {
+    return !name.starts_with('.') && (name.ends_with(".json") || name.ends_with(".glb.gz"));
+}
+
 std::vector<std::string> bundles_in(const fs::path& folder) {
     std::vector<std::string> bundles;
     std::error_code error;
     for (fs::directory_iterator entry(folder / kBundleFolder, error), end; !error && entry != end;
          entry.increment(error)) {
-        bundles.push_back(kBundleFolder + ("/" + entry->path().filename().string()));
+        if (const std::string name = entry->path().filename(); is_bundle(name)) {
+            bundles.push_back(kBundleFolder + ("/" + name));
+        }
     }
     return bundles;
 }
 
-/// Copies files into a folder, of which each name is taken once.
+/// Which files are to be copied, and each from where.
 class Gathering {
 public:
-    explicit Gathering(const fs::path& output) : output_(output) {}
-
-    void add(const fs::path& from, const std::string& path) {
-        const std::optional<std::string> bytes = read_below(from, path);
+    void add(const fs::path& folder, const std::string& path) {
+        const std::optional<std::string> bytes = read_below(folder, path);
         if (!bytes) {
             ++missing_;
-        } else if (taken_.insert(path).second) {
-            scene::write_new_file(output_ / path, *bytes);
-        } else if (read_below(output_, path) != bytes) {
+            return;
+        }
+        const auto [first, is_new] = folders_.emplace(path, folder);
+        if (!is_new && read_below(first->second, path) != bytes) {
             throw error_about(
-                from / path, "foreign-results",
+                folder / path, "foreign-results",
                 "another shard's artifact has a different file of this name; run the shards again");
+        }
+    }
+
+    void copy_to(const fs::path& output) const {
+        for (const auto& [path, folder] : folders_) {
+            if (const std::optional<std::string> bytes = read_below(folder, path)) {
+                scene::write_new_file(output / path, *bytes);
+            }
         }
     }
     std::size_t missing() const { return missing_; }
 
 private:
-    const fs::path& output_;
-    std::set<std::string> taken_;
+    std::map<std::string, fs::path> folders_;
     std::size_t missing_ = 0;
 };
 
@@ -113,10 +126,15 @@ std::vector<ShardArtifact> open_shard_artifacts(const fs::path& folder,
 }
 
 std::size_t gather_files(const std::vector<ShardArtifact>& artifacts, const fs::path& output) {
-    Gathering gathering(output);
+    Gathering gathering;
     for (const ShardArtifact& artifact : artifacts) {
         artifact.results.for_each([&](engine::WalkResult&& result) {
             for (const engine::Artifact& file : result.artifacts) {
+                if (file.path.find('/') == std::string::npos) {  // where the merged reports go
+                    throw error_about(artifact.results.file(), "foreign-results",
+                                      result.file + " has \"" + file.path +
+                                          "\" among its files, and walks write to folders of their own");
+                }
                 gathering.add(artifact.folder, file.path);
             }
         });
@@ -124,6 +142,7 @@ std::size_t gather_files(const std::vector<ShardArtifact>& artifacts, const fs::
             gathering.add(artifact.folder, bundle);
         }
     }
+    gathering.copy_to(output);
     return gathering.missing();
 }
 

@@ -28,7 +28,8 @@ std::vector<ShardArtifact> open_shard_artifacts(const std::filesystem::path& fol
 
 /// Copies the files that results name, and the bundles of campuses, from each shard's artifact into `output`;
 /// no other file, and none through a link. Returns how many of them aren't there. Throws scene::InputError
-/// (foreign-results) when two shards have different files of one name.
+/// (foreign-results), before anything is copied, when two shards have different files of one name or a walk
+/// names a file that isn't in a folder.
 std::size_t gather_files(const std::vector<ShardArtifact>& artifacts, const std::filesystem::path& output);
 
 }  // namespace campuswalk::tools
