@@ -1,6 +1,8 @@
 #include "scene/campus/campus.h"
 
 #include <algorithm>
+#include <atomic>
+#include <cstdint>
 #include <exception>
 #include <iterator>
 #include <map>
@@ -39,18 +41,30 @@ struct ImportedScenes {
     std::vector<Diagnostic> texture_warnings;
 };
 
-ImportedScenes import_scenes(const std::vector<SceneFile>& files, DiagnosticList& diagnostics,
+/// Once the models take more than they may, no other is imported.
+ImportedScenes import_scenes(const CampusDescription& campus, DiagnosticList& diagnostics,
                              std::vector<Diagnostic>& warnings, const Importer& importer,
                              const CacheFolder* cache, std::size_t imports_at_once) {
+    const std::vector<SceneFile>& files = campus.scenes;
+    std::atomic<std::uint64_t> bytes = 0;
     std::vector<LoadedModel> models(files.size());
     std::vector<std::exception_ptr> failures(files.size());
     parallel_for(files.size(), imports_at_once, [&](std::size_t i) {
+        if (bytes > kMaxModelBytes) {
+            return;
+        }
         try {
             models[i] = load_model(files[i], EmptyModel::refuse, importer, cache);
+            bytes += count_bytes(models[i].imported.model);
         } catch (...) {
             failures[i] = std::current_exception();
         }
     });
+    if (bytes > kMaxModelBytes) {
+        throw InputError(campus.mark, "too-large-models",
+                         "the campus's models take more than " + std::to_string(kMaxModelBytes >> 30U) +
+                             " GB of memory together; use smaller textures, or fewer or simpler models");
+    }
     ImportedScenes scenes;
     for (std::size_t i = 0; i < files.size(); ++i) {
         try {
@@ -242,7 +256,7 @@ Campus load_campus(CampusDescription description, std::unique_ptr<collision::Bro
                              std::to_string(kMaxScenes));
     }
     ImportedScenes scenes =
-        import_scenes(description.scenes, diagnostics, warnings, importer, cache, imports_at_once);
+        import_scenes(description, diagnostics, warnings, importer, cache, imports_at_once);
     diagnostics.throw_if_errors();  // without the scenes no glob would match
 
     Campus campus{

@@ -17,6 +17,20 @@ std::size_t count_triangles(const Model& model) {
     return count;
 }
 
+std::uint64_t count_bytes(const Model& model) {
+    const auto bytes = [](const auto&... arrays) {
+        return (std::uint64_t{0} + ... + (arrays.size() * sizeof(arrays[0])));
+    };
+    std::uint64_t count = 0;
+    for (const Mesh& mesh : model.meshes) {
+        count += bytes(mesh.positions, mesh.normals, mesh.uvs, mesh.colors, mesh.triangles);
+    }
+    for (const Texture& texture : model.textures) {
+        count += bytes(texture.rgba);
+    }
+    return count;
+}
+
 std::optional<std::size_t> find_node_beyond(const Model& model, double most) {
     std::vector<Bounds> bounds(model.meshes.size());
     for (std::size_t i = 0; i < bounds.size(); ++i) {

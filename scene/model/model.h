@@ -111,6 +111,8 @@ struct Bounds {
 /// Triangles as drawn: a mesh with three instances counts three times.
 std::size_t count_triangles(const Model& model);
 Bounds world_bounds(const Model& model);
+/// What its meshes and textures take in memory.
+std::uint64_t count_bytes(const Model& model);
 
 /// The first node with a mesh that reaches farther than `most` metres along an axis; none on any real campus.
 std::optional<std::size_t> find_node_beyond(const Model& model, double most);

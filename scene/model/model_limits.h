@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 namespace campuswalk::scene {
 
@@ -11,6 +12,9 @@ inline constexpr std::size_t kMaxScenes = 1'000;     ///< of a campus
 inline constexpr std::size_t kMaxNodes = 1'000'000;  ///< of a model, each instance one
 inline constexpr std::size_t kMaxTriangles =
     50'000'000;  ///< placed by a model, and in the colliders of a campus
+
+/// Of all models of a campus, in memory, bytes.
+inline constexpr std::uint64_t kMaxModelBytes = std::uint64_t{8} << 30U;
 
 inline constexpr double kMaxReach = 1e11;  ///< of a model's nodes, metres: 100 million km
 

@@ -1,5 +1,10 @@
 #include "scene/campus/campus.h"
 
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
@@ -255,6 +260,39 @@ TEST_F(CampusTest, WarnsAboutZeroAreaTriangles) {
     add("sliver", MeshShape{}, {"sliver"});
     load();
     EXPECT_TRUE(has_code(warnings_, "zero-area")) << text_of(warnings_);
+}
+
+/// Of 1 GB each, which is the same memory for all.
+TEST_F(CampusTest, RefusesModelsThatTakeTooMuchMemoryTogether) {
+    constexpr int kSide = 1 << 14;
+    const std::shared_ptr<const std::uint8_t[]> pixels(new std::uint8_t[std::size_t{4} * kSide * kSide]);
+    Model model;
+    model.textures = {{.name = "large",
+                       .width = kSide,
+                       .height = kSide,
+                       .rgba = {{pixels.get(), std::size_t{4} * kSide * kSide}, pixels}}};
+    description_.buildings.clear();
+    std::atomic<int> imported = 0;
+    const auto load = [&](std::size_t scenes, std::size_t at_once) {
+        imported = 0;
+        description_.scenes.resize(scenes, description_.scenes.front());
+        load_campus(
+            description_, std::make_unique<collision::LinearBroadPhase>(), warnings_,
+            [&](const auto&...) {
+                ++imported;
+                ImportedModel result;
+                result.model = model;
+                return result;
+            },
+            nullptr, at_once);
+    };
+    load(8, 1);
+    EXPECT_EQ(imported, 8);
+    for (const std::size_t at_once : {std::size_t{1}, std::size_t{4}}) {
+        const std::vector<Diagnostic> errors = test::errors_of([&] { load(100, at_once); });
+        EXPECT_THAT(text_of(errors), says("demo.campus.yaml:1:9: error too-large-models", {"8 GB"}));
+        EXPECT_LE(imported, 8 + static_cast<int>(at_once));
+    }
 }
 
 }  // namespace
