@@ -40,12 +40,12 @@ std::optional<SourceMark> Evaluator::undecided() const {
 
 std::optional<Failure> Evaluator::failure(bool ended, const StateSnapshot& now) const {
     const Finding found = finding(ended);
-    if (found.holds != negated_) {
+    std::optional<std::string> code = failure_code(found, name_, negated_);
+    if (!code) {
         return std::nullopt;
     }
-    const std::string name(name_);
-    return Failure{found.mark, negated_ ? "not-" + name : name,
-                   negated_ ? "not expected, but " + found.message : found.message,
+    const bool is_unwanted = negated_ && found.lack.empty();
+    return Failure{found.mark, std::move(*code), (is_unwanted ? "not expected, but " : "") + found.message,
                    scene_of(found.when.value_or(now), *campus_, *avatar_)};
 }
 

@@ -50,6 +50,16 @@ PossibleVerdicts possible(const Limits<Number>& limits, const Interval& numbers,
 
 }  // namespace
 
+std::optional<std::string> failure_code(const Finding& found, std::string_view name, bool negated) {
+    if (!found.lack.empty()) {
+        return std::string(found.lack);
+    }
+    if (found.holds != negated) {
+        return std::nullopt;
+    }
+    return (negated ? "not-" : "") + std::string(name);
+}
+
 std::string describe(const Event& event, double time) {
     return std::string(name_of(event.kind)) + " " + event.object + " " + at_time(time);
 }

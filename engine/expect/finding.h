@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "engine/events/event.h"
 #include "engine/expect/state_snapshot.h"
@@ -21,6 +22,9 @@ struct Finding {
     std::string message;                ///< one line
     std::optional<StateSnapshot> when;  ///< when it was decided; none: not before the end
     bool can_change = false;            ///< had the walk gone on, it might have turned out differently
+    /// Set if it isn't known whether it holds: the code of what is lacking, see is_lack(). Then the
+    /// expectation fails, and so does its `not`.
+    std::string_view lack = {};
 };
 
 /// What an expectation's verdict can be in some walk with these steps on this campus, or on one that differs
@@ -53,6 +57,9 @@ struct EvaluatorContext {
 /// A copy continues independently.
 template <typename Expected>
 class EvaluatorOf;
+
+/// The code of the failure that a finding is for an expectation of this name; nullopt if it is none.
+std::optional<std::string> failure_code(const Finding& found, std::string_view name, bool negated);
 
 // How findings are worded.
 

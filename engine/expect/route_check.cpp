@@ -1,3 +1,4 @@
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,27 +18,40 @@ namespace {
 /// A route, or why there is none.
 struct FoundRoute {
     std::optional<Route> route;
-    std::string why_not;
+    UnreachableReason why_not;
     RouteSettings settings;
 };
 
 template <typename Expected>
-FoundRoute find_route(const Expected& expected, const EvaluatorContext& context) {
+FoundRoute find_route(const Expected& expected, const EvaluatorContext& context,
+                      std::optional<std::size_t> max_nodes) {
     FoundRoute found;
     found.settings = route_settings(context.campus, expected.avatar.value_or(context.avatar), nullptr);
+    found.settings.max_nodes = max_nodes.value_or(found.settings.max_nodes);
     const auto body =
         body_at(route_start(expected.from, context.campus.description), context.campus, found.settings);
     if (!body) {
-        found.why_not = "the avatar doesn't fit at " + expected.from.label;
+        found.why_not.text = "the avatar doesn't fit at " + expected.from.label;
         return found;
     }
     auto answer = route_or_reason(context.campus, found.settings, {*body, {expected.to}});
     if (auto* route = std::get_if<Route>(&answer)) {
         found.route = std::move(*route);
     } else {
-        found.why_not = std::get<UnreachableReason>(answer).text;
+        found.why_not = std::get<UnreachableReason>(std::move(answer));
     }
     return found;
+}
+
+template <typename Expected>
+Finding no_route(const Expected& expected, const UnreachableReason& why) {
+    const std::string there = expected.to.label + " from " + expected.from.label + ": " + why.text;
+    Finding finding{false, expected.mark, "no route leads to " + there, {}};
+    if (why.incomplete) {
+        finding.lack = kRouteUnknown;
+        finding.message = "it isn't known whether a route leads to " + there;
+    }
+    return finding;
 }
 
 std::string at_text(const Vec3& p) {
@@ -63,24 +77,24 @@ std::string violation(const ExpectRoute& expected, const Route& route, const Rou
 
 }  // namespace
 
-Finding check_route(const ExpectReachable& expected, const EvaluatorContext& context) {
-    const FoundRoute found = find_route(expected, context);
-    const std::string there = expected.to.label + " from " + expected.from.label;
-    return {found.route.has_value(),
+Finding check_route(const ExpectReachable& expected, const EvaluatorContext& context,
+                    std::optional<std::size_t> max_nodes) {
+    const FoundRoute found = find_route(expected, context, max_nodes);
+    if (!found.route) {
+        return no_route(expected, found.why_not);
+    }
+    return {true,
             expected.mark,
-            found.route ? "a route of " + in_metres(found.route->length()) + " leads to " + there
-                        : "no route leads to " + there + ": " + found.why_not,
+            "a route of " + in_metres(found.route->length()) + " leads to " + expected.to.label + " from " +
+                expected.from.label,
             {}};
 }
 
-Finding check_route(const ExpectRoute& expected, const EvaluatorContext& context) {
-    const FoundRoute found = find_route(expected, context);
+Finding check_route(const ExpectRoute& expected, const EvaluatorContext& context,
+                    std::optional<std::size_t> max_nodes) {
+    const FoundRoute found = find_route(expected, context, max_nodes);
     if (!found.route) {
-        return {
-            false,
-            expected.mark,
-            "no route leads to " + expected.to.label + " from " + expected.from.label + ": " + found.why_not,
-            {}};
+        return no_route(expected, found.why_not);
     }
     const RouteFacts facts =
         facts_of(*found.route, context.campus.world, found.settings.strides.body, found.settings.solids);

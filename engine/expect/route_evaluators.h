@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
+
 #include "engine/expect/finding.h"
 #include "engine/script/travel.h"
 
@@ -9,10 +12,13 @@ namespace campuswalk::engine {
 // first tick, with every object enabled, by a body of the expectation's or the walk's avatar that is put down
 // at the first target.
 
-/// Whether there is a route, and why not if there is none.
-Finding check_route(const ExpectReachable& expected, const EvaluatorContext& context);
+/// Whether there is a route, and why not if there is none. Without `max_nodes`, as many are explored as
+/// RouteSettings allows; if that isn't all, the finding has a lack.
+Finding check_route(const ExpectReachable& expected, const EvaluatorContext& context,
+                    std::optional<std::size_t> max_nodes = {});
 /// Whether the route is as expected: length, width and slope.
-Finding check_route(const ExpectRoute& expected, const EvaluatorContext& context);
+Finding check_route(const ExpectRoute& expected, const EvaluatorContext& context,
+                    std::optional<std::size_t> max_nodes = {});
 
 /// What holds from the start on.
 template <typename Expected>

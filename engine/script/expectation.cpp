@@ -18,7 +18,7 @@ std::vector<std::string> plain_names(std::index_sequence<index...>) {
 
 bool is_lack(std::string_view code) {
     return code == kGoldenMissing || code == kGoldenUnreadable || code == kSnapshotMissing ||
-           code == kNotEvaluated;
+           code == kNotEvaluated || code == kRouteUnknown;
 }
 
 std::vector<std::string> failure_codes() {

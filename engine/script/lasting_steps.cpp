@@ -2,11 +2,14 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <string_view>
 
 #include "collision/geometry/trigonometry.h"
 #include "collision/mover/mover_settings.h"
 #include "engine/events/decimals.h"
 #include "engine/script/event_pattern.h"
+#include "engine/script/expectation.h"
 #include "engine/script/player.h"
 #include "engine/script/travel.h"
 
@@ -192,12 +195,15 @@ void ScriptPlayer::intend(const GoToStep& step, const AvatarState& avatar, Inten
 
 template <>
 std::optional<StepEnd> ScriptPlayer::end_of(const GoToStep& step, const AvatarState& avatar) {
-    const auto fatal = [&](const char* code, const std::string& why) {
-        return StepEnd{std::nullopt, nullptr, &step.mark, nullptr,
-                       0.0,          true,    code,       "go_to " + step.target.label + why};
+    const auto fatal = [&](std::string_view code, const std::string& why) {
+        return StepEnd{std::nullopt, nullptr, &step.mark,        nullptr,
+                       0.0,          true,    std::string(code), "go_to " + step.target.label + why};
     };
     if (!route_.why_not.empty()) {
-        StepEnd end = fatal("unreachable", " can't be reached: " + route_.why_not);
+        StepEnd end =
+            route_.incomplete
+                ? fatal(kRouteUnknown, ": it isn't known whether a route leads there: " + route_.why_not)
+                : fatal("unreachable", " can't be reached: " + route_.why_not);
         end.at = route_.why_at;
         return end;
     }

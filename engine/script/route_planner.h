@@ -15,6 +15,7 @@ struct PlannedRoute {
     Route route;
     std::string why_not;                         ///< there is none, and this is why; empty: there is one
     std::optional<Eigen::Vector3d> why_at = {};  ///< where that was found
+    bool incomplete = false;                     ///< none was found, but not everything was searched
 };
 
 /// Where a script's player gets its routes from: what knows where exactly the avatar is, its body and the

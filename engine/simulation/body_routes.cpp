@@ -72,7 +72,7 @@ PlannedRoute BodyRoutes::plan_anew(const GoToStep& step, RouteSettings settings)
         return {std::move(*route), ""};
     }
     UnreachableReason why = why_unreachable(campus_, settings, request, std::get<NoRoute>(found));
-    return {{}, std::move(why.text), why.at};
+    return {{}, std::move(why.text), why.at, why.incomplete};
 }
 
 std::string BodyRoutes::describe_route_round(const Target& target, double within) const {

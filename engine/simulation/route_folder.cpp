@@ -22,7 +22,7 @@ namespace {
 
 const scene::CacheFolder::Kind kRouteKind = "route";
 /// Increment the version whenever the layout changes, or how routes are planned and walked.
-constexpr scene::FileKind kRouteFile = {{'c', 'w', ' ', 'r', 'o', 'u', 't', 'e'}, 10};
+constexpr scene::FileKind kRouteFile = {{'c', 'w', ' ', 'r', 'o', 'u', 't', 'e'}, 11};
 
 ContentHash key_of_file(const RouteKey& route, const ContentHash& campus) {
     ContentHasher hasher;
@@ -47,6 +47,7 @@ std::vector<std::byte> archive_route(const PlannedRoute& planned) {
     out.put_text(planned.why_not);
     put_flag(out, planned.why_at.has_value());
     put_point(out, planned.why_at.value_or(Vector3d::Zero()));
+    put_flag(out, planned.incomplete);
     out.put(std::uint64_t{planned.route.pieces.size()});
     for (const RoutePiece& piece : planned.route.pieces) {
         out.put_text(piece.target.label);
@@ -78,6 +79,7 @@ PlannedRoute read_route_file(std::span<const std::byte> bytes) {
     const bool is_anywhere = in.take_flag();
     const Vector3d why_at = take_point(in);
     planned.why_at = is_anywhere ? std::optional(why_at) : std::nullopt;
+    planned.incomplete = in.take_flag();
     const std::size_t pieces = in.take_count(kMinPieceBytes);
     for (std::size_t i = 0; i < pieces; ++i) {
         RoutePiece& piece = planned.route.pieces.emplace_back();

@@ -181,8 +181,10 @@ UnreachableReason why_target_is_unreachable(const scene::Campus& campus, const R
         return {"the avatar falls out of the world"};
     }
     if (none.incomplete) {
-        return {"there is no way to it within " + fixed(none.reached.area(), 0) +
-                " m², the most that is explored"};
+        return {"the search ended after " + fixed(none.reached.area(), 0) +
+                    " m² of ground, the most that is explored, and there is more",
+                {},
+                true};
     }
     if (settings.keep_out) {
         RouteSettings anywhere = settings;
@@ -217,7 +219,8 @@ UnreachableReason why_unreachable(const scene::Campus& campus, const RouteSettin
                                   const RouteRequest& request, const NoRoute& none) {
     UnreachableReason why = why_target_is_unreachable(campus, settings, request, none);
     if (none.target.label != request.to.back().label) {
-        why.text = "the way goes through " + none.target.label + ", and that can't be reached: " + why.text;
+        why.text = "the way goes through " + none.target.label +
+                   (why.incomplete ? "" : ", and that can't be reached") + ": " + why.text;
     }
     return why;
 }

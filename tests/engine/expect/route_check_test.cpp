@@ -55,6 +55,24 @@ TEST(RouteCheck, SaysWhyNot) {
     EXPECT_FALSE(check_route(route_between(0), {campus, avatar}).holds);
 }
 
+TEST(RouteCheck, DoesNotTakeASearchThatWasCutForNoRoute) {
+    scene::Campus campus = level_campus(15.0);
+    add_box(campus, "wall", {-15, 0, -0.1}, {15, 3, 0.1});
+    const AvatarProfile avatar;
+    const ExpectReachable reachable{{}, at("south", 0, 10), at("north", 0, -10)};
+    EXPECT_EQ(failure_code(check_route(reachable, {campus, avatar}), "reachable", true), std::nullopt);
+    const Finding found = check_route(reachable, {campus, avatar}, 200);
+    EXPECT_THAT(found.message,
+                testing::MatchesRegex("it isn't known whether a route leads to north from south: "
+                                      "the search ended after [0-9]+ m² of ground, .*"));
+    EXPECT_EQ(failure_code(found, "reachable", false), kRouteUnknown);
+    EXPECT_EQ(failure_code(found, "reachable", true), kRouteUnknown);
+    ExpectRoute route;
+    route.from = reachable.from;
+    route.to = reachable.to;
+    EXPECT_EQ(failure_code(check_route(route, {campus, avatar}, 200), "route", true), kRouteUnknown);
+}
+
 TEST(RouteCheck, MayBeAboutAnotherVisitor) {
     scene::Campus campus = divided_by_a_wall();
     add_box(campus, "sill", {-0.6, 0, -0.1}, {0.6, 0.2, 0.1});

@@ -51,7 +51,7 @@ TEST(OutcomeOfFailures, XfailFailsIfTheWalkPasses) {
 
 TEST(OutcomeOfFailures, XfailTakesNoFailureThatIsALack) {
     for (const std::string lack :
-         {"golden-missing", "golden-unreadable", "snapshot-missing", "not-evaluated"}) {
+         {"golden-missing", "golden-unreadable", "snapshot-missing", "not-evaluated", "route-unknown"}) {
         EXPECT_THAT(message_of({failure(lack)}, xfail()), mentions({"can't be evaluated", lack}));
         EXPECT_THAT(message_of({failure(lack)}, xfail({lack})), mentions({"can't be evaluated", lack}));
         EXPECT_THAT(message_of({failure("near"), failure(lack)}, xfail({"near"})),

@@ -358,5 +358,34 @@ TEST(ScriptPlayer, ReportsTheLineOfTheCurrentStep) {
     EXPECT_EQ(puppet.player.mark(), nullptr);
 }
 
+/// Finds nothing, for the reason that it was given.
+struct NoRoutes final : RoutePlanner {
+    PlannedRoute plan(const GoToStep& /*step*/, double /*speed*/) override {
+        return {{}, "why", {}, incomplete};
+    }
+    bool incomplete = false;
+};
+
+TEST(ScriptPlayer, TellsNoRouteFromASearchThatWasCut) {
+    GoToStep step;
+    step.target.label = "desk";
+    const Walk walk = walk_of({spawn_at({0, 0, 0}), step});
+    NoRoutes routes;
+    const auto end = [&] {
+        ScriptPlayer player(walk, &routes);
+        std::vector<const Step*> instant;
+        player.intend({});
+        player.settle({}, instant);  // the spawn
+        player.intend({});
+        return *player.settle({}, instant);
+    };
+    EXPECT_EQ(end().code, "unreachable");
+    EXPECT_EQ(end().message, "go_to desk can't be reached: why");
+    routes.incomplete = true;
+    EXPECT_EQ(end().code, kRouteUnknown);
+    EXPECT_TRUE(end().fatal);
+    EXPECT_EQ(end().message, "go_to desk: it isn't known whether a route leads there: why");
+}
+
 }  // namespace
 }  // namespace campuswalk::engine

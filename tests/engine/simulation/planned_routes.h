@@ -21,6 +21,7 @@ inline PlannedRoute searched_route() {
 
 inline void expect_same(const PlannedRoute& a, const PlannedRoute& b) {
     EXPECT_EQ(a.why_not, b.why_not);
+    EXPECT_EQ(a.incomplete, b.incomplete);
     ASSERT_EQ(a.route.pieces.size(), b.route.pieces.size());
     for (std::size_t i = 0; i < a.route.pieces.size(); ++i) {
         const RoutePiece& piece = a.route.pieces[i];

@@ -100,6 +100,13 @@ TEST_F(StoredRoute, TellsWhyThereIsNone) {
     EXPECT_EQ(plans_, 1);
 }
 
+TEST_F(StoredRoute, TellsThatTheSearchWasCut) {
+    PlannedRoute cut = no_route();
+    cut.incomplete = true;
+    answer(cut);
+    EXPECT_TRUE(answer(searched_route()).incomplete);
+}
+
 TEST_F(StoredRoute, IsNotWorthAFileIfItWasGuessed) {
     PlannedRoute guessed = searched_route();
     guessed.route.searched = false;

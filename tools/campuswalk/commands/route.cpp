@@ -102,7 +102,7 @@ int find_route(const RouteOptions& options) {
         route::parse_target(campus->description, options.from, "FROM"), campus->description);
     const engine::RouteRequest request = request_of(options, *campus, settings, start);
 
-    route::RouteAnswer answer{options.from, options.to, {}, {}, {}};
+    route::RouteAnswer answer{options.from, options.to, {}, {}, {}, false};
     engine::UnreachableReason why;
     auto found = engine::route_or_reason(*campus, settings, request);
     if (auto* route = std::get_if<engine::Route>(&found)) {
@@ -111,6 +111,7 @@ int find_route(const RouteOptions& options) {
     } else {
         why = std::get<engine::UnreachableReason>(found);
         answer.why_not = why.text;
+        answer.unknown = why.incomplete;
     }
     if (options.json) {
         print_lines(route::answer_json(answer));
@@ -126,7 +127,7 @@ int find_route(const RouteOptions& options) {
                          : route::barrier_plans(*campus, settings, request, why, options.from, options.to);
         draw_storey_plans(plans, *options.map);
     }
-    return answer.route ? kPass : kExpectationFailed;
+    return answer.route ? kPass : answer.unknown ? kRunFailed : kExpectationFailed;
 }
 
 }  // namespace
@@ -169,7 +170,7 @@ void add_route(Command program, CommandAction& chosen) {
     add_root_option(command);
     command.footer(
         "Exit code: 0 there is a route, 1 there is none, 2 bad usage or input, 3 it can't be drawn or "
-        "written.");
+        "written, or\nisn't known.");
     command.choose(chosen, [options] { return find_route(*options); });
 }
 

@@ -11,13 +11,14 @@
 
 namespace campuswalk::tools::route {
 
-/// A route from one target to another, or why there is none.
+/// A route from one target to another, or why none was found.
 struct RouteAnswer {
     std::string from;
     std::string to;
     std::optional<engine::Route> route;
     engine::RouteFacts facts;  ///< of the route
     std::string why_not;       ///< no route
+    bool unknown = false;      ///< none was found, but not everything was searched
 };
 
 void print_answer(const RouteAnswer& answer);
