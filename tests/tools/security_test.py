@@ -6,7 +6,9 @@ ctest knows it in the folder BUILD, such as `Suite.Name`. Several are separated 
 """
 
 import importlib
+import io
 import json
+import multiprocessing
 import os
 import re
 import subprocess
@@ -38,6 +40,13 @@ def python_tests(name):
     return [test for test in found if method in ("", test._testMethodName)]  # pylint: disable=protected-access
 
 
+def outcome_of(test):
+    """Its id, and what it printed if it didn't pass."""
+    output = io.StringIO()
+    outcome = unittest.TextTestRunner(stream=output, verbosity=2).run(unittest.TestSuite([test]))
+    return test.id(), "" if outcome.wasSuccessful() and outcome.testsRun == 1 else output.getvalue()
+
+
 class Promises(unittest.TestCase):
     def test_every_promise_names_tests(self):
         promises = list(rows())
@@ -52,10 +61,10 @@ class Promises(unittest.TestCase):
     def test_the_tests_of_the_program_pass(self):
         names = sorted({test for _, tests in rows() for test in tests if ": " in test})
         chosen = {test.id(): test for name in names for test in python_tests(name)}
-        outcome = unittest.TextTestRunner(stream=sys.stdout, verbosity=2).run(unittest.TestSuite(chosen.values()))
-        self.assertEqual(outcome.testsRun, len(chosen))
-        self.assertTrue(outcome.wasSuccessful())
-        print("promises: %d tests of the program" % outcome.testsRun)
+        with multiprocessing.get_context("fork").Pool() as pool:
+            outcomes = dict(pool.imap_unordered(outcome_of, chosen.values()))
+        self.assertEqual(outcomes, dict.fromkeys(chosen, ""))
+        print("promises: %d tests of the program" % len(outcomes))
 
     def test_the_tests_of_ctest_pass(self):
         names = sorted({test for _, tests in rows() for test in tests if ": " not in test})
