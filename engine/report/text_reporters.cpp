@@ -75,7 +75,7 @@ protected:
     virtual void print(const WalkResult& result) = 0;
     virtual void finish_cases() {}
 
-    /// Of any words.
+    /// Makes any words harmless.
     void print_line(std::string_view words, Color color = Color::none) {
         write(words, color);
         sink_("\n");

@@ -287,8 +287,8 @@ private:
     std::array<std::size_t, 3> first_in_row_{};  ///< for the last cell asked about: earlier ones are behind
 };
 
-/// Of the square of `side` x `side` cells with this one first, as far as it lies in the region. None if more
-/// than `most` surfaces are there, reached or not.
+/// The surfaces in a square of `side` x `side` cells that begins with this one, as far as it lies in the
+/// region. None if more than `most` surfaces are there, reached or not.
 std::optional<std::vector<Surface>> unreached_in_square(const collision::World& world,
                                                         const ExploreSettings& settings,
                                                         const WalkSpace& reached,

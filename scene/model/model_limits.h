@@ -13,7 +13,7 @@ inline constexpr std::size_t kMaxNodes = 1'000'000;  ///< of a model, each insta
 inline constexpr std::size_t kMaxTriangles =
     50'000'000;  ///< placed by a model, and in the colliders of a campus
 
-/// Of all models of a campus, in memory, bytes.
+/// The most bytes of memory for all models of a campus.
 inline constexpr std::uint64_t kMaxModelBytes = std::uint64_t{8} << 30U;
 
 inline constexpr double kMaxReach = 1e11;  ///< of a model's nodes, metres: 100 million km

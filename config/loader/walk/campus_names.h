@@ -34,7 +34,7 @@ public:
     engine::CameraTarget camera_target(const CheckedNode& node) const;
     /// A spawn's name, or `{at: [x, y, z], yaw_deg: 90}`.
     Placement placement(const CheckedNode& node) const;
-    /// Of the first step: the same, where `at` may also be a spawn's name, and with `fall: true`.
+    /// The first step's: as `placement`, but `at` may also be a spawn's name, and `fall: true` may follow.
     Placement spawn(const CheckedNode& node) const;
     /// Reports a layer that the campus doesn't have.
     void check_layer(const CheckedNode& node, const std::string& layer) const;

@@ -108,7 +108,7 @@ class VisiblePaths {
 public:
     void add_file(const fs::path& file) { paths_.push_back(file); }
 
-    /// Of the file system's root only its files: else all files would be below it.
+    /// Adds only the files of the file system's root: with its folders, every file would be below it.
     void add_contents(const fs::path& folder) {
         Part part = visible_in(folder, folder == folder.root_path());
         std::ranges::move(part.paths, std::back_inserter(paths_));

@@ -262,7 +262,7 @@ TEST_F(CampusTest, WarnsAboutZeroAreaTriangles) {
     EXPECT_TRUE(has_code(warnings_, "zero-area")) << text_of(warnings_);
 }
 
-/// Of 1 GB each, which is the same memory for all.
+/// Each model has 1 GB, which is the same memory for all of them.
 TEST_F(CampusTest, RefusesModelsThatTakeTooMuchMemoryTogether) {
     constexpr int kSide = 1 << 14;
     const std::shared_ptr<const std::uint8_t[]> pixels(new std::uint8_t[std::size_t{4} * kSide * kSide]);
