@@ -68,9 +68,12 @@ std::vector<SpotHeight> heights_of(const Island& island, const WalkGrid& grid,
 auto on_island(const Island& island, const WalkGrid& grid, const collision::Aabb& within) {
     const auto heights = std::make_shared<const std::vector<SpotHeight>>(heights_of(island, grid, within));
     return [heights](const GridCell& cell, double y) {
-        return std::ranges::any_of(
-            std::ranges::equal_range(*heights, cell, {}, &SpotHeight::cell),
-            [&](const SpotHeight& spot) { return std::abs(spot.y - y) <= kSpotGround; });
+        // Not std::ranges::equal_range: its result is a subrange, which clang 14 can't compile with the
+        // standard library of gcc 12.
+        const auto first = std::ranges::lower_bound(*heights, cell, {}, &SpotHeight::cell);
+        const auto last = std::ranges::upper_bound(*heights, cell, {}, &SpotHeight::cell);
+        return std::any_of(first, last,
+                           [&](const SpotHeight& spot) { return std::abs(spot.y - y) <= kSpotGround; });
     };
 }
 
