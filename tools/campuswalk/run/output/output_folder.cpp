@@ -62,7 +62,8 @@ const char* kind_of(const struct stat& status) {
 
 OutputFolder::OutputFolder(fs::path folder, std::string key, const Tolerance& tolerance)
     : folder_(std::move(folder)), key_(std::move(key)), before_(scanned()), known_(listed(before_)) {
-    for (const auto& [path, identity] : before_) {
+    for (const auto& [name, identity] : before_) {
+        const fs::path& path = name;  // clang 14 captures no structured binding
         const bool tolerated =
             tolerance.all || known_.contains(path) ||
             (tolerance.temporaries && scene::is_temporary(path.filename().native())) ||
