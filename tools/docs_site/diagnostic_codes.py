@@ -16,8 +16,8 @@ TABLE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "diagnostics.to
 PLAIN_CODES = {"deprecated", "strict", "unreadable", "xfail"}
 # Names of commands, help topics, options, files, formats and attributes; tags of maps and what is made of them.
 NOT_CODES = {"also-called", "assumed-entrance", "bicycle-stand", "bridge-pier", "campuswalk-import-request", "campuswalk-import-response",
-             "cycle-barrier", "exit-codes", "half-hipped", "import-helper", "jsonl-log", "map-helper", "merge-reports", "multi-storey",
-             "nonnull-attribute", "parcel-locker", "post-box", "short-name", "slurm-explore", "stop-sign", "system-err", "system-out",
+             "cycle-barrier", "exit-codes", "half-hipped", "image-helper", "import-helper", "jsonl-log", "map-helper", "merge-reports",
+             "multi-storey", "nonnull-attribute", "parcel-locker", "post-box", "short-name", "slurm-explore", "stop-sign", "system-err", "system-out",
              "timed-trace", "vending-machine", "xxxxxxxx-xxxx-xxxx-xxxx-xxxxxxxxxxxx"}
 SEVERITIES = {"errors": ("error",), "warnings": ("warning",), "errors_or_warnings": ("error", "warning")}
 
