@@ -18,6 +18,10 @@ using Eigen::Vector3d;
 
 constexpr double kMaxShare = 0.6;  // of the model's footprint, if there is any building besides
 
+/// How many levels of open groups the units of a model lie below, on average. Beyond that they count as being
+/// at the top: chains of nodes as deep as there are nodes would take forever.
+constexpr std::size_t kMostLevels = 32;
+
 class BuildingSearch {
 public:
     /// `most` is the largest footprint of a building, m².
@@ -32,10 +36,13 @@ public:
         // Children come after their parents, so each node finds the units of its own.
         std::vector<std::vector<BuildingUnit>> units(model_.nodes.size());
         std::vector<BuildingUnit> top;
+        std::size_t visits = 0;
         for (std::size_t n = model_.nodes.size(); n-- > 0;) {
             std::vector<BuildingUnit> own = closed_or_open(n, std::move(units[n]));
+            visits += own.size();
             const int parent = model_.nodes[n].parent;
-            std::vector<BuildingUnit>& above = parent < 0 ? top : units[static_cast<std::size_t>(parent)];
+            const bool is_top = parent < 0 || visits > kMostLevels * model_.nodes.size();
+            std::vector<BuildingUnit>& above = is_top ? top : units[static_cast<std::size_t>(parent)];
             above.insert(above.end(), std::make_move_iterator(own.begin()),
                          std::make_move_iterator(own.end()));
         }

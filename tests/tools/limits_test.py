@@ -21,8 +21,8 @@ def glb(document, data):
             + struct.pack("<I4s", len(data), b"BIN\0") + data)
 
 
-def model(nodes, accessors=(), data=TRIANGLE, primitive=None):
-    return glb({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": list(range(len(nodes)))}], "nodes": nodes,
+def model(nodes, accessors=(), data=TRIANGLE, primitive=None, roots=None):
+    return glb({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": list(range(roots or len(nodes)))}], "nodes": nodes,
                 "meshes": [{"primitives": [primitive or {"attributes": {"POSITION": 0}}]}],
                 "bufferViews": [{"buffer": 0, "byteLength": len(data)}],
                 "accessors": [{"bufferView": 0, "componentType": 5126, "count": len(data) // 12, "type": "VEC3"},
@@ -75,6 +75,16 @@ class Models(ProgramCase):
         self.write("a.campus.yaml", "scenes: [{file: far.glb}]\ncolliders:\n"
                    "  - {id: all, nodes: '*', shape: mesh, mode: solid}\n")
         self.assert_refused(self.run_program("validate", "a.campus.yaml"), "a.campus.yaml:1:17: error bad-size: nodes[0]")
+
+    def test_a_chain_of_nodes(self):
+        """As deep as there are nodes: no recursion, and no work that grows with its square."""
+        nodes = 100_000
+        chain = [{"mesh": 0, "children": [i + 1]} for i in range(nodes - 1)] + [{"mesh": 0}]
+        self.write("chain.glb", model(chain, roots=1))
+        start = time.monotonic()
+        self.assertIn("nodes      %d" % nodes, self.passes("info", "chain.glb", "--no-cache").out)
+        self.assertEqual(len(json.loads(self.passes("info", "--json", "chain.glb", "--no-cache").out)["nodes"]), nodes)
+        self.assertLess(time.monotonic() - start, 60)
 
     def test_scenes(self):
         self.write("a.campus.yaml", "scenes: [%s]\ncolliders: []\n" % ", ".join(["{file: room.obj}"] * 1001))

@@ -1,6 +1,7 @@
 #include "tools/campuswalk/info/node_list.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <tuple>
@@ -36,7 +37,16 @@ public:
 
     /// All lines.
     std::vector<NodeLine> list() {
-        add_children(-1);
+        std::vector<Line> open = lines_below(-1);
+        while (!open.empty()) {
+            const Line line = std::move(open.back());
+            open.pop_back();
+            add_line(line.name, line.nodes, line.is_closed);
+            if (!line.is_closed) {
+                std::ranges::move(lines_below(static_cast<int>(line.nodes.front())),
+                                  std::back_inserter(open));
+            }
+        }
         return std::move(lines_);
     }
 
@@ -46,23 +56,33 @@ private:
         return parent < 0 ? nodes_.size() : static_cast<std::size_t>(parent);
     }
 
-    void add_children(int parent) {
+    /// A node, or with all below them nodes that are called alike.
+    struct Line {
+        std::string name;
+        std::vector<std::size_t> nodes;
+        bool is_closed = false;
+    };
+
+    /// The last comes first.
+    std::vector<Line> lines_below(int parent) const {
         constexpr std::size_t kAlike = 4;
         const std::vector<std::size_t>& children = children_[slot_of(parent)];
         std::map<std::string, std::vector<std::size_t>> alike;
         for (const std::size_t child : children) {
             alike[without_numbers(nodes_[child].name)].push_back(child);
         }
+        std::vector<Line> lines;
         for (const std::size_t child : children) {
             const std::string pattern = without_numbers(nodes_[child].name);
             const std::vector<std::size_t>& group = alike[pattern];
             if (group.size() < kAlike) {
-                add_line(nodes_[child].name, {child}, false);
-                add_children(static_cast<int>(child));
+                lines.push_back({nodes_[child].name, {child}, false});
             } else if (group.front() == child) {
-                add_line(pattern, group, true);
+                lines.push_back({pattern, group, true});
             }
         }
+        std::ranges::reverse(lines);
+        return lines;
     }
 
     void add_line(const std::string& name, const std::vector<std::size_t>& group, bool with_descendants) {
