@@ -58,8 +58,10 @@ class School:
             sys.exit("the cache of the school isn't complete")
 
     def walk(self, cache, *options):
-        return run([self.program, "run", "walks/visit.walk.yaml", *options], self.folder, self.limited,
-                   CAMPUSWALK_CACHE_DIR=cache or os.path.join(self.folder, "none"))
+        """Each cache has an output of its own, as walks go on at once: where CI is set, another's files are refused."""
+        cache = cache or os.path.join(self.folder, "none")
+        return run([self.program, "run", "walks/visit.walk.yaml", "--output", cache + "-out", *options], self.folder,
+                   self.limited, CAMPUSWALK_CACHE_DIR=cache)
 
 
 def write_mutants(folder, count, correct_checksums, files, label):
