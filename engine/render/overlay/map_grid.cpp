@@ -31,8 +31,10 @@ std::vector<MapGrid::Line> lines_along(const char* axis, double north_west, doub
     constexpr double kSlack = 1e-6;  // of the spacing: a line on the very edge is one
     const double first = std::ceil((north_west + from / pixels_per_metre) / spacing - kSlack);
     const double last = std::floor((north_west + to / pixels_per_metre) / spacing + kSlack);
+    // Coordinates may be so large that the next line has the same.
+    const double spacings = (to - from) / pixels_per_metre / spacing + 2.0 * kSlack;
     std::vector<MapGrid::Line> lines;
-    for (int i = 0; first + i <= last; ++i) {
+    for (int i = 0; first + i <= last && i <= spacings; ++i) {
         const double at = (first + i) * spacing;
         const std::string label = fixed(at, digits);
         lines.push_back(

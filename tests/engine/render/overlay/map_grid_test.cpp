@@ -48,6 +48,13 @@ TEST(MapGrid, LinesAreAtRoundCoordinates) {
     EXPECT_NEAR(grid.z[2].pixel, 240.0, 1e-9);
 }
 
+TEST(MapGrid, HasFewLinesHoweverFarAway) {
+    for (const double far : {1e16, 1e20, 1e30, 1e300}) {
+        EXPECT_LE(grid_of({{far, -far}, 5.0}, 400.0, 300.0).x.size(), 5U) << far;
+        EXPECT_LE(grid_of({{far, -far}, 5.0}, 400.0, 300.0).z.size(), 4U) << far;
+    }
+}
+
 TEST(MapGrid, SpacingFollowsTheScale) {
     for (int i = 0; i < 205; ++i) {
         const double pixels_per_metre = 0.003 * std::pow(1.07, i);
