@@ -14,8 +14,8 @@ namespace campuswalk::engine {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // browsers refuse it before JSON
 
-/// None for text that isn't JSON, begins with a byte order mark, or is nested deeply (see
-/// scene/base/json_depth.h).
+/// None for text that isn't JSON, begins with a byte order mark, or is too complex (see
+/// scene/base/json_limits.h).
 std::optional<nlohmann::ordered_json> parse_foreign(std::string_view text);
 
 inline bool is_finite_number(const nlohmann::ordered_json& json) {

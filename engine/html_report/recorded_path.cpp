@@ -9,7 +9,7 @@
 #include <simdjson.h>
 
 #include "engine/html_report/foreign_json.h"
-#include "scene/base/json_depth.h"
+#include "scene/base/json_limits.h"
 
 namespace campuswalk::engine {
 

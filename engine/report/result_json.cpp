@@ -17,7 +17,7 @@
 #include "engine/events/decimals.h"
 #include "engine/report/artifact_path.h"
 #include "engine/report/result_fields.h"
-#include "scene/base/json_depth.h"
+#include "scene/base/json_limits.h"
 #include "scene/base/printable.h"
 
 namespace campuswalk::engine {
@@ -266,8 +266,8 @@ void read(const Json& json, const std::string& where, Struct& value) {
 
 /// The parser would accept repeated keys and use the last. Throws std::runtime_error.
 Json parsed(std::string_view line) {
-    if (scene::is_nested_deeply(line)) {
-        throw std::runtime_error("it is nested deeply");
+    if (const std::string_view why = scene::why_too_complex(line); !why.empty()) {
+        throw std::runtime_error(std::string(why));
     }
     std::vector<std::set<std::string>> keys;  // of the objects that the parser is in
     const auto visit = [&](int, Json::parse_event_t event, Json& json) {
@@ -319,7 +319,7 @@ std::string to_header_line(const RunPlan& plan) {
 }
 
 std::optional<RunPlan> plan_from_header_line(std::string_view line) {
-    if (scene::is_nested_deeply(line)) {
+    if (!scene::why_too_complex(line).empty()) {
         return std::nullopt;
     }
     const Json any = Json::parse(line, nullptr, false);

@@ -1,11 +1,13 @@
-#include "scene/base/json_depth.h"
+#include "scene/base/json_limits.h"
 
+#include <array>
 #include <cstddef>
 
 namespace campuswalk::scene {
 
-bool is_nested_deeply(std::string_view json) {
-    int depth = 0;
+std::string_view why_too_complex(std::string_view json) {
+    std::array<int, kDeepestJson + 1> names{};  // by depth, of the object or list that is open there
+    std::size_t depth = 0;
     bool in_string = false;
     for (std::size_t i = 0; i < json.size(); ++i) {
         const char c = json[i];
@@ -15,13 +17,16 @@ bool is_nested_deeply(std::string_view json) {
             i += c == '\\' ? 1 : 0;
         } else if (c == '[' || c == '{') {
             if (++depth > kDeepestJson) {
-                return true;
+                return "it is nested deeply";
             }
-        } else if (c == ']' || c == '}') {
+            names[depth] = 0;
+        } else if ((c == ']' || c == '}') && depth > 0) {
             --depth;
+        } else if (c == ':' && ++names[depth] > kMostJsonMembers) {
+            return "an object in it has more than 1000 members";
         }
     }
-    return false;
+    return "";
 }
 
 }  // namespace campuswalk::scene

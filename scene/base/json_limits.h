@@ -8,8 +8,11 @@ namespace campuswalk::scene {
 /// deeply takes as much stack.
 constexpr int kDeepestJson = 64;
 
-/// Whether JSON text is nested more deeply. Of text that isn't JSON, it counts at least as deep as a parser
-/// gets before it notices.
-bool is_nested_deeply(std::string_view json);
+/// Members that an object of JSON may have. An ordered one looks each name up among all before it.
+constexpr int kMostJsonMembers = 1000;
+
+/// Which of these limits JSON text is beyond, as a sentence without its full stop; empty if it keeps both. Of
+/// text that isn't JSON, it looks at as much at least as a parser does before it notices.
+std::string_view why_too_complex(std::string_view json);
 
 }  // namespace campuswalk::scene

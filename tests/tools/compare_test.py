@@ -3,6 +3,7 @@
 
 import json
 import os
+import re
 import sys
 
 from program import WALK, ProgramCase, main
@@ -115,6 +116,15 @@ class Diff(Compare):
             self.assertTrue(self.read(name).startswith(b"\x89PNG"))
         self.assertNotEqual(self.read("p/a.png"), self.read("p/b.png"))
         self.assertEqual(sorted(os.listdir(self.path("p"))), ["a.png", "b.png"])
+
+    def test_images_of_places_that_no_walk_reaches(self):
+        if WITHOUT_RENDERING:
+            self.skipTest("this build has no rendering")
+        for far in ("1e30", "1.7e308"):
+            self.write("c.jsonl", re.sub(r'"pos":\[[^,]*,', '"pos":[' + far + ",", self.read("b.jsonl").decode()))
+            outcome = self.run_program("diff", "a.jsonl", "c.jsonl", "--pictures", "p", "--walk", "short.walk.yaml")
+            self.assertEqual((outcome.code, outcome.err), (1, ""))
+            self.assertEqual(outcome.lines[-2:], ["p/a.png", "b has no position up to there: no picture"])
 
 
 class Replay(Compare):

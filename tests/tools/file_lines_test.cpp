@@ -61,9 +61,9 @@ TEST_F(FileLinesTest, BeginWhereALineDoes) {
 }
 
 TEST_F(FileLinesTest, HaveALongestLength) {
-    EXPECT_EQ(code_of(std::string(FileLines::kLongestLine, 'x') + "\nnext\n"), "");
-    EXPECT_EQ(code_of("first\n" + std::string(FileLines::kLongestLine + 1, 'x') + "\n"), "long-line");
-    EXPECT_EQ(code_of("first\n" + std::string(2 * FileLines::kLongestLine, 'x')), "long-line");
+    EXPECT_EQ(code_of(std::string(kLongestLine, 'x') + "\nnext\n"), "");
+    EXPECT_EQ(code_of("first\n" + std::string(kLongestLine + 1, 'x') + "\n"), "long-line");
+    EXPECT_EQ(code_of("first\n" + std::string(2 * kLongestLine, 'x')), "long-line");
 }
 
 TEST_F(FileLinesTest, AreThoseOfAFile) {

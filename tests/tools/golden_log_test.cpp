@@ -193,6 +193,17 @@ TEST_F(GoldenLog, IsRefusedWithoutAnEchoIfItIsGarbage) {
     EXPECT_TRUE(check(kLog, UpdateSnapshots::none).failure);
 }
 
+/// However long it is: nothing after that line is kept.
+TEST_F(GoldenLog, IsReadUpToTheFirstLineThatIsNone) {
+    folder_.write("visit.walk.yaml-snapshots/log.jsonl", kHeader + std::string(1'000'000, '\n'));
+    try {
+        check(kLog, UpdateSnapshots::none);
+        ADD_FAILURE();
+    } catch (const scene::InputError& error) {
+        EXPECT_EQ(error.diagnostics().front().mark.line, 2);
+    }
+}
+
 TEST_F(GoldenLog, LeavesNothingBehindIfItCannotBeWritten) {
     folder_.write("visit.walk.yaml-snapshots/log.jsonl/in-the-way", "");
     EXPECT_THROW(check(kLog, UpdateSnapshots::all), std::runtime_error);

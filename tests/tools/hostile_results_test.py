@@ -59,6 +59,30 @@ class HostileResults(ProgramCase):
     def test_long_lines(self):
         self.write("r.jsonl", self.header + b'{"id":"' + b"x" * (9 << 20) + b'"}\n')
         self.refused("r.jsonl:2:1: error long-line:", "merge-reports", "r.jsonl", "-q")
+        self.refused("r.jsonl:2:1: error long-line:", "replay", "r.jsonl")
+        self.refused("r.jsonl:2:1: error long-line:", "diff", "r.jsonl", "r.jsonl")
+
+    def test_objects_of_many_members(self):
+        """Each name is looked up among all before it: a limit, and not time that grows with the square."""
+        members = b",".join(b'"k%d":0' % i for i in range(400_000))
+        self.write("r.jsonl", self.header + self.result.rstrip()[:-1] + b"," + members + b"}\n")
+        self.results_refused()
+        self.refused("r.jsonl:2:1: error bad-report: more than 1000 members", "merge-reports", "r.jsonl", "-q")
+        self.refused("r.jsonl:2:1: error bad-times:", "run", "short.walk.yaml", "--shard=1/2", "--shard-times", "r.jsonl")
+        self.write("r.jsonl", self.header.rstrip()[:-1] + b"," + members + b"}\n" + self.result)
+        self.refused("r.jsonl:1:1: error bad-report:", "merge-reports", "r.jsonl", "-q")
+        self.write("out/last-run.jsonl", b'{"code":"%064d","campuswalk_last_run":"x",%s}\n' % (0, members))
+        self.refused("out/last-run.jsonl:1:1: error bad-last-run:", "run", "short.walk.yaml", "--last-failed", "--output", "out")
+
+    def test_logs_of_many_members(self):
+        self.assertEqual(self.run_program("run", "short.walk.yaml", "--jsonl", "a.jsonl").code, 0)
+        header, event, *rest = self.read("a.jsonl").splitlines(keepends=True)
+        for name, value in (("b.jsonl", b"0"), ("c.jsonl", b"1")):
+            members = b",".join(b'"k%d":%s' % (i, value) for i in range(400_000))
+            self.write(name, header + event.rstrip()[:-1] + b"," + members + b"}\n" + b"".join(rest))
+        outcome = self.run_program("diff", "b.jsonl", "c.jsonl")
+        self.assertEqual(outcome.code, 1)
+        self.assertIn("a line that isn't a log's JSON instead of", outcome.out)
 
     def test_messages_quote_little_of_it(self):
         for line in (b'{"id":"' + b"x" * 100000, b'{"' + b"x" * 100000 + b'":1,"' + b"x" * 100000 + b'":1}',

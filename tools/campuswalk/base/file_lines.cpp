@@ -14,6 +14,13 @@
 
 namespace campuswalk::tools {
 
+scene::InputError long_line(const std::filesystem::path& file, int number) {
+    return {{file.generic_string(), number, 1},
+            "long-line",
+            "this line is longer than " + std::to_string(kLongestLine) +
+                " bytes, the limit; name a file that campuswalk wrote"};
+}
+
 FileLines::FileLines(std::filesystem::path file, std::size_t block_bytes, std::uintmax_t offset)
     : file_(std::move(file)), block_bytes_(block_bytes), next_block_(offset), begin_(offset) {
     if (const std::string why = scene::why_unreadable(file_); !why.empty()) {
@@ -27,9 +34,7 @@ std::optional<std::string_view> FileLines::next() {
     while (true) {
         const std::size_t end = std::min(block_.find('\n', searched), block_.size());
         if (end - used_ > kLongestLine) {
-            throw scene::InputError({file_.generic_string(), number_ + 1, 1}, "long-line",
-                                    "this line is longer than " + std::to_string(kLongestLine) +
-                                        " bytes, the limit; name a file that campuswalk wrote");
+            throw long_line(file_, number_ + 1);
         }
         if (end < block_.size()) {
             const std::string_view line = std::string_view(block_).substr(used_, end - used_);

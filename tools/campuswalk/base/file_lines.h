@@ -7,15 +7,20 @@
 #include <string>
 #include <string_view>
 
+#include "scene/base/diagnostic.h"
+
 namespace campuswalk::tools {
+
+/// Longer lines are refused, bytes: parsed, they take twenty times the memory.
+inline constexpr std::size_t kLongestLine = std::size_t{8} << 20U;
+/// That one is (long-line).
+scene::InputError long_line(const std::filesystem::path& file, int number);
 
 /// The lines of a text file one after the other, of which only a block is in memory. The file is open only
 /// while a block is read.
 class FileLines {
 public:
     static constexpr std::size_t kUsualBlock = std::size_t{64} << 10U;
-    /// Longer ones are refused: parsed, they take twenty times the memory.
-    static constexpr std::size_t kLongestLine = std::size_t{8} << 20U;
 
     /// From `offset` bytes on, which is where a line begins.
     explicit FileLines(std::filesystem::path file, std::size_t block_bytes = kUsualBlock,

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "scene/base/why_unreadable.h"
+#include "tools/campuswalk/base/file_lines.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 
 namespace campuswalk::tools {
@@ -31,10 +32,17 @@ void check_end(const std::ifstream& stream, const std::filesystem::path& file) {
 
 }  // namespace
 
-std::vector<std::string> read_lines(const std::filesystem::path& file) {
+std::vector<std::string> read_lines(const std::filesystem::path& file, const LineCheck& check) {
     std::ifstream stream = open_file(file);
     std::vector<std::string> lines;
     for (std::string line; std::getline(stream, line);) {
+        const int number = static_cast<int>(lines.size()) + 1;
+        if (line.size() > kLongestLine) {
+            throw long_line(file, number);
+        }
+        if (check) {
+            check(number, line);
+        }
         lines.push_back(std::move(line));
     }
     check_end(stream, file);

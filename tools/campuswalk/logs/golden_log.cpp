@@ -61,14 +61,12 @@ ComparableLog without_verdicts(std::span<const std::string> lines) {
 
 /// The lines of the golden log. Those of any other file mustn't get into a message.
 std::vector<std::string> read_golden(const fs::path& file) {
-    std::vector<std::string> lines = read_lines(file);
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        if (i == 0 ? !is_log_header(lines[i]) : !logged_event(lines[i])) {
-            throw scene::InputError({file.generic_string(), static_cast<int>(i + 1), 1}, "unreadable",
+    return read_lines(file, [&](int number, const std::string& line) {
+        if (number == 1 ? !is_log_header(line) : !logged_event(line)) {
+            throw scene::InputError({file.generic_string(), number, 1}, "unreadable",
                                     "this isn't a line of a log; write the golden log again with -u");
         }
-    }
-    return lines;
+    });
 }
 
 std::string how_they_differ(const ComparableLog& golden, const ComparableLog& run, std::size_t at) {

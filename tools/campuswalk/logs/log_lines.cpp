@@ -1,10 +1,12 @@
 #include "tools/campuswalk/logs/log_lines.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "engine/events/decimals.h"
 #include "engine/events/event_text.h"
+#include "scene/base/json_limits.h"
 #include "tools/campuswalk/base/json_text.h"
 
 namespace campuswalk::tools {
@@ -15,21 +17,13 @@ bool is_header(const Json& json) {
     return json.is_object() && json.value("walk_log", Json()) == 1;
 }
 
-/// Headers without the seed, which logs contained while walks had one. Discarded if it isn't JSON, or is
-/// nested more deeply than a log's lines are: comparing it would overflow the stack.
+/// Headers without the seed, which logs contained while walks had one. Discarded if it isn't JSON, or is more
+/// complex than any log's line.
 Json parsed(std::string_view line) {
-    constexpr int kMaxDepth = 16;
-    bool too_deep = false;
-    Json json = Json::parse(
-        line,
-        [&](int depth, Json::parse_event_t, Json&) {
-            too_deep = too_deep || depth > kMaxDepth;
-            return !too_deep;
-        },
-        false);
-    if (too_deep) {
+    if (!scene::why_too_complex(line).empty()) {
         return Json(Json::value_t::discarded);
     }
+    Json json = Json::parse(line, nullptr, false);
     if (is_header(json)) {
         json.erase("seed");
     }
@@ -46,6 +40,9 @@ bool is_event(const Json& json) {
            has("time", [](const Json& value) { return value.is_number(); }) && has("event", text) &&
            has("object", text);
 }
+
+/// Metres, as config's kCoordinate allows in walks: beyond it, nothing can be drawn.
+constexpr double kFarthest = 1e7;
 
 /// The member if it is a string, otherwise an empty one.
 std::string text_in(const Json& json, const char* name) {
@@ -74,7 +71,7 @@ std::string shown(const std::string& name, const Json& value) {
 /// When and what, without the details.
 std::string short_text(const Json& json) {
     if (json.is_discarded()) {
-        return "a line that isn't JSON";
+        return "a line that isn't a log's JSON";
     }
     return is_event(json) ? shown("time", Json(json["time"].get<double>())) + " s " + text_in(json, "event") +
                                 " " + text_in(json, "object")
@@ -137,7 +134,9 @@ std::optional<LoggedEvent> logged_event(std::string_view line) {
     event.kind = text_in(json, "event");
     event.hash = text_in(json, "hash");
     const auto at = json.find("pos");
-    const auto number = [](const Json& part) { return part.is_number(); };
+    const auto number = [](const Json& part) {
+        return part.is_number() && std::abs(part.get<double>()) <= kFarthest;
+    };
     if (at != json.end() && at->is_array() && at->size() == 3 &&
         std::all_of(at->begin(), at->end(), number)) {
         event.position = {(*at)[0].get<double>(), (*at)[1].get<double>(), (*at)[2].get<double>()};

@@ -31,8 +31,8 @@ struct LoggedEvent {
     engine::Tick tick = 0;
     double time = 0.0;  ///< seconds
     std::string kind;
-    std::optional<Eigen::Vector3d> position;
-    std::string hash;  ///< of walk.end
+    std::optional<Eigen::Vector3d> position;  ///< none, too, if it is farther off than any walk gets
+    std::string hash;                         ///< of walk.end
 };
 std::optional<LoggedEvent> logged_event(std::string_view line);
 

@@ -1,7 +1,7 @@
 #include "tools/campuswalk/run/plan/case_times.h"
 
 #include "scene/base/diagnostic.h"
-#include "scene/base/json_depth.h"
+#include "scene/base/json_limits.h"
 #include "tools/campuswalk/base/file_lines.h"
 #include "tools/campuswalk/base/json_text.h"
 
@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 void add_case_times(const fs::path& file, CaseTimes& times) {
     FileLines lines(file);
     while (const auto line = lines.next()) {
-        const auto json = scene::is_nested_deeply(*line) ? Json() : Json::parse(*line, nullptr, false);
+        const auto json = scene::why_too_complex(*line).empty() ? Json::parse(*line, nullptr, false) : Json();
         if (!json.is_object()) {
             throw scene::InputError(
                 {file.generic_string(), lines.number(), 1}, "bad-times",

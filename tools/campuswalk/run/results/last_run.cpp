@@ -12,7 +12,7 @@
 #include "engine/report/result_json.h"
 #include "scene/base/atomic_file.h"
 #include "scene/base/diagnostic.h"
-#include "scene/base/json_depth.h"
+#include "scene/base/json_limits.h"
 #include "tools/campuswalk/base/file_lines.h"
 #include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/base/read_lines.h"
@@ -53,7 +53,7 @@ std::string without_time(const std::string& object) {
 }
 
 std::string plan_of(const std::string& header) {
-    const Json json = scene::is_nested_deeply(header) ? Json() : Json::parse(header, nullptr, false);
+    const Json json = scene::why_too_complex(header).empty() ? Json::parse(header, nullptr, false) : Json();
     if (!json.is_object() || !json.contains(kHeaderKey) || !json.at(kHeaderKey).is_string()) {
         throw std::runtime_error("it doesn't begin as what a run has saved");
     }
