@@ -266,8 +266,8 @@ void read(const Json& json, const std::string& where, Struct& value) {
 
 /// The parser would accept repeated keys and use the last. Throws std::runtime_error.
 Json parsed(std::string_view line) {
-    if (const std::string_view why = scene::why_too_complex(line); !why.empty()) {
-        throw std::runtime_error(std::string(why));
+    if (const std::string why = scene::why_too_complex(line); !why.empty()) {
+        throw std::runtime_error(why);
     }
     std::vector<std::set<std::string>> keys;  // of the objects that the parser is in
     const auto visit = [&](int, Json::parse_event_t event, Json& json) {

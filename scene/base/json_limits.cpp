@@ -5,7 +5,7 @@
 
 namespace campuswalk::scene {
 
-std::string_view why_too_complex(std::string_view json) {
+std::string why_too_complex(std::string_view json) {
     std::array<int, kDeepestJson + 1> names{};  // by depth, of the object or list that is open there
     std::size_t depth = 0;
     bool in_string = false;
@@ -23,7 +23,7 @@ std::string_view why_too_complex(std::string_view json) {
         } else if ((c == ']' || c == '}') && depth > 0) {
             --depth;
         } else if (c == ':' && ++names[depth] > kMostJsonMembers) {
-            return "an object in it has more than 1000 members";
+            return "an object in it has more than " + std::to_string(kMostJsonMembers) + " members";
         }
     }
     return "";

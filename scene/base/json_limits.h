@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace campuswalk::scene {
@@ -13,6 +14,6 @@ constexpr int kMostJsonMembers = 1000;
 
 /// Which of these limits JSON text is beyond, as a sentence without its full stop; empty if it keeps both. Of
 /// text that isn't JSON, it looks at as much at least as a parser does before it notices.
-std::string_view why_too_complex(std::string_view json);
+std::string why_too_complex(std::string_view json);
 
 }  // namespace campuswalk::scene

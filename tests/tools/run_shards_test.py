@@ -360,7 +360,9 @@ class Artifacts(TwoShards):
         names = ("school-0.json", "school-0.glb.gz", ".hidden.json", "run.sh", "page.html", "school.glb")
         for name in names:
             self.write("artifacts/walks-1/campuses/" + name, name)
-        self.assertEqual(self.merged().code, 0)
+        os.symlink("school-0.json", self.path("artifacts/walks-1/campuses/school-1.json"))
+        outcome = self.merged()
+        self.assertEqual((outcome.code, outcome.err), (0, ""))
         self.assertEqual(sorted(os.listdir(self.path("all/campuses"))), ["school-0.glb.gz", "school-0.json"])
 
     def test_the_output_has_no_links_nor_what_came_with_a_checkout(self):

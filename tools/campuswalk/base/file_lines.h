@@ -13,7 +13,7 @@ namespace campuswalk::tools {
 
 /// Longer lines are refused, bytes: parsed, they take twenty times the memory.
 inline constexpr std::size_t kLongestLine = std::size_t{8} << 20U;
-/// That one is (long-line).
+/// The error (long-line) about such a line, by its number from 1.
 scene::InputError long_line(const std::filesystem::path& file, int number);
 
 /// The lines of a text file one after the other, of which only a block is in memory. The file is open only

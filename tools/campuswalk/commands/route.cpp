@@ -111,7 +111,7 @@ int find_route(const RouteOptions& options) {
     } else {
         why = std::get<engine::UnreachableReason>(found);
         answer.why_not = why.text;
-        answer.unknown = why.incomplete;
+        answer.incomplete = why.incomplete;
     }
     if (options.json) {
         print_lines(route::answer_json(answer));
@@ -127,7 +127,7 @@ int find_route(const RouteOptions& options) {
                          : route::barrier_plans(*campus, settings, request, why, options.from, options.to);
         draw_storey_plans(plans, *options.map);
     }
-    return answer.route ? kPass : answer.unknown ? kRunFailed : kExpectationFailed;
+    return answer.route ? kPass : answer.incomplete ? kRunFailed : kExpectationFailed;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "config/loader/values/ranges.h"
 #include "engine/events/decimals.h"
 #include "engine/events/event_text.h"
 #include "scene/base/json_limits.h"
@@ -40,9 +41,6 @@ bool is_event(const Json& json) {
            has("time", [](const Json& value) { return value.is_number(); }) && has("event", text) &&
            has("object", text);
 }
-
-/// Metres, as config's kCoordinate allows in walks: beyond it, nothing can be drawn.
-constexpr double kFarthest = 1e7;
 
 /// The member if it is a string, otherwise an empty one.
 std::string text_in(const Json& json, const char* name) {
@@ -135,7 +133,7 @@ std::optional<LoggedEvent> logged_event(std::string_view line) {
     event.hash = text_in(json, "hash");
     const auto at = json.find("pos");
     const auto number = [](const Json& part) {
-        return part.is_number() && std::abs(part.get<double>()) <= kFarthest;
+        return part.is_number() && std::abs(part.get<double>()) <= config::kCoordinate.max;
     };
     if (at != json.end() && at->is_array() && at->size() == 3 &&
         std::all_of(at->begin(), at->end(), number)) {

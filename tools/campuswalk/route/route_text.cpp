@@ -46,7 +46,7 @@ std::string coordinate_text(double value) {
 void print_answer(const RouteAnswer& answer) {
     if (!answer.route) {
         print_line("%s from %s to %s: %s",
-                   answer.unknown ? "it isn't known whether there is a route" : "no route",
+                   answer.incomplete ? "it isn't known whether there is a route" : "no route",
                    answer.from.c_str(), answer.to.c_str(), answer.why_not.c_str());
         return;
     }
@@ -74,7 +74,7 @@ std::string answer_json(const RouteAnswer& answer) {
     Json json = {{"campuswalk_route", 1},
                  {"from", answer.from},
                  {"to", answer.to},
-                 {"reachable", answer.unknown ? Json() : Json(answer.route.has_value())}};
+                 {"reachable", answer.incomplete ? Json() : Json(answer.route.has_value())}};
     if (!answer.route) {
         json["reason"] = answer.why_not;
         return json_text(json, 2) + "\n";

@@ -18,7 +18,7 @@ struct RouteAnswer {
     std::optional<engine::Route> route;
     engine::RouteFacts facts;  ///< of the route
     std::string why_not;       ///< no route
-    bool unknown = false;      ///< none was found, but not everything was searched
+    bool incomplete = false;   ///< none was found, but not everything was searched
 };
 
 void print_answer(const RouteAnswer& answer);

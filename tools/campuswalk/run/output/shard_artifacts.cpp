@@ -46,9 +46,11 @@ std::multimap<int, fs::path> numbered_folders(const fs::path& folder) {
     return folders;
 }
 
-/// Whether a file of this name can be what html reports show of a campus.
-bool is_bundle(std::string_view name) {
-    return !name.starts_with('.') && (name.ends_with(".json") || name.ends_with(".glb.gz"));
+/// Whether it can be what html reports show of a campus.
+bool is_bundle(const fs::directory_entry& entry) {
+    const std::string name = entry.path().filename();
+    return entry.symlink_status().type() == fs::file_type::regular && !name.starts_with('.') &&
+           (name.ends_with(".json") || name.ends_with(".glb.gz"));
 }
 
 std::vector<std::string> bundles_in(const fs::path& folder) {
@@ -56,8 +58,8 @@ std::vector<std::string> bundles_in(const fs::path& folder) {
     std::error_code error;
     for (fs::directory_iterator entry(folder / kBundleFolder, error), end; !error && entry != end;
          entry.increment(error)) {
-        if (const std::string name = entry->path().filename(); is_bundle(name)) {
-            bundles.push_back(kBundleFolder + ("/" + name));
+        if (is_bundle(*entry)) {
+            bundles.push_back(kBundleFolder + ("/" + entry->path().filename().string()));
         }
     }
     return bundles;
