@@ -5,6 +5,7 @@
 #include <assimp/scene.h>
 
 #include "scene/import/assimp/convert_material.h"
+#include "scene/import/assimp/convert_nodes.h"
 #include "scene/import/source/file_frame.h"
 
 namespace campuswalk::scene {
@@ -70,46 +71,6 @@ RawMesh convert_mesh(const aiMesh& source, unsigned int uv_channel) {
     return out;
 }
 
-Eigen::Matrix4d to_matrix(const aiMatrix4x4& m) {
-    Eigen::Matrix4d result;
-    for (unsigned int row = 0; row < 4; ++row) {
-        for (unsigned int column = 0; column < 4; ++column) {
-            result(row, column) = static_cast<double>(m[row][column]);
-        }
-    }
-    return result;
-}
-
-struct Visit {
-    const aiNode* node = nullptr;
-    int parent = -1;
-};
-
-/// In document order. Local matrices are float32 in assimp; they are multiplied in double.
-NodeTree convert_nodes(const aiNode& root, const Eigen::Matrix4d& X_world_file) {
-    NodeTree tree;
-    std::vector<Visit> pending = {{&root, -1}};
-    while (!pending.empty()) {
-        const Visit visit = pending.back();
-        pending.pop_back();
-        const Eigen::Matrix4d X_world_parent =
-            visit.parent < 0 ? X_world_file : tree.nodes[static_cast<std::size_t>(visit.parent)].X_world_node;
-        const int self = static_cast<int>(tree.nodes.size());
-        Node node;
-        node.name = visit.node->mName.C_Str();
-        node.parent = visit.parent;
-        node.X_world_node = X_world_parent * to_matrix(visit.node->mTransformation);
-        node.X_world_node.bottomRows<1>() << 0, 0, 0, 1;  // whatever the file says
-        tree.nodes.push_back(std::move(node));
-        tree.mesh_numbers.emplace_back(visit.node->mMeshes, visit.node->mMeshes + visit.node->mNumMeshes);
-        // Reversed: the stack pops the first child first.
-        for (unsigned int i = visit.node->mNumChildren; i > 0; --i) {
-            pending.push_back({visit.node->mChildren[i - 1], self});
-        }
-    }
-    return tree;
-}
-
 }  // namespace
 
 AssimpSource::AssimpSource(const SceneFile& file) : file_(file), folder_(file) {
@@ -126,10 +87,7 @@ NodeTree AssimpSource::nodes() {
     const aiScene& scene = *read_.scene;
     Eigen::Matrix4d X_file_moved = Eigen::Matrix4d::Identity();
     X_file_moved.topRightCorner<3, 1>() = read_.files->origin();
-    NodeTree tree = convert_nodes(*scene.mRootNode, world_from_file(file_, scene) * X_file_moved);
-    for (std::vector<std::size_t>& numbers : tree.mesh_numbers) {
-        std::erase_if(numbers, [&](std::size_t number) { return number >= scene.mNumMeshes; });
-    }
+    NodeTree tree = convert_nodes(scene, world_from_file(file_, scene) * X_file_moved);
     replace_generated_names(tree);
     return tree;
 }
@@ -150,7 +108,7 @@ void AssimpSource::replace_generated_names(NodeTree& tree) const {
     }
     ReadScene with_ids;
     read_scene(file_, folder_, with_ids, ColladaNames::ids);
-    const NodeTree ids = convert_nodes(*with_ids.scene->mRootNode, Eigen::Matrix4d::Identity());
+    const NodeTree ids = convert_nodes(*with_ids.scene, Eigen::Matrix4d::Identity());
     for (std::size_t i = 0; i < tree.nodes.size() && ids.nodes.size() == tree.nodes.size(); ++i) {
         if (is_generated(tree.nodes[i])) {
             tree.nodes[i].name = ids.nodes[i].name;
