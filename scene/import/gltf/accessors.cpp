@@ -114,7 +114,8 @@ Accessors::Layout Accessors::layout_of(const JsonObject& item) const {
         std::string_view name;
         std::size_t components;
     };
-    constexpr std::array<Shape, 4> kShapes = {{{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}}};
+    constexpr std::array<Shape, 5> kShapes = {
+        {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT4", 16}}};
     Layout layout;
     layout.count = item.required_uint("count");
     const std::size_t component = item.required_uint("componentType");
@@ -225,6 +226,22 @@ std::vector<Eigen::Matrix<float, kComponents, 1>> Accessors::vectors(std::size_t
     read<float>(item, layout,
                 {result.empty() ? nullptr : result.data()->data(), result.size() * kComponents});
     return result;
+}
+
+/// Whose last row is 0, 0, 0, 1, whatever the file says.
+std::vector<Eigen::Matrix4d> Accessors::matrices(std::size_t index) {
+    const std::vector<float> values = floats(index, 16);
+    std::vector<Eigen::Matrix4d> result;
+    result.reserve(values.size() / 16);
+    for (std::size_t at = 0; at < values.size(); at += 16) {
+        result.push_back(Eigen::Map<const Eigen::Matrix4f>(&values[at]).cast<double>());
+        result.back().bottomRows<1>() << 0, 0, 0, 1;
+    }
+    return result;
+}
+
+std::vector<Eigen::Vector4f> Accessors::vectors4(std::size_t index) {
+    return vectors<4>(index);
 }
 
 std::vector<Eigen::Vector3f> Accessors::vectors3(std::size_t index) {

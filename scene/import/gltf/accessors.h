@@ -21,7 +21,9 @@ public:
     std::size_t count(std::size_t index) const;
     /// `components` floats per element.
     std::vector<float> floats(std::size_t index, int components);
+    std::vector<Eigen::Matrix4d> matrices(std::size_t index);
     std::vector<Eigen::Vector3f> vectors3(std::size_t index);
+    std::vector<Eigen::Vector4f> vectors4(std::size_t index);
     std::vector<Eigen::Vector2f> vectors2(std::size_t index);
     std::vector<std::array<std::uint8_t, 4>> colors(std::size_t index);  ///< of RGB or RGBA
     std::vector<std::uint32_t> indices(std::size_t index);

@@ -148,6 +148,11 @@ std::optional<std::vector<double>> JsonObject::doubles(const char* key, std::siz
     return result;
 }
 
+std::vector<float> JsonObject::all_floats(const char* key) const {
+    const Json* value = find(key);
+    return value == nullptr ? std::vector<float>{} : *floats(key, value->is_array() ? value->size() : 0);
+}
+
 std::vector<std::size_t> JsonObject::uints(const char* key) const {
     std::vector<std::size_t> result;
     if (const Json* value = find(key)) {

@@ -29,6 +29,7 @@ public:
     /// An array of exactly `count` numbers, nullopt if absent. Single precision is what glTF requires.
     std::optional<std::vector<float>> floats(const char* key, std::size_t count) const;
     std::optional<std::vector<double>> doubles(const char* key, std::size_t count) const;
+    std::vector<float> all_floats(const char* key) const;  ///< of an array of any length; empty if absent
     std::vector<std::size_t> uints(const char* key) const;
     std::vector<std::string> strings(const char* key) const;
     std::vector<std::string> keys() const;

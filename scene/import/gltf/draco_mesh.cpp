@@ -67,8 +67,8 @@ void append_colors(const JsonObject& compression, const draco::Mesh& mesh, std::
 
 }  // namespace
 
-void decode_draco(const JsonObject& compression, Bytes packed, const DracoAttributes& attributes,
-                  RawMesh& out) {
+std::vector<JointSet> decode_draco(const JsonObject& compression, Bytes packed,
+                                   const DracoAttributes& attributes, RawMesh& out) {
     if (const std::string reason = why_draco_too_large(packed); !reason.empty()) {
         compression.fail(reason + "; re-export it, or export without Draco");
     }
@@ -99,6 +99,16 @@ void decode_draco(const JsonObject& compression, Bytes packed, const DracoAttrib
     if (attributes.color) {
         append_colors(compression, mesh, *attributes.color, out);
     }
+    std::vector<JointSet> sets;
+    for (const DracoAttributes::Joints& ids : attributes.joints) {
+        JointSet& set = sets.emplace_back();
+        const auto append_to = [](std::vector<Eigen::Vector4f>& values) {
+            return [&values](const auto& v) { values.emplace_back(v[0], v[1], v[2], v[3]); };
+        };
+        for_each_point<4>(compression, mesh, ids.joints, append_to(set.joints));
+        for_each_point<4>(compression, mesh, ids.weights, append_to(set.weights));
+    }
+    return sets;
 }
 
 }  // namespace campuswalk::scene::gltf

@@ -8,10 +8,10 @@ namespace campuswalk::scene::gltf {
 namespace {
 
 // Includes image formats that can't be decoded: those are reported for the materials that use them.
-constexpr std::array<std::string_view, 11> kSupported = {
-    "CESIUM_RTC",         "EXT_mesh_gpu_instancing",    "EXT_meshopt_compression", "EXT_texture_avif",
-    "EXT_texture_webp",   "KHR_draco_mesh_compression", "KHR_mesh_quantization",   "KHR_meshopt_compression",
-    "KHR_texture_basisu", "KHR_texture_transform",      "MSFT_texture_dds"};
+constexpr std::array<std::string_view, 12> kSupported = {
+    "CESIUM_RTC",          "EXT_mesh_gpu_instancing",    "EXT_meshopt_compression", "EXT_texture_avif",
+    "EXT_texture_webp",    "KHR_draco_mesh_compression", "KHR_mesh_quantization",   "KHR_meshopt_compression",
+    "KHR_node_visibility", "KHR_texture_basisu",         "KHR_texture_transform",   "MSFT_texture_dds"};
 
 // Prefixes of extensions that change neither a walk nor its images: sheen, lights, animation, metadata.
 constexpr std::array<std::string_view, 9> kIgnorable = {"KHR_materials_", "KHR_lights_", "EXT_lights_",

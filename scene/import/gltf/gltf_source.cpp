@@ -155,14 +155,9 @@ void GltfSource::add_warnings(DiagnosticList& warnings) {
         warn("unplaced-mesh",
              "meshes without a node, placed at the origin: " + std::to_string(notes.meshes_at_origin));
     }
-    if (notes.skinned > 0) {
-        warn("unsupported-feature", "skins: " + std::to_string(notes.skinned) +
-                                        " skinned nodes are imported in their bind pose; "
-                                        "apply the pose before export");
-    }
-    if (parts_->primitives->morphed() > 0) {
-        warn("unsupported-feature",
-             "morph targets are ignored: the base shape is imported; apply them before export");
+    if (notes.hidden > 0) {
+        warn("hidden-nodes", "meshes that KHR_node_visibility hides, neither drawn nor solid: " +
+                                 std::to_string(notes.hidden));
     }
     if (parts_->primitives->without_data() > 0) {
         warn("missing-data", "mesh arrays without data in the file, read as zeros: " +

@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <tuple>
+#include <utility>
 
+#include "scene/import/gltf/skin.h"
 #include "scene/model/model_limits.h"
 
 namespace campuswalk::scene::gltf {
@@ -101,17 +105,24 @@ std::vector<Eigen::Matrix4d> instances_of(const JsonObject& instancing, Accessor
     return result;
 }
 
+/// Whether KHR_node_visibility hides the node, and all below it.
+bool hides(const JsonObject& node) {
+    const auto extensions = node.object("extensions");
+    const auto visibility = extensions ? extensions->object("KHR_node_visibility") : std::nullopt;
+    return visibility && visibility->has("visible") && !visibility->boolean("visible");
+}
+
 /// Builds the tree. Visit::node is an index in the file; parents are indices in the tree.
 class GraphReader {
 public:
-    GraphReader(const Document& document, const Primitives& primitives, Accessors& accessors,
+    GraphReader(const Document& document, Primitives& primitives, Accessors& accessors,
                 const Eigen::Matrix4d& X_world_file, GraphNotes& notes)
         : document_(document),
           primitives_(primitives),
           accessors_(accessors),
           X_world_file_(X_world_file),
           notes_(notes),
-          reached_(document.size("nodes"), false),
+          number_in_tree_(document.size("nodes")),
           drawn_(primitives.mesh_count(), false) {}
 
     NodeTree read();
@@ -120,7 +131,16 @@ private:
     struct Visit {
         std::size_t node;
         int parent;
+        bool hidden = false;
     };
+    struct SkinnedNode {
+        int node;
+        std::size_t mesh;
+        std::size_t skin;
+        std::vector<float> weights;
+    };
+    using DeformedKey =
+        std::tuple<std::size_t, std::optional<std::size_t>, std::vector<float>>;  // mesh, skin, weights
 
     std::vector<std::size_t> roots();
     std::vector<std::size_t> nodes_without_a_parent() const;
@@ -128,23 +148,30 @@ private:
     void add_node(const Visit& visit, std::vector<Visit>& pending);
     int add(std::string name, int parent, const Eigen::Matrix4d& X_parent_node);
     void draw(int node, std::size_t mesh);
-    void draw_node(int self, const JsonObject& item);
+    void draw_numbers(int node, std::size_t mesh, std::size_t first);
+    void draw_deformed(int node, const DeformedKey& key, std::vector<Eigen::Matrix4d> X_node_bound);
+    void draw_node(int self, const JsonObject& item, bool hidden);
+    std::vector<Eigen::Matrix4d> placed_joints(const SkinnedNode& skinned, const Skin& skin) const;
+    void draw_skinned();
+    std::vector<float> weights_of(const JsonObject& node, std::size_t mesh) const;
     std::vector<std::size_t> meshes_not_drawn() const;
 
     const Document& document_;
-    const Primitives& primitives_;
+    Primitives& primitives_;
     Accessors& accessors_;
     const Eigen::Matrix4d& X_world_file_;
     GraphNotes& notes_;
-    std::vector<bool> reached_;  // by node
-    std::vector<bool> drawn_;    // by mesh
+    std::vector<std::optional<int>> number_in_tree_;  // by node of the file
+    std::vector<bool> drawn_;                         // by mesh
+    std::vector<SkinnedNode> skinned_;                // drawn when all joints are placed
+    std::map<DeformedKey, std::size_t> deformed_;     // the numbers of their first primitives
     bool has_default_scene_ = false;
     NodeTree tree_;
 };
 
 std::vector<std::size_t> GraphReader::nodes_without_a_parent() const {
-    std::vector<bool> is_child(reached_.size(), false);
-    for (std::size_t i = 0; i < reached_.size(); ++i) {
+    std::vector<bool> is_child(number_in_tree_.size(), false);
+    for (std::size_t i = 0; i < is_child.size(); ++i) {
         for (const std::size_t child : document_.item("nodes", i).uints("children")) {
             if (child < is_child.size()) {
                 is_child[child] = true;
@@ -196,14 +223,38 @@ int GraphReader::add(std::string name, int parent, const Eigen::Matrix4d& X_pare
     return static_cast<int>(tree_.nodes.size()) - 1;
 }
 
-void GraphReader::draw(int node, std::size_t mesh) {
-    drawn_[mesh] = true;
-    for (std::size_t number = primitives_.first(mesh); number < primitives_.first(mesh + 1); ++number) {
+void GraphReader::draw_numbers(int node, std::size_t mesh, std::size_t first) {
+    const std::size_t count = primitives_.first(mesh + 1) - primitives_.first(mesh);
+    for (std::size_t number = first; number < first + count; ++number) {
         tree_.mesh_numbers[static_cast<std::size_t>(node)].push_back(number);
     }
 }
 
-void GraphReader::draw_node(int self, const JsonObject& item) {
+void GraphReader::draw(int node, std::size_t mesh) {
+    draw_numbers(node, mesh, primitives_.first(mesh));
+}
+
+/// Nodes that draw the same share it.
+void GraphReader::draw_deformed(int node, const DeformedKey& key, std::vector<Eigen::Matrix4d> X_node_bound) {
+    const auto& [mesh, skin, weights] = key;
+    auto known = deformed_.find(key);
+    if (known == deformed_.end()) {
+        const std::size_t first = primitives_.add_deformed(mesh, {weights, std::move(X_node_bound)});
+        known = deformed_.emplace(key, first).first;
+    }
+    draw_numbers(node, mesh, known->second);
+}
+
+/// The node's default weights, else the mesh's; empty if they are all 0.
+std::vector<float> GraphReader::weights_of(const JsonObject& node, std::size_t mesh) const {
+    const JsonObject shape = document_.item("meshes", mesh);
+    std::vector<float> weights =
+        node.has("weights") ? node.all_floats("weights") : shape.all_floats("weights");
+    const bool moves = std::ranges::any_of(weights, [](float weight) { return weight != 0.0F; });
+    return moves ? std::move(weights) : std::vector<float>{};
+}
+
+void GraphReader::draw_node(int self, const JsonObject& item, bool hidden) {
     const auto mesh = item.uint("mesh");
     if (!mesh) {
         return;
@@ -211,35 +262,90 @@ void GraphReader::draw_node(int self, const JsonObject& item) {
     if (*mesh >= drawn_.size()) {
         item.fail("refers to a mesh that does not exist");
     }
-    notes_.skinned += item.has("skin") ? 1U : 0U;
+    drawn_[*mesh] = true;
+    if (hidden) {
+        ++notes_.hidden;
+        return;
+    }
+    std::vector<float> weights = weights_of(item, *mesh);
     const auto extensions = item.object("extensions");
     const auto instancing = extensions ? extensions->object("EXT_mesh_gpu_instancing") : std::nullopt;
+    if (const auto skin = item.uint("skin")) {
+        if (instancing) {
+            item.fail("has both a skin and instances, which glTF doesn't define; export it with one of them");
+        }
+        skinned_.push_back({self, *mesh, *skin, std::move(weights)});
+        return;
+    }
+    const auto draw_at = [&](int node) {
+        if (weights.empty()) {
+            draw(node, *mesh);
+        } else {
+            draw_deformed(node, {*mesh, std::nullopt, weights}, {});
+        }
+    };
     if (!instancing) {
-        draw(self, *mesh);
+        draw_at(self);
         return;
     }
     const std::string name = tree_.nodes[static_cast<std::size_t>(self)].name;
     std::size_t number = 0;
     for (const Eigen::Matrix4d& X_node_instance : instances_of(*instancing, accessors_)) {
-        draw(add(name + "#" + std::to_string(++number), self, X_node_instance), *mesh);
+        draw_at(add(name + "#" + std::to_string(++number), self, X_node_instance));
+    }
+}
+
+/// Where the nodes are that a skin calls its joints.
+std::vector<Eigen::Matrix4d> GraphReader::placed_joints(const SkinnedNode& skinned, const Skin& skin) const {
+    std::vector<Eigen::Matrix4d> result;
+    for (const std::size_t joint : skin.joints) {
+        const auto number = joint < number_in_tree_.size() ? number_in_tree_[joint] : std::nullopt;
+        if (!number) {
+            document_.item("skins", skinned.skin)
+                .fail("has a joint that the scene does not place; re-export it");
+        }
+        result.push_back(tree_.nodes[static_cast<std::size_t>(*number)].X_world_node);
+    }
+    return result;
+}
+
+/// After all nodes are placed. A skinned node moves last, because others may be its children, and it may be a
+/// joint itself.
+void GraphReader::draw_skinned() {
+    std::vector<Eigen::Matrix4d> X_world_moved;
+    for (const SkinnedNode& skinned : skinned_) {
+        const Skin skin = read_skin(document_, accessors_, skinned.skin);
+        std::vector<Eigen::Matrix4d> X_node_bound = placed_joints(skinned, skin);
+        Eigen::Matrix4d X_world_node = Eigen::Matrix4d::Identity();
+        X_world_node.topRightCorner<3, 1>() = X_node_bound.front().topRightCorner<3, 1>();
+        for (std::size_t i = 0; i < X_node_bound.size(); ++i) {
+            X_node_bound[i].topRightCorner<3, 1>() -= X_world_node.topRightCorner<3, 1>();
+            X_node_bound[i] = (X_node_bound[i] * skin.X_joint_bound[i]).eval();
+        }
+        draw_deformed(skinned.node, {skinned.mesh, skinned.skin, skinned.weights}, std::move(X_node_bound));
+        X_world_moved.push_back(X_world_node);
+    }
+    for (std::size_t i = 0; i < skinned_.size(); ++i) {
+        tree_.nodes[static_cast<std::size_t>(skinned_[i].node)].X_world_node = X_world_moved[i];
     }
 }
 
 void GraphReader::add_node(const Visit& visit, std::vector<Visit>& pending) {
     const JsonObject item = document_.item("nodes", visit.node);
-    if (reached_[visit.node]) {
+    if (number_in_tree_[visit.node]) {
         item.fail("has two parents or is its own ancestor; re-export it");
     }
-    reached_[visit.node] = true;
     std::string name = item.string("name");
     if (name.empty()) {
         name = "nodes[" + std::to_string(visit.node) + "]";
     }
     const int self = add(std::move(name), visit.parent, local_transform(item));
-    draw_node(self, item);
+    number_in_tree_[visit.node] = self;
+    const bool hidden = visit.hidden || hides(item);
+    draw_node(self, item, hidden);
     const std::vector<std::size_t> children = item.uints("children");
     for (std::size_t i = children.size(); i > 0; --i) {  // reversed: the stack pops the first child first
-        pending.push_back({children[i - 1], self});
+        pending.push_back({children[i - 1], self, hidden});
     }
 }
 
@@ -271,6 +377,7 @@ NodeTree GraphReader::read() {
     for (const std::size_t root : top) {
         add_tree(root, parent);
     }
+    draw_skinned();
     const std::vector<std::size_t> unplaced = meshes_not_drawn();
     if (has_default_scene_) {
         notes_.unplaced_meshes = unplaced.size();
@@ -288,7 +395,7 @@ NodeTree GraphReader::read() {
 
 }  // namespace
 
-NodeTree read_node_graph(const Document& document, const Primitives& primitives, Accessors& accessors,
+NodeTree read_node_graph(const Document& document, Primitives& primitives, Accessors& accessors,
                          const Eigen::Matrix4d& X_world_file, GraphNotes& notes) {
     return GraphReader(document, primitives, accessors, X_world_file, notes).read();
 }

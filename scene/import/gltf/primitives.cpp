@@ -62,6 +62,7 @@ Primitives::Primitives(const Document& document, Buffers& buffers, const std::ve
     for (std::size_t mesh = 0; mesh < document.size("meshes"); ++mesh) {
         first_.push_back(first_.back() + document.item("meshes", mesh).objects("primitives").size());
     }
+    past_end_ = first_.back();
 }
 
 std::string Primitives::uv_name(const RawMesh& mesh) const {
@@ -124,7 +125,62 @@ void Primitives::read_triangles(const JsonObject& primitive, RawMesh& out) {
     }
 }
 
-void Primitives::read_draco(const JsonObject& compression, RawMesh& out) {
+/// Of as many sets as there are, JOINTS_0 and WEIGHTS_0 first.
+std::vector<JointSet> Primitives::read_joints(const JsonObject& attributes) {
+    std::vector<JointSet> sets;
+    for (std::size_t n = 0;; ++n) {
+        const auto joints = attributes.uint(("JOINTS_" + std::to_string(n)).c_str());
+        const auto weights = attributes.uint(("WEIGHTS_" + std::to_string(n)).c_str());
+        if (!joints || !weights) {
+            return sets;
+        }
+        sets.push_back({accessors_.vectors4(*joints), accessors_.vectors4(*weights)});
+    }
+}
+
+/// Those that move something.
+std::vector<MorphTarget> Primitives::read_targets(const JsonObject& primitive,
+                                                  const std::vector<float>& weights, const RawMesh& mesh) {
+    std::vector<MorphTarget> result;
+    const std::vector<JsonObject> targets = primitive.objects("targets");
+    for (std::size_t i = 0; i < std::min(targets.size(), weights.size()); ++i) {
+        if (weights[i] == 0.0F) {
+            continue;
+        }
+        MorphTarget& target = result.emplace_back();
+        target.weight = weights[i];
+        if (const auto positions = targets[i].uint("POSITION")) {
+            target.positions = accessors_.vectors3(*positions);
+            check_length(primitive, target.positions, mesh.positions.size(), "a target's POSITION");
+        }
+        const auto normals = targets[i].uint("NORMAL");
+        if (normals && !mesh.normals.empty()) {
+            target.normals = accessors_.vectors3(*normals);
+            check_length(primitive, target.normals, mesh.normals.size(), "a target's NORMAL");
+        }
+    }
+    return result;
+}
+
+void Primitives::deform(const JsonObject& primitive, const Deformation& deformation,
+                        const std::vector<JointSet>& joints, RawMesh& out) {
+    apply_morph_targets(read_targets(primitive, deformation.weights, out), out);
+    if (deformation.X_node_bound.empty()) {
+        return;
+    }
+    if (joints.empty()) {
+        primitive.fail("is drawn with a skin and has no JOINTS_0 or WEIGHTS_0; re-export it");
+    }
+    for (const JointSet& set : joints) {
+        check_length(primitive, set.joints, out.positions.size(), "JOINTS");
+        check_length(primitive, set.weights, out.positions.size(), "WEIGHTS");
+    }
+    if (!apply_skin(deformation.X_node_bound, joints, out)) {
+        primitive.fail("refers to a joint that its skin does not have; re-export it");
+    }
+}
+
+void Primitives::read_draco(const JsonObject& compression, RawMesh& out, std::vector<JointSet>& joints) {
     const auto ids = compression.object("attributes");
     if (!ids) {
         compression.fail("lacks 'attributes'");
@@ -138,20 +194,45 @@ void Primitives::read_draco(const JsonObject& compression, RawMesh& out) {
     attributes.normal = ids->uint("NORMAL");
     attributes.uv = ids->uint(uv_name(out).c_str());
     attributes.color = ids->uint("COLOR_0");
-    decode_draco(compression, *packed, attributes, out);
+    for (std::size_t n = 0;; ++n) {
+        const auto joint = ids->uint(("JOINTS_" + std::to_string(n)).c_str());
+        const auto weight = ids->uint(("WEIGHTS_" + std::to_string(n)).c_str());
+        if (!joint || !weight) {
+            break;
+        }
+        attributes.joints.push_back({*joint, *weight});
+    }
+    joints = decode_draco(compression, *packed, attributes, out);
+}
+
+std::size_t Primitives::add_deformed(std::size_t mesh, Deformation deformation) {
+    const std::size_t first = past_end_;
+    deformed_.push_back({first, mesh, std::move(deformation)});
+    past_end_ += first_[mesh + 1] - first_[mesh];
+    return first;
+}
+
+Primitives::Numbered Primitives::find(std::size_t number) const {
+    if (number < first_.back()) {
+        const auto next = std::ranges::upper_bound(first_, number);
+        const auto mesh = static_cast<std::size_t>(next - first_.begin()) - 1;
+        return {mesh, number - first_[mesh], nullptr};
+    }
+    const auto next = std::ranges::upper_bound(deformed_, number, {}, &Deformed::first);
+    const Deformed& found = *(next - 1);
+    return {found.mesh, number - found.first, &found.deformation};
 }
 
 RawMesh Primitives::read(std::size_t number) {
-    const auto next = std::upper_bound(first_.begin(), first_.end(), number);
-    const auto mesh_index = static_cast<std::size_t>(next - first_.begin()) - 1;
-    const JsonObject mesh = document_.item("meshes", mesh_index);
+    const Numbered found = find(number);
+    const JsonObject mesh = document_.item("meshes", found.mesh);
     const std::vector<JsonObject> primitives = mesh.objects("primitives");
-    const JsonObject& primitive = primitives[number - first_[mesh_index]];
+    const JsonObject& primitive = primitives[found.primitive];
 
     RawMesh out;
     out.name = mesh.string("name");
     if (primitives.size() > 1) {
-        out.name += "-" + std::to_string(number - first_[mesh_index]);
+        out.name += "-" + std::to_string(found.primitive);
     }
     out.material = primitive.uint("material").value_or(materials_.size() - 1);
     if (out.material >= materials_.size()) {
@@ -161,15 +242,21 @@ RawMesh Primitives::read(std::size_t number) {
     if (!attributes) {
         primitive.fail("lacks 'attributes'");
     }
+    std::vector<JointSet> joints;
     const auto extensions = primitive.object("extensions");
     if (const auto draco = extensions ? extensions->object("KHR_draco_mesh_compression") : std::nullopt) {
-        read_draco(*draco, out);
+        read_draco(*draco, out, joints);
     } else {
         read_attributes(primitive, *attributes, out);
         read_triangles(primitive, out);
+        if (found.deformation != nullptr && !found.deformation->X_node_bound.empty()) {
+            joints = read_joints(*attributes);
+        }
+    }
+    if (found.deformation != nullptr) {
+        deform(primitive, *found.deformation, joints, out);
     }
     transform_uvs(out);
-    morphed_ += primitive.has("targets") ? 1U : 0U;
     return out;
 }
 

@@ -382,17 +382,6 @@ TEST_F(GltfSourceTest, NamesUnsupportedExtensionsAndVersions) {
     EXPECT_TRUE(contains(refusal(text), "error bad-model") && contains(refusal(text), "'1.0'"));
 }
 
-TEST_F(GltfSourceTest, WarnsAboutSkinsAndMorphTargets) {
-    GltfText text;
-    const std::size_t positions = text.add_triangle_positions();
-    const Json targets = Json::array({{{"POSITION", positions}}});
-    text.add_node({{"mesh", text.add_mesh({{"attributes", {{"POSITION", positions}}}, {"targets", targets}})},
-                   {"skin", 0}});
-    EXPECT_EQ(count_triangles(import(text)), 1U);
-    EXPECT_TRUE(contains(warnings(), "skins: 1")) << warnings();
-    EXPECT_TRUE(contains(warnings(), "morph targets")) << warnings();
-}
-
 TEST_F(GltfSourceTest, RejectsEveryTruncationOfAGlb) {
     GltfText text;
     text.add_node({{"mesh", text.add_triangle_mesh()}});

@@ -45,6 +45,18 @@ std::vector<std::uint8_t> draco_of(const GridMesh& mesh) {
         packed.attribute(id)->SetAttributeValue(draco::AttributeValueIndex(i),
                                                 &mesh.positions[std::size_t{3} * i]);
     }
+    if (!mesh.joints.empty()) {
+        draco::GeometryAttribute four;
+        four.Init(draco::GeometryAttribute::GENERIC, nullptr, 4, draco::DT_UINT8, false, 4, 0);
+        const int joints = packed.AddAttribute(four, true, points);
+        const int weights = packed.AddAttribute(four, true, points);
+        constexpr std::array<std::uint8_t, 4> kAll = {255, 0, 0, 0};
+        for (std::uint32_t i = 0; i < points; ++i) {
+            packed.attribute(joints)->SetAttributeValue(draco::AttributeValueIndex(i),
+                                                        &mesh.joints[std::size_t{4} * i]);
+            packed.attribute(weights)->SetAttributeValue(draco::AttributeValueIndex(i), kAll.data());
+        }
+    }
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
         packed.AddFace({draco::PointIndex(mesh.indices[i]), draco::PointIndex(mesh.indices[i + 1]),
                         draco::PointIndex(mesh.indices[i + 2])});
@@ -78,7 +90,11 @@ std::vector<std::uint8_t> meshopt_indices_of(const GridMesh& mesh) {
 GltfText draco_gltf(const GridMesh& mesh) {
     const std::size_t count = mesh.positions.size() / 3;
     GltfText text;
-    const Json packing = {{"bufferView", text.add_view(draco_of(mesh))}, {"attributes", {{"POSITION", 0}}}};
+    Json packing = {{"bufferView", text.add_view(draco_of(mesh))}, {"attributes", {{"POSITION", 0}}}};
+    if (!mesh.joints.empty()) {
+        packing["attributes"]["JOINTS_0"] = 1;
+        packing["attributes"]["WEIGHTS_0"] = 2;
+    }
     text.json["accessors"] = {{{"componentType", 5126}, {"count", count}, {"type", "VEC3"}},
                               {{"componentType", count > 65535 ? 5125
                                                  : count > 255 ? 5123

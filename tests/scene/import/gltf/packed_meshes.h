@@ -13,12 +13,13 @@ namespace campuswalk::scene::test {
 struct GridMesh {
     std::vector<float> positions;  ///< x, y, z
     std::vector<std::uint32_t> indices;
+    std::vector<std::uint8_t> joints;  ///< empty, or four a vertex, of which the first has all the weight
 };
 
 /// `side` x `side` vertices.
 GridMesh grid_mesh(std::size_t side);
 
-/// The positions (attribute 0) and triangles, encoded by Draco.
+/// The positions (attribute 0), joints and weights (1 and 2), and triangles, encoded by Draco.
 std::vector<std::uint8_t> draco_of(const GridMesh& mesh);
 
 std::vector<std::uint8_t> meshopt_vertices_of(const GridMesh& mesh);  ///< 12 bytes per vertex
