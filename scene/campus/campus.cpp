@@ -16,6 +16,7 @@
 #include "scene/campus/object_names.h"
 #include "scene/campus/open_doors.h"
 #include "scene/campus/place_heights.h"
+#include "scene/campus/place_scene.h"
 #include "scene/import/source/parallel_for.h"
 #include "scene/model/model_limits.h"
 #include "scene/model/node_frame.h"
@@ -55,6 +56,7 @@ ImportedScenes import_scenes(const CampusDescription& campus, DiagnosticList& di
         }
         try {
             models[i] = load_model(files[i], EmptyModel::refuse, importer, cache);
+            place_scene(files[i], models[i].imported.model);
             bytes += count_bytes(models[i].imported.model);
         } catch (...) {
             failures[i] = std::current_exception();
@@ -75,7 +77,7 @@ ImportedScenes import_scenes(const CampusDescription& campus, DiagnosticList& di
             scenes.models.push_back(std::move(loaded.imported.model));
             scenes.files.insert(loaded.files.begin(), loaded.files.end());
             if (loaded.contents) {
-                scenes.contents.push_back(*loaded.contents);
+                scenes.contents.push_back(placed_contents(files[i], *loaded.contents));
             }
             std::ranges::copy_if(loaded.imported.warnings, std::back_inserter(scenes.texture_warnings),
                                  [](const Diagnostic& warning) { return warning.code == "bad-texture"; });

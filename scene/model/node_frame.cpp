@@ -105,6 +105,20 @@ collision::Mat3 rotation_about_y(double yaw) {
     return rotation;
 }
 
+collision::Mat3 rotation_xyz(const Vec3& angles) {
+    const SineCosine x = sine_cosine(angles.x());
+    const SineCosine z = sine_cosine(angles.z());
+    Mat3 about_x;
+    about_x << 1, 0, 0,        //
+        0, x.cosine, -x.sine,  //
+        0, x.sine, x.cosine;
+    Mat3 about_z;
+    about_z << z.cosine, -z.sine, 0,  //
+        z.sine, z.cosine, 0,          //
+        0, 0, 1;
+    return about_x * rotation_about_y(angles.y()) * about_z;
+}
+
 collision::Mat3 rotation_with_x_along(const collision::Vec3& axis) {
     const Vec3 x = axis.normalized();
     const Vec3 y = any_perpendicular(x);

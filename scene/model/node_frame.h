@@ -14,6 +14,10 @@ collision::Pose upright_frame(const Eigen::Matrix4d& X_world_node);
 /// Rotation about +Y by `yaw` radians, the same bits on every machine.
 collision::Mat3 rotation_about_y(double yaw);
 
+/// Rotations about X, Y and Z by radians, as Rx * Ry * Rz: about Z first, or about the axes X, Y and Z that
+/// turn along (the order XYZ of three.js). The same bits on every machine.
+collision::Mat3 rotation_xyz(const collision::Vec3& angles);
+
 /// A rotation that maps +X to the direction of `axis`, which is not zero.
 collision::Mat3 rotation_with_x_along(const collision::Vec3& axis);
 

@@ -104,6 +104,63 @@ TEST_F(ReadCampus, ReadsUnits) {
     }
 }
 
+TEST_F(ReadCampus, ReadsWhereScenesArePlaced) {
+    const CampusDescription campus = read(R"(
+scenes:
+  - {file: a.glb, position: [1, 2, 3]}
+  - {file: a.glb, position: [1, 2, 3], rotation_deg: [0, 90, 0]}
+  - {file: a.glb, name: gate, quaternion: [0, 0.7071, 0, 0.7071]}
+  - file: a.glb
+    scale: 2
+    placements:
+      - {position: [4, 5, 6], rotation_deg: [10, 20, 30], scale: 0.5, name: first}
+      - {}
+colliders: []
+)");
+    ASSERT_EQ(campus.scenes.size(), 4U);
+    EXPECT_TRUE(campus.scenes[0].placements.empty());
+    EXPECT_EQ(campus.scenes[0].position, Eigen::Vector3d(1, 2, 3));
+
+    Eigen::Matrix3d left;  // +X turns to -Z
+    left << 0, 0, 1, 0, 1, 0, -1, 0, 0;
+    ASSERT_EQ(campus.scenes[1].placements.size(), 1U);
+    EXPECT_EQ(campus.scenes[1].position, Eigen::Vector3d(0, 0, 0));
+    EXPECT_EQ(campus.scenes[1].placements[0].position, Eigen::Vector3d(1, 2, 3));
+    EXPECT_LT((campus.scenes[1].placements[0].rotation - left).norm(), 1e-15);
+    ASSERT_EQ(campus.scenes[2].placements.size(), 1U);
+    EXPECT_EQ(campus.scenes[2].placements[0].name, "gate");
+    EXPECT_LT((campus.scenes[2].placements[0].rotation - left).norm(), 1e-14);
+
+    ASSERT_EQ(campus.scenes[3].placements.size(), 2U);
+    const scene::ScenePlacement& first = campus.scenes[3].placements[0];
+    EXPECT_EQ(campus.scenes[3].scale, 2.0);
+    EXPECT_EQ(first.scale, 0.5);
+    EXPECT_EQ(first.name, "first");
+    EXPECT_EQ(first.position, Eigen::Vector3d(4, 5, 6));
+    EXPECT_EQ(first.mark.line, 9);
+    EXPECT_EQ(campus.scenes[3].placements[1].rotation, Eigen::Matrix3d::Identity());
+}
+
+TEST_F(ReadCampus, RefusesPlacementsThatContradictThemselves) {
+    const auto about_scene = [this](const std::string& keys) {
+        return folder_.about_campus("scenes: [{file: a.glb, " + keys + "}]\ncolliders: []\n");
+    };
+    EXPECT_THAT(about_scene("rotation_deg: [0, 90]"),
+                ElementsAre(testing::HasSubstr("wrong-type: 'rotation_deg' must be three numbers")));
+    EXPECT_THAT(about_scene("quaternion: [0, 1, 0]"),
+                ElementsAre(testing::HasSubstr("wrong-type: 'quaternion' must be four numbers")));
+    EXPECT_THAT(about_scene("quaternion: [0, 0.5, 0, 0.5]"),
+                ElementsAre(testing::HasSubstr("bad-value: 'quaternion' must have the length 1, not 0.70")));
+    EXPECT_THAT(about_scene("rotation_deg: [0, 9, 0], quaternion: [0, 0, 0, 1]"),
+                ElementsAre(testing::HasSubstr("write one of them")));
+    EXPECT_THAT(about_scene("placements: []"),
+                ElementsAre(testing::HasSubstr("'placements' needs at least one entry")));
+    EXPECT_THAT(about_scene("placements: [{}], position: [1, 2, 3]"),
+                ElementsAre(testing::HasSubstr("'position' stands beside 'placements'")));
+    EXPECT_THAT(about_scene("placements: [{scale: 0}]"), ElementsAre(testing::HasSubstr("bad-value")));
+    EXPECT_THAT(about_scene("placements: [{file: b.glb}]"), ElementsAre(testing::HasSubstr("unknown-key")));
+}
+
 TEST_F(ReadCampus, AcceptsEmptySectionsAliasesAndQuotedKeys) {
     EXPECT_THAT(about("layers:\nbuildings:\nspawns:\nplaces: {}\n"), ElementsAre());
     EXPECT_THAT(about("spawns: {a: &a {at: [0, 0, 0]}, b: *a}\n"), ElementsAre());

@@ -65,11 +65,16 @@ std::multimap<std::string, json> avatar_defaults() {
 
 std::multimap<std::string, json> campus_defaults() {
     const scene::SceneFile scene;
+    const scene::ScenePlacement placement;
+    const bool turned = placement.rotation != Eigen::Matrix3d::Identity();
     const scene::Building building;
     return {{"campus/definitions/place_file/anyOf/1/properties/name", PointFile().name_property},
             {"campus/definitions/scene/properties/up", scene.up == scene::UpAxis::y ? "y" : "z"},
             {"campus/definitions/scene/properties/unit", scene.metres_per_unit == 1.0 ? "m" : "another"},
             {"campus/definitions/scene/properties/scale", scene.scale},
+            {"campus/definitions/placement/properties/scale", placement.scale},
+            {"campus/definitions/placed_rotation", turned ? json() : json{0, 0, 0}},
+            {"campus/definitions/placed_quaternion", turned ? json() : json{0, 0, 0, 1}},
             {"campus/definitions/origin/properties/height", scene::GeographicPlace().height},
             {"campus/definitions/yaw_deg", scene::Spawn().yaw},
             {"campus/definitions/spawn/properties/fall", scene::Spawn().fall},

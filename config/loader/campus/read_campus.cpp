@@ -5,6 +5,7 @@
 #include "config/loader/campus/read_collider.h"
 #include "config/loader/campus/read_places.h"
 #include "config/loader/campus/read_popup.h"
+#include "config/loader/campus/read_scenes.h"
 #include "config/loader/values/checked_map.h"
 #include "config/loader/values/names.h"
 #include "config/loader/values/ranges.h"
@@ -17,9 +18,7 @@ using scene::CampusDescription;
 using scene::CampusOrigin;
 using scene::ColliderDescription;
 using scene::GeographicPlace;
-using scene::SceneFile;
 using scene::Spawn;
-using scene::UpAxis;
 
 namespace fs = std::filesystem;
 
@@ -27,47 +26,6 @@ namespace {
 
 constexpr Range kLatitude{-scene::kMaxLatitude, scene::kMaxLatitude, false, "degrees"};
 constexpr Range kLongitude{-scene::kMaxLongitude, scene::kMaxLongitude, false, "degrees"};
-constexpr std::array kUpAxes = {Choice<UpAxis>{"y", UpAxis::y}, Choice<UpAxis>{"z", UpAxis::z}};
-constexpr std::array kUnits = {Choice<double>{"m", 1.0}, Choice<double>{"cm", 0.01},
-                               Choice<double>{"mm", 0.001}, Choice<double>{"in", 0.0254},
-                               Choice<double>{"ft", 0.3048}};
-
-/// The scene's file, and which others it may refer to.
-void read_scene_file(const CheckedNode& file, const fs::path& folder, const ReadRoots& roots,
-                     SceneFile& scene) {
-    scene.mark = file.mark();
-    scene.file = file.line().value_or("");
-    scene.path = folder / scene.file;
-    if (scene.file.empty()) {
-        return;  // which has been reported
-    }
-    // What it refers to is looked up from where it is named, even if that is a link to another place.
-    std::error_code ignored;
-    const fs::path model_folder =
-        fs::weakly_canonical(fs::absolute(scene.path, ignored).parent_path(), ignored);
-    for (const fs::path& path : {scene.path, model_folder / "any"}) {
-        if (const std::string why = roots.why_unreadable(path); !why.empty()) {
-            file.diagnose("outside-project", in_quotes(scene.file) + " " + why);
-            break;
-        }
-    }
-    scene.roots.assign(roots.others().begin(), roots.others().end());
-    scene.images_beside = roots.why_unreadable(model_folder.parent_path() / "textures").empty();
-}
-
-SceneFile read_scene(const CheckedNode& node, const fs::path& folder, const ReadRoots& roots) {
-    SceneFile scene;
-    CheckedMap map(node, "a scene");
-    if (const auto file = map.require("file")) {
-        read_scene_file(*file, folder, roots, scene);
-    }
-    map.choice("up", kUpAxes, scene.up);
-    map.choice("unit", kUnits, scene.metres_per_unit);
-    map.number("scale", {0.0, 1e6, true, ""}, scene.scale);
-    map.vector("position", kCoordinate, scene.position);
-    map.refuse_other_keys();
-    return scene;
-}
 
 void read_origin_at(const CheckedNode& node, CampusOrigin& origin) {
     if (!node.is_scalar()) {
@@ -145,18 +103,6 @@ Spawn read_spawn(const CheckedNode::Entry& entry) {
     map.as_bool("fall", spawn.fall);
     map.refuse_other_keys();
     return spawn;
-}
-
-std::vector<SceneFile> read_scenes(const CheckedNode& section, const fs::path& folder,
-                                   const ReadRoots& roots) {
-    std::vector<SceneFile> scenes;
-    for (const CheckedNode& node : section.items("a scene")) {
-        scenes.push_back(read_scene(node, folder, roots));
-    }
-    if (scenes.empty() && (section.is_sequence() || section.is_null())) {
-        section.diagnose("bad-value", "'scenes' needs at least one model file");
-    }
-    return scenes;
 }
 
 std::vector<std::string> read_layers(const CheckedNode& section) {

@@ -109,18 +109,30 @@ std::optional<bool> CheckedNode::as_bool() const {
     return std::nullopt;
 }
 
-std::optional<Eigen::Vector3d> CheckedNode::vector(const Range& range) const {
-    if (!is_sequence() || node_->items.size() != 3) {
-        diagnose("wrong-type", what_ + " must be three numbers, as in [0, 1.5, -2]");
-        return std::nullopt;
+/// As many numbers as `value` has; false if they aren't, which is reported with `shape`.
+bool CheckedNode::numbers(const Range& range, std::span<double> value, const char* shape) const {
+    if (!is_sequence() || node_->items.size() != value.size()) {
+        diagnose("wrong-type", what_ + " must be " + shape);
+        return false;
     }
-    Eigen::Vector3d value = Eigen::Vector3d::Zero();
     bool valid = true;
-    for (int i = 0; i < 3; ++i) {
-        const auto number = child(*node_->items[static_cast<std::size_t>(i)], what_).number(range);
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        const auto number = child(*node_->items[i], what_).number(range);
         value[i] = number.value_or(0.0);
         valid = valid && number;
     }
+    return valid;
+}
+
+std::optional<Eigen::Vector3d> CheckedNode::vector(const Range& range) const {
+    Eigen::Vector3d value = Eigen::Vector3d::Zero();
+    const bool valid = numbers(range, {value.data(), 3}, "three numbers, as in [0, 1.5, -2]");
+    return valid ? std::optional(value) : std::nullopt;
+}
+
+std::optional<Eigen::Vector4d> CheckedNode::vector4(const Range& range) const {
+    Eigen::Vector4d value = Eigen::Vector4d::Zero();
+    const bool valid = numbers(range, {value.data(), 4}, "four numbers, as in [0, 0.7071, 0, 0.7071]");
     return valid ? std::optional(value) : std::nullopt;
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -51,6 +52,8 @@ public:
     std::optional<double> number(const Range& range) const;
     std::optional<int> as_int(int min, int max) const;
     std::optional<bool> as_bool() const;
+    /// `[x, y, z, w]`, each within the range.
+    std::optional<Eigen::Vector4d> vector4(const Range& range) const;
     /// `[x, y, z]`, each within the range.
     std::optional<Eigen::Vector3d> vector(const Range& range) const;
 
@@ -80,6 +83,7 @@ public:
 private:
     /// Reports anything but a scalar; `expected` says what it must be, as in "a number".
     bool require_scalar(std::string_view expected) const;
+    bool numbers(const Range& range, std::span<double> value, const char* shape) const;
     CheckedNode child(const YamlNode& node, std::string what) const {
         return {node, std::move(what), *file_, *diagnostics_};
     }

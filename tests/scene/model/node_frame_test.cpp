@@ -79,6 +79,16 @@ TEST(RotationAboutY, AgreesWithLibmWithinRounding) {
     EXPECT_LT((left - Vec3(-1, 0, 0)).norm(), 1e-15);
 }
 
+TEST(RotationXyz, TurnsAboutAxesThatTurnAlong) {
+    for (const Vec3& angles : {Vec3(0, 0, 0), Vec3(0.3, -1.2, 2.5), Vec3(-7, 4, 0.1)}) {
+        const Eigen::Matrix3d expected =
+            (Eigen::AngleAxisd(angles.x(), Vec3::UnitX()) * Eigen::AngleAxisd(angles.y(), Vec3::UnitY()) *
+             Eigen::AngleAxisd(angles.z(), Vec3::UnitZ()))
+                .toRotationMatrix();
+        expect_near(rotation_xyz(angles), expected);
+    }
+}
+
 TEST(RotationWithXAlong, MapsXToTheAxis) {
     for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, 2, 0), Vec3(0, 0, -3), Vec3(1, 2, 3)}) {
         const Mat3 rotation = rotation_with_x_along(axis);
