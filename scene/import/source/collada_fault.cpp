@@ -100,6 +100,10 @@ std::string primitive_fault(const pugi::xml_node& primitive) {
         has_vertices = has_vertices ||
                        (name == "input" && std::string_view(child.attribute("semantic").value()) == "VERTEX");
         has_vcount = has_vcount || name == "vcount";
+        if (name == "ph") {
+            return "a " + kind +
+                   " has holes (<ph>), which aren't read: have the exporter triangulate all faces";
+        }
         if ((name == "p" || name == "vcount") && !holds_only_numbers(child)) {
             return "the <" + std::string(name) + "> of a " + kind +
                    " holds something else than whole numbers";

@@ -335,6 +335,15 @@ TEST_F(ImportModelTest, RefusesColladaWhoseNumbersDontFit) {
     EXPECT_NE(text_of(errors("floor.dae")).find("a <polylist> lacks <vcount>"), std::string::npos);
     edit("floor.dae", "<p>", "<vcount>3</vcount><p>");
     EXPECT_EQ(count_triangles(import("floor.dae")), 1U);
+    edit("floor.dae", "<polylist", "<polygons");
+    edit("floor.dae", "</polylist", "</polygons");
+    edit("floor.dae", "<vcount>3</vcount><p>0 1 2</p>", "<ph><p>0 1 2</p><h>0 1 2</h></ph>");
+    const std::string holes = text_of(errors("floor.dae"));
+    EXPECT_NE(
+        holes.find(
+            "a <polygons> has holes (<ph>), which aren't read: have the exporter triangulate all faces"),
+        std::string::npos)
+        << holes;
 }
 
 }  // namespace
