@@ -71,6 +71,8 @@ struct Walk {
     Views views = default_views();  ///< one of each kind; that of `camera` has its settings
     LightSettings light;            ///< of the images
     std::vector<Step> steps;
+    std::vector<std::filesystem::path>
+        included;  ///< files that steps come from, in this order, each as often as it is included
     std::vector<Expectation> expectations;
 };
 

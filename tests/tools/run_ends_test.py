@@ -212,7 +212,7 @@ class Again(ManyWalks):
         def changes():
             """Of everything that results depend on, keeping sizes and dates."""
             for name in ("room.obj", "small.campus.yaml", "avatars/adult.avatar.yaml", "b.walk.yaml",
-                         "a.walk.yaml-snapshots/log.jsonl"):
+                         "a.walk.yaml-snapshots/log.jsonl", "outer.steps.yaml"):
                 before, status = self.read(name), os.stat(self.path(name))
                 at = before.index(b"8") if b"8" in before else before.index(b"0")
                 self.write(name, before[:at] + b"7" + before[at + 1:])
@@ -222,6 +222,10 @@ class Again(ManyWalks):
                 os.utime(self.path(name), ns=(status.st_atime_ns, status.st_mtime_ns))
 
         self.write("a.walk.yaml-snapshots/log.jsonl", "0\n")
+        # No step of its own tells of a file that only includes.
+        self.write("inner.steps.yaml", "steps: [{wait: 0.1}]\n")
+        self.write("outer.steps.yaml", "steps: [{repeat: {times: 8, steps: [{include: inner.steps.yaml}]}}]\n")
+        self.write("c.walk.yaml", WALK.replace("  - turn: 180", "  - turn: 180\n  - include: outer.steps.yaml"))
         code = self.run_walks("-q").code
         self.assertEqual(self.run_walks("--resume", "-q").code, code)
         for name in changes():
@@ -283,7 +287,8 @@ class Again(ManyWalks):
         self.write("models/room.obj", self.read("room.obj"))
         self.write("models/own.campus.yaml", self.read("small.campus.yaml"))
         self.write("a.walk.yaml", WALK.replace("adult", "child"))
-        self.write("b.walk.yaml", WALK.replace("  - turn: 180", "  - turn: 180\n  - include: lap.steps.yaml"))
+        self.write("shared/outer.steps.yaml", "steps: [{include: ../lap.steps.yaml}]\n")
+        self.write("b.walk.yaml", WALK.replace("  - turn: 180", "  - turn: 180\n  - include: shared/outer.steps.yaml"))
         self.write("c.walk.yaml", WALK.replace("small.campus", "models/own.campus"))
         self.write("d.walk.yaml", WALK.replace("small.campus", "models/own.campus"))
         watching = self.start("--watch", "--reporter", "dot", "--reporter", "jsonl=r.jsonl")
@@ -292,7 +297,8 @@ class Again(ManyWalks):
             self.assertTrue(watching.stderr.readline().startswith(b"watching"))
             return "".join(result["name"] for result in self.results("r.jsonl"))
         self.assertEqual(played(), "abcdef")
-        for file, walks in (("avatars/child.avatar.yaml", "a"), ("lap.steps.yaml", "b"), ("models/own.campus.yaml", "cd"),
+        for file, walks in (("avatars/child.avatar.yaml", "a"), ("lap.steps.yaml", "b"),
+                            ("shared/outer.steps.yaml", "b"), ("models/own.campus.yaml", "cd"),
                             ("models/room.obj", "cd"), ("small.campus.yaml", "abef"), ("f.walk.yaml", "f"),
                             ("avatars/giant.avatar.yaml", "abcdef")):
             self.write(file, self.read(file) if "giant" not in file else "height: 3\n")

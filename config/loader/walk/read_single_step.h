@@ -23,11 +23,11 @@ struct StepContext {
     std::vector<std::filesystem::path> files;  ///< being read: the walk's, the one it includes, and so on
     bool standalone = false;                   ///< steps that any walk may include, with any camera
     UniqueNames snapshots{"snapshot"};
-    bool first = true;                  ///< no step has been read yet
-    int repeats = 0;                    ///< nesting depth of `repeat`
-    std::size_t read = 0;               ///< steps so far, counting every round of a `repeat`
-    std::size_t included = 0;           ///< files so far, each time that one is included
-    std::uintmax_t included_bytes = 0;  ///< of these
+    bool first = true;                                 ///< no step has been read yet
+    int repeats = 0;                                   ///< nesting depth of `repeat`
+    std::size_t read = 0;                              ///< steps so far, counting every round of a `repeat`
+    std::vector<std::filesystem::path> included = {};  ///< files so far, each time that one is included
+    std::uintmax_t included_bytes = 0;                 ///< of these
 };
 
 /// Reads the value of a step's key and reports its errors.

@@ -77,7 +77,8 @@ bool may_include(const CheckedNode& node, const fs::path& path, StepContext& con
     std::error_code ignored;
     const std::uintmax_t bytes = fs::file_size(path, ignored);
     context.included_bytes += ignored ? 0 : bytes;
-    if (++context.included > kMaxIncluded || context.included_bytes > kMaxIncludedBytes) {
+    context.included.push_back(path);
+    if (context.included.size() > kMaxIncluded || context.included_bytes > kMaxIncludedBytes) {
         node.diagnose("too-many-steps",
                       "with this one the walk includes more than " + std::to_string(kMaxIncluded) +
                           " files or " + std::to_string(kMaxIncludedBytes / 1'000'000) + " MB; use 'repeat'");
@@ -149,13 +150,11 @@ void read_list(const CheckedNode& section, StepContext& context, std::vector<Ste
 
 }  // namespace
 
-std::vector<Step> read_steps(const CheckedNode& section, const WalkNames& names,
-                             const engine::AvatarProfile& avatar, const CameraKeys& camera,
-                             const fs::path& walk_file, const ReadRoots& roots) {
-    std::vector<Step> steps;
-    StepContext context{names, avatar, camera, roots, {walk_file}};
-    read_list(section, context, steps);
-    return steps;
+void read_steps(const CheckedNode& section, const WalkNames& names, const CameraKeys& camera,
+                const fs::path& walk_file, const ReadRoots& roots, engine::Walk& walk) {
+    StepContext context{names, walk.avatar, camera, roots, {walk_file}};
+    read_list(section, context, walk.steps);
+    walk.included = std::move(context.included);
 }
 
 std::vector<Step> read_standalone_steps(const CheckedNode& root, const WalkNames& names,

@@ -11,16 +11,16 @@
 
 namespace campuswalk::config {
 
-/// Reads `steps`: a list of maps with one key each, the first of them `spawn`. `camera` has the defaults of
-/// snapshots; crouched height and running speed are the avatar's.
+/// Reads `steps` into the walk, and which files they include: a list of maps with one key each, the first of
+/// them `spawn`. `camera` has the defaults of snapshots; crouched height and running speed are those of the
+/// walk's avatar, which has been read.
 ///
 /// `repeat` and `include` are expanded: the result is the flat list that is played, each step with the mark
 /// of where it is written, in whatever file. Reports files that include themselves (include-cycle) or are
 /// nested deeper than 16 (include-depth), and more than 100,000 steps, or
 /// 1,000 included files or 20 MB of them (too-many-steps).
-std::vector<engine::Step> read_steps(const CheckedNode& section, const WalkNames& names,
-                                     const engine::AvatarProfile& avatar, const CameraKeys& camera,
-                                     const std::filesystem::path& walk_file, const ReadRoots& roots);
+void read_steps(const CheckedNode& section, const WalkNames& names, const CameraKeys& camera,
+                const std::filesystem::path& walk_file, const ReadRoots& roots, engine::Walk& walk);
 
 /// Reads a `NAME.steps.yaml` by itself, without a walk: the avatar has AvatarProfile's defaults, and names of
 /// places are not checked.

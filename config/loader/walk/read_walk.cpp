@@ -125,7 +125,7 @@ void read_walk(CheckedMap& map, const WalkNames& names, const std::filesystem::p
     walk.camera = camera.settings();
     walk.views = camera.views();
     if (const auto steps = map.require("steps")) {
-        walk.steps = read_steps(*steps, names, walk.avatar, camera, walk_file, roots);
+        read_steps(*steps, names, camera, walk_file, roots, walk);
     }
     if (const auto expect = map.find("expect")) {
         walk.expectations = read_expectations(*expect, names);

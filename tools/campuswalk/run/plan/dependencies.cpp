@@ -2,7 +2,6 @@
 
 #include <string>
 #include <system_error>
-#include <variant>
 
 #include "config/loader/load_run.h"
 #include "scene/base/diagnostic.h"
@@ -69,8 +68,8 @@ void Dependencies::add_walk(WalkLoader& loader, const fs::path& walk, const conf
             add_folder(scene.path.parent_path());
             walks_by_model_folder_[scene.path.lexically_normal().parent_path()].insert(walk);
         }
-        for (const engine::Step& step : run.walk.steps) {
-            add_dependency(walk, std::visit([](const auto& any) { return fs::path(any.mark.file); }, step));
+        for (const fs::path& file : run.walk.included) {
+            add_dependency(walk, file);
         }
     } catch (const scene::InputError&) {
         walks_with_errors_.insert(walk);  // the run reports the errors

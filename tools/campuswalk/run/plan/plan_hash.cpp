@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <set>
-#include <variant>
 
 #include "scene/cache/file_hash.h"
 #include "tools/campuswalk/loading/cache_choice.h"
@@ -38,8 +37,10 @@ void PlanContents::add(const engine::WalkResult& planned, const config::SharedRu
         for (const fs::path& profile : run->profiles) {
             add_once(profile);
         }
-        for (const engine::Step& step : run->walk.steps) {
-            add_once(std::visit([](const auto& any) { return any.mark.file; }, step));
+        // Also those of which no step is left to tell: they only include others.
+        hasher_.add_number(std::uint64_t{run->walk.included.size()});
+        for (const fs::path& file : run->walk.included) {
+            hasher_.add_hash(files_.of(file));
         }
     }
 }
