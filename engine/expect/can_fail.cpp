@@ -1,9 +1,11 @@
 #include "engine/expect/can_fail.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <set>
 #include <string>
 
+#include "engine/expect/certain_timeout.h"
 #include "engine/expect/expectation_set.h"
 #include "engine/expect/walk_bounds.h"
 
@@ -27,27 +29,31 @@ const SourceMark& mark_of(const PlainExpectation& expectation) {
     return std::visit([](const auto& expected) -> const SourceMark& { return expected.mark; }, expectation);
 }
 
-/// Adds an expectation that can't fail.
+/// Adds an expectation that can't fail, or can't but fail in a walk that is expected to.
 class Finder {
 public:
     Finder(const Walk& walk, const WalkBounds& bounds, std::vector<VacuousExpectation>& found)
         : walk_(walk), bounds_(bounds), found_(found) {}
 
     void operator()(const PlainExpectation& expected) const {
-        add_if(!possible(expected, bounds_).fails, mark_of(expected), name_of(expected));
+        add_if_vacuous(possible(expected, bounds_), mark_of(expected), name_of(expected));
     }
     void operator()(const ExpectNot& negation) const {
-        add_if(!possible(negation.what, bounds_).holds, negation.mark, "not-" + name_of(negation.what));
+        const PossibleVerdicts denied = possible(negation.what, bounds_);
+        add_if_vacuous({.holds = denied.fails, .fails = denied.holds}, negation.mark,
+                       "not-" + name_of(negation.what));
     }
     void operator()(const ExpectLog& log) const {
-        add_if(!log.golden, log.mark, std::string(ExpectLog::kName));
+        add_if_vacuous({.holds = true, .fails = log.golden}, log.mark, std::string(ExpectLog::kName));
     }
     /// How much images may differ is decided where the run's own tolerance is known.
     void operator()(const ExpectSnapshot&) const {}
     void operator()(const ExpectVisible& expected) const {
         const bool always = expected.min_pixels <= 0 && expected.min_ratio.value_or(0.0) <= 0.0;
         const bool never = expected.min_pixels > pixels_of(expected.snapshot);
-        add_if(expected.negated ? never : always, expected.mark, code_of(expected));
+        const PossibleVerdicts seen{.holds = !never, .fails = !always};
+        add_if_vacuous(expected.negated ? PossibleVerdicts{.holds = seen.fails, .fails = seen.holds} : seen,
+                       expected.mark, code_of(expected));
     }
 
 private:
@@ -61,9 +67,11 @@ private:
         return 0;
     }
 
-    void add_if(bool vacuous, const SourceMark& mark, const std::string& name) const {
-        if (vacuous) {
-            found_.push_back({mark, name});
+    void add_if_vacuous(const PossibleVerdicts& verdicts, const SourceMark& mark,
+                        const std::string& name) const {
+        const bool must_fail = walk_.status.kind == WalkStatus::Kind::xfail;
+        if (!verdicts.fails || (must_fail && !verdicts.holds)) {
+            found_.push_back({mark, name, verdicts.holds});
         }
     }
 
@@ -88,6 +96,11 @@ std::vector<VacuousExpectation> vacuous_expectations(const scene::Campus& campus
             for (const Expectation& expectation : expect->expectations) {
                 std::visit(Finder(walk, so_far, found), expectation);
             }
+        }
+    }
+    if (std::ranges::find(walk.status.codes, "timeout") != walk.status.codes.end()) {
+        if (const auto mark = certain_timeout(walk, at_end.fastest())) {
+            found.push_back({*mark, "timeout", false});
         }
     }
     return found;

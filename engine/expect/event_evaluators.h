@@ -176,7 +176,12 @@ public:
         // In the middle of a walk the event may still come; at the end walk.end is the last that can.
         const bool comes = bounds.in_step() || (bounds.is_certain(expected.event, EventKind::walk_end) &&
                                                 bounds.is_only(expected.after, EventKind::walk_start));
-        return {.holds = bounds.times(expected.after).most > 0.0, .fails = !(long_enough && comes)};
+        // Nothing follows walk.end, and walk.start follows nothing.
+        const bool can_follow = !bounds.is_only(expected.event, EventKind::walk_start) &&
+                                !bounds.is_only(expected.after, EventKind::walk_end) &&
+                                !bounds.is_certain(expected.after, EventKind::walk_end);
+        return {.holds = bounds.times(expected.after).most > 0.0 && can_follow,
+                .fails = !(long_enough && comes && can_follow)};
     }
 
     Finding finding(bool ended) const {

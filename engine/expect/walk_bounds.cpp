@@ -71,13 +71,13 @@ Interval distance_to(const collision::Aabb& box, const Target& target) {
 
 WalkBounds::WalkBounds(const scene::Campus& campus, const Walk& walk, bool in_step)
     : campus_(campus), walk_(walk), in_step_(in_step) {
-    double fastest = walk.avatar.speed;
+    fastest_ = walk.avatar.speed;
     if (!campus.objects.empty()) {
         region_ = campus.world.bounds();
     }
     for (const Step& step : walk.steps) {
         seconds_ += std::visit(LongestStep{walk.avatar}, step) + 1.0 / walk.sim.ticks_per_second;
-        fastest = std::max(fastest, std::visit(FastestStep{}, step));
+        fastest_ = std::max(fastest_, std::visit(FastestStep{}, step));
         moves_ = moves_ || moves_avatar(step);
         if (const auto place = preview_of(step).place) {
             region_.extend(place->position);
@@ -95,7 +95,7 @@ WalkBounds::WalkBounds(const scene::Campus& campus, const Walk& walk, bool in_st
     // In a tick it walks, is lifted or lowered by a step, and falls no faster than from the top of all.
     const double drop = region_.empty() ? 0.0 : region_.max.y() - region_.min.y() + 1000.0;
     const double falling = std::sqrt(2.0 * collision::MoverSettings().gravity * drop);
-    metres_ = ticks_ * ((fastest + falling) * tick + 2.0 * walk.avatar.step_height);
+    metres_ = ticks_ * ((fastest_ + falling) * tick + 2.0 * walk.avatar.step_height);
 }
 
 bool WalkBounds::matches_own(const EventPattern& event, EventKind kind) const {

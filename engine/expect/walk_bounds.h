@@ -26,6 +26,7 @@ public:
     const AvatarProfile& avatar() const { return walk_.avatar; }
     bool in_step() const { return in_step_; }
     bool moves() const { return moves_; }        ///< a step moves the avatar, not only a fall
+    double fastest() const { return fastest_; }  ///< horizontally by its own force, metres per second
     double seconds() const { return seconds_; }  ///< simulated, at most; may be infinite
     double ticks() const { return ticks_; }      ///< likewise
     double metres() const { return metres_; }    ///< of its path, at most; may be infinite
@@ -48,6 +49,7 @@ private:
     const Walk& walk_;
     bool in_step_;
     bool moves_ = false;
+    double fastest_ = 0.0;
     double seconds_ = 0.0;
     double ticks_ = 0.0;
     double metres_ = 0.0;

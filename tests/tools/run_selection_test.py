@@ -188,9 +188,25 @@ class Strict(ProgramCase):
             self.refused_at(head + vacuous + "\n", r"8:\d+: error strict: '.*' can't fail")
             self.write("short.walk.yaml", head + judged + "\n")
             self.assertEqual(self.run_walks("--strict").code, 0, judged)
+        self.refused_at(head + "not: {within: {after: walk.end, event: '*', seconds: 1}}\n",
+                        r"8:\d+: error strict: 'not-within' can't fail")
         self.refused_at(head + "not: {popup: {building: hut, title: Castle}}\n", r"8:\d+: error strict: 'not-popup' can't fail")
         self.refused_at(WALK.replace("  - turn: 180", "  - expect: {count: {event: popup.open, at_least: 0}}"),
                      r"6:\d+: error strict: 'count' can't fail")
+
+    def test_failures_that_are_expected_and_certain_are_refused(self):
+        for code, certain in (("reaches", "reaches: [5000, 5000]"), ("count", "count: {event: walk.end, equals: 2}"),
+                              ("sequence", "sequence: [walk.end, walk.start]"), ("never", "never: walk.start"),
+                              ("not-distance", "not: {distance: {at_least: 0}}")):
+            text = WALK[:WALK.index("expect:")] + f"expect:\n  - {certain}\n"
+            text += f"status: {{is: xfail, because: x, failures: [{code}]}}\n"
+            self.refused_at(text, rf"8:\d+: error strict: '{code}' fails like this whatever the walk does")
+        text = WALK + "status: {is: xfail, because: x, failures: [timeout]}\ntimeout: 0.02\n"
+        self.refused_at(text, r"10:\d+: error strict: 'timeout' fails like this")
+
+    def test_waiting_for_what_a_step_causes_expects_nothing(self):
+        text = WALK[:WALK.index("expect:")] + "  - disable: hut/wall\n  - wait_until: {event: '*', timeout: 10}\n"
+        self.refused_at(text, " error strict: the walk expects nothing")
 
     def test_a_fall_at_the_start_is_announced(self):
         falling = WALK.replace("spawn: start", "spawn: %s")

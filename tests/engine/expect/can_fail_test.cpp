@@ -262,6 +262,74 @@ TEST(CanFail, LogsAndImagesCanUnlessTheyAskForNothing) {
     EXPECT_FALSE(can_fail(hidden));
 }
 
+Walk xfail(Walk walk, const std::vector<std::string>& codes) {
+    walk.status.kind = WalkStatus::Kind::xfail;
+    walk.status.codes = codes;
+    return walk;
+}
+
+TEST(CanFail, AnXfailMustBeAbleToHold) {
+    const std::vector<std::pair<Expectation, Expectation>> certain_and_not = {
+        {reaches(place(5000, 5000), 1.0), reaches(place(5, 5), 1.0)},
+        {count("walk.end", {2, kNone, kNone}), count("popup.open", {2, kNone, kNone})},
+        {sequence({"walk.end", "walk.start"}), sequence({"walk.start", "popup.open"})},
+        {never("walk.start"), never("popup.open")}};
+    for (const auto& [certain, open] : certain_and_not) {
+        EXPECT_TRUE(can_fail(certain)) << "which a walk that must pass may well say";
+        EXPECT_FALSE(can_fail(certain, xfail(ten_seconds(), {"reaches"})));
+        EXPECT_TRUE(can_fail(open, xfail(ten_seconds(), {"reaches"})));
+    }
+}
+
+TEST(CanFail, AnXfailIsNotOfTimesThatAreTooShort) {
+    const auto in_time = [](Walk walk) {
+        return vacuous_expectations(hut_yard(), xfail(std::move(walk), {"timeout"})).empty();
+    };
+    Walk walk = walk_of({spawn_at({0, 0, 0}), wait_for(2), walk_to(8, 0)});
+    walk.avatar.speed = 1.0;
+    walk.timeout =
+        9.5;  // 2 s, and 8 m without the 0.5 m that a spawn may be moved, and the 0.05 m that count as there
+    EXPECT_TRUE(in_time(walk));
+    walk.timeout = 9.4;
+    EXPECT_FALSE(in_time(walk));
+    walk.timeout = 60.0;
+    auto& step = std::get<WalkToStep>(walk.steps.back());
+    step.timeout = 7.5;
+    EXPECT_TRUE(in_time(walk));
+    step.timeout = 7.4;
+    EXPECT_FALSE(in_time(walk));
+    EXPECT_TRUE(vacuous_expectations(hut_yard(), xfail(walk, {"blocked"})).empty()) << "another failure";
+    step.timeout.reset();
+    walk.steps.insert(walk.steps.end() - 1, teleport_to({8, 0, 0}));
+    walk.timeout = 2.5;
+    EXPECT_TRUE(in_time(walk)) << "from there it isn't far";
+}
+
+TEST(CanFail, NothingFollowsTheEnd) {
+    const auto not_within = [](const char* after, const char* event) {
+        return denied(within(after, event, 1.0));
+    };
+    EXPECT_FALSE(can_fail(not_within("walk.start", "walk.start")));
+    EXPECT_FALSE(can_fail(not_within("walk.end", "*")));
+    EXPECT_FALSE(can_fail(not_within("walk.*", "walk.start")));
+    EXPECT_FALSE(can_fail(not_within("*", "*"))) << "walk.end is one, too";
+    EXPECT_TRUE(can_fail(not_within("walk.start", "walk.*")));
+    EXPECT_TRUE(can_fail(not_within("popup.open", "popup.close")));
+}
+
+TEST(CanFail, WaitingForWhatStepsCauseExpectsNothing) {
+    const auto expects_by_waiting = [](const char* event) {
+        return expects_something(walk_of({spawn_at({0, 0, 0}), wait_until(event)}));
+    };
+    for (const char* event :
+         {"*", "object.disable", "object.*", "snapshot.take", "avatar.*", "avatar.arrive", "*.enable hut"}) {
+        EXPECT_FALSE(expects_by_waiting(event)) << event;
+    }
+    for (const char* event : {"popup.open hut", "trigger.*", "avatar.landed", "collision.enter"}) {
+        EXPECT_TRUE(expects_by_waiting(event)) << event;
+    }
+}
+
 TEST(CanFail, StepsExpectWhatHasHappenedSoFar) {
     EXPECT_FALSE(can_fail_in_step(sequence({"walk.start"})));
     EXPECT_TRUE(can_fail_in_step(sequence({"popup.open"})));

@@ -1,0 +1,88 @@
+#include "engine/expect/certain_timeout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include <Eigen/Core>
+
+#include "engine/script/avatar_body.h"
+
+namespace campuswalk::engine {
+
+namespace {
+
+/// The least time of the steps so far, and where the avatar then is, if that is known.
+class LeastTime {
+public:
+    LeastTime(const AvatarProfile& avatar, double fastest) : avatar_(avatar), fastest_(fastest) {}
+
+    double seconds() const { return seconds_; }
+    const std::optional<SourceMark>& too_short() const { return too_short_; }
+
+    void add(const SpawnStep& step) { at_ = {step.position, kPlacementSearch}; }
+    void add(const TeleportStep& step) { at_ = {step.position, kPlacementSearch}; }
+    void add(const WalkToStep& step) {
+        go_to(step, step.target);
+        forget_if_blocked(step.if_blocked);
+    }
+    void add(const FollowStep& step) {
+        go_to(step, step.points.back());
+        forget_if_blocked(step.if_blocked);
+    }
+    void add(const GoToStep& step) { go_to(step, step.target); }
+    void add(const WaitStep& step) { seconds_ += step.seconds; }
+    void add(const TurnStep& step) {
+        seconds_ += step.absolute ? 0.0 : std::abs(step.angle) / avatar_.turn_speed;
+    }
+    void add(const JumpStep&) { at_.reset(); }
+    template <typename Other>
+    void add(const Other&) {}
+
+private:
+    struct Position {
+        Eigen::Vector3d point;
+        double error = 0.0;  // metres
+    };
+
+    template <typename Step>
+    void go_to(const Step& step, const Target& target) {
+        double least = 0.0;
+        if (at_) {
+            Eigen::Vector3d way = target.point - at_->point;
+            way.y() = 0.0;
+            least = std::max(0.0, way.norm() - step.within - at_->error) / fastest_;
+        }
+        if (step.timeout && *step.timeout < least && !too_short_) {
+            too_short_ = step.mark;
+        }
+        seconds_ += least;
+        at_ = {target.point, step.within};
+    }
+    void forget_if_blocked(IfBlocked if_blocked) {
+        if (if_blocked != IfBlocked::fail) {
+            at_.reset();
+        }
+    }
+
+    const AvatarProfile& avatar_;
+    double fastest_;
+    double seconds_ = 0.0;
+    std::optional<Position> at_;
+    std::optional<SourceMark> too_short_;
+};
+
+}  // namespace
+
+std::optional<SourceMark> certain_timeout(const Walk& walk, double fastest) {
+    LeastTime time(walk.avatar, fastest);
+    for (const Step& step : walk.steps) {
+        std::visit([&time](const auto& any) { time.add(any); }, step);
+    }
+    if (time.too_short()) {
+        return time.too_short();
+    }
+    return walk.timeout && *walk.timeout < time.seconds() ? std::optional(walk.status.mark) : std::nullopt;
+}
+
+}  // namespace campuswalk::engine
