@@ -193,6 +193,17 @@ class Fingerprints(TwoShards):
                     self.shard(1, *cached)
                     self.assertEqual(self.merged().code, 0)
 
+    def test_a_file_that_only_includes_counts(self):
+        self.write("inner.steps.yaml", "steps: [{wait: 0.1}]\n")
+        self.write("outer.steps.yaml", "steps: [{include: inner.steps.yaml}]\n")
+        self.write("a.walk.yaml", WALK.replace("  - turn: 180", "  - turn: 180\n  - include: outer.steps.yaml"))
+        self.shard(1)
+        self.write("outer.steps.yaml", "steps: [{include: inner.steps.yaml}, {include: inner.steps.yaml}]\n")
+        self.shard(2)
+        outcome = self.merged()
+        self.assertEqual(outcome.code, 1)
+        self.assertIn("2.jsonl: error other-plan: ", outcome.err)
+
     def test_whose_golden_file_it_is_counts(self):
         self.write("a.walk.yaml-snapshots/far.png", "golden\n")
         self.shard(1)
@@ -261,6 +272,18 @@ class Signatures(TwoShards):
         self.shard(1)
         self.shard(2, key="another key of 21 bytes")
         self.assert_foreign("2.jsonl:1:1")
+
+    def test_only_signed_reports_are_replayed(self):
+        self.shard(1)
+        self.assertEqual(self.run_program("replay", "--verify", "1.jsonl", env=self.environment(self.KEY)).code, 0)
+        self.assertEqual(self.run_program("replay", "--verify", "1.jsonl", env=self.environment("")).code, 0)
+        genuine = self.read("1.jsonl")
+        self.write("1.jsonl", genuine.replace(b'"outcome":"passed"', b'"outcome":"failed"'))
+        self.assert_refused(self.run_program("replay", "--verify", "1.jsonl", env=self.environment(self.KEY)),
+                            "1.jsonl:2:1: error foreign-results: CAMPUSWALK_RUN_KEY")
+        self.shard(1, key="")
+        self.assert_refused(self.run_program("replay", "--verify", "1.jsonl", env=self.environment(self.KEY)),
+                            "1.jsonl:1:1: error foreign-results: CAMPUSWALK_RUN_KEY")
 
     def test_a_line_that_was_changed_or_moved_is_refused(self):
         self.shard(1)

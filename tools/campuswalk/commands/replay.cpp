@@ -23,8 +23,11 @@
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/loading/model_importer.h"
 #include "tools/campuswalk/loading/walk_loader.h"
+#include "tools/campuswalk/logs/log_lines.h"
 #include "tools/campuswalk/logs/recorded_walks.h"
 #include "tools/campuswalk/run/plan/find_walks.h"
+#include "tools/campuswalk/run/results/result_file.h"
+#include "tools/campuswalk/run/results/run_key.h"
 
 namespace campuswalk::tools {
 
@@ -175,7 +178,11 @@ int verify(const Recording& recording, const std::vector<LoadedWalk>& loaded) {
 
 /// Simulates the walks of a log or a report again. Returns the exit code.
 int replay_run(const ReplayOptions& options) {
-    const Recording recording = recorded_walks(options.run, read_lines(options.run), options.walks);
+    std::vector<std::string> lines = read_lines(options.run);
+    if (!lines.empty() && !is_log_header(lines.front())) {
+        lines = unsigned_lines(options.run, lines, shared_run_key(environment_variable));
+    }
+    const Recording recording = recorded_walks(options.run, lines, options.walks);
     const bool some =
         std::ranges::any_of(recording.walks, [](const RecordedWalk& walk) { return walk.hash.has_value(); });
     if (recording.walks.empty() || (options.verify && !some)) {

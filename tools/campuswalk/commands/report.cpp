@@ -39,7 +39,8 @@ void refuse_inputs(const Options& options, const std::vector<ResultFile>& inputs
         read.push_back(input.file());
     }
     if (options.html.against) {
-        for (const ResultFile& input : open_result_files({*options.html.against})) {
+        for (const ResultFile& input :
+             open_result_files({*options.html.against}, shared_run_key(environment_variable))) {
             read.push_back(input.file());
         }
     }

@@ -7,6 +7,7 @@
 
 #include "tools/campuswalk/base/read_below.h"
 #include "tools/campuswalk/run/results/result_file.h"
+#include "tools/campuswalk/run/results/run_key.h"
 
 namespace campuswalk::tools {
 
@@ -27,7 +28,7 @@ struct ResultIndex {
 
 engine::ComparedRun open_compared_run(const fs::path& input, const fs::path& output) {
     const auto index = std::make_shared<ResultIndex>();
-    index->files = open_result_files({input});
+    index->files = open_result_files({input}, shared_run_key(environment_variable));
     for (std::size_t i = 0; i < index->files.size(); ++i) {
         index->files[i].for_each_located([&](std::uintmax_t offset, const engine::WalkResult& result) {
             index->places.try_emplace(result.id, ResultIndex::Place{i, offset});

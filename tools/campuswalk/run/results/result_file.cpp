@@ -36,7 +36,7 @@ std::string opened(std::string_view line, const std::string& header, const std::
     if (key && !is_authentic(line, kSignedLines + header, *key)) {
         throw scene::InputError(
             {file.generic_string(), number, 1}, "foreign-results",
-            "this line wasn't signed with CAMPUSWALK_RUN_KEY; merge what runs with the same "
+            "this line wasn't signed with CAMPUSWALK_RUN_KEY; use what runs with the same "
             "key have reported");
     }
     return has_signature(line) ? unsigned_line(line) : std::string(line);
@@ -150,6 +150,16 @@ std::vector<ResultFile> open_result_files(const std::vector<fs::path>& inputs,
         files.push_back(std::move(*report));
     }
     return files;
+}
+
+std::vector<std::string> unsigned_lines(const fs::path& file, const std::vector<std::string>& lines,
+                                        const std::optional<std::string>& key) {
+    std::vector<std::string> result;
+    for (const std::string& line : lines) {
+        const std::string header = result.empty() ? "" : result.front();
+        result.push_back(opened(line, header, key, file, static_cast<int>(result.size()) + 1));
+    }
+    return result;
 }
 
 std::string title_of_inputs(const std::vector<fs::path>& inputs) {

@@ -76,6 +76,12 @@ private:
 std::vector<ResultFile> open_result_files(const std::vector<std::filesystem::path>& inputs,
                                           const std::optional<std::string>& key = {});
 
+/// The lines of such a report without their signatures. With a key, each must have been signed with it
+/// (foreign-results).
+std::vector<std::string> unsigned_lines(const std::filesystem::path& file,
+                                        const std::vector<std::string>& lines,
+                                        const std::optional<std::string>& key);
+
 /// The names of such inputs without their folders: the same on every machine.
 std::string title_of_inputs(const std::vector<std::filesystem::path>& inputs);
 
