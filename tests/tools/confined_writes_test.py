@@ -143,6 +143,10 @@ class ConfinedWrites(CheckoutCase):
         for name in ("room.obj", "./room.obj", self.path("room.obj")):
             self.assert_refused_and_untouched("error report-unwritable: ", "run", "--rendering-backend", "none",
                                               "--reporter", "tap=" + name)
+            self.assert_refused_and_untouched("error report-unwritable: ", "run", "--rendering-backend", "none",
+                                              "--save", name)
+            for option in ("--json", "--geojson"):
+                self.assert_refused_and_untouched("error report-unwritable: ", "explore", "small.campus.yaml", option, name)
 
     def test_pictures_do_not_replace_textures(self):
         self.write("short/view.txt", "")

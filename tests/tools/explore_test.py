@@ -525,6 +525,15 @@ places: {corner: [19, 0, 19]}
         self.passes("explore", "yard.campus.yaml", "--write-walks", "walks")
         self.assertEqual(later | {trap, "01-unreached-desk.walk.yaml", "notes.txt", "other.walk.yaml"}, names("walks"))
 
+    def test_a_walk_that_somebody_has_changed_is_kept(self):
+        self.passes("explore", "yard.campus.yaml", "--write-walks", "walks")
+        name = "walks/" + sorted(os.listdir(self.path("walks")))[0]
+        mine = re.sub("(?m)^status: .*\n", "", self.read(name).decode())
+        self.write(name, mine)
+        done = self.passes("explore", "yard.campus.yaml", "--write-walks", "walks")
+        self.assertIn("kept       %s: " % name, done.out)
+        self.assertEqual(self.read(name).decode(), mine)
+
     def test_plans_of_an_earlier_run(self):
         gallery = "".join(box("tread-%d" % i, (-6, -0.1, 5.5 - 0.5 * i), (-4.5, 0.25 * i, 6 - 0.5 * i))
                           for i in range(1, 13)) + box("gallery", (-6, 2.8, -6), (2, 3, -0.5))

@@ -20,6 +20,7 @@
 #include "scene/base/glob.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/print.h"
+#include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/status_line.h"
 #include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/commands/commands.h"
@@ -244,6 +245,21 @@ void check_options(const ExploreOptions& options) {
     }
 }
 
+/// Once it is known what the campus is read from.
+void refuse_inputs(const ExploreOptions& options, const scene::Campus& campus) {
+    std::set<std::filesystem::path> inputs = campus.files;
+    inputs.insert(options.campus);
+    for (const std::optional<std::filesystem::path>& output : {options.json, options.geojson}) {
+        for (const std::filesystem::path& input : inputs) {
+            std::error_code ignored;
+            if (output && std::filesystem::equivalent(*output, input, ignored)) {
+                throw error_about(*output, "report-unwritable",
+                                  "this would replace a file that the campus is read from; name another");
+            }
+        }
+    }
+}
+
 /// "[####..............] 2/5": how many of its stages are done.
 std::string progress_bar(const engine::ReportStage& stage) {
     constexpr int kWidth = 20;
@@ -296,7 +312,13 @@ void write_walks(const ExploreOptions& options, const scene::Campus& walked,
     for (const explore::MinimalWalk& walk :
          explore::minimal_walks(report, findings, header, {usual_player, wide_player, strider})) {
         const std::string name = walk.name + std::string(config::kWalkSuffix);
-        scene::write_file_atomically(*options.walks / name, walk.yaml);
+        const std::filesystem::path file = *options.walks / name;
+        if (explore::may_replace_walk(file, header.campus)) {
+            scene::write_file_atomically(file, walk.yaml);
+        } else {
+            print_line("kept       %s: it isn't as explore writes it; rename it to get the finding's walk",
+                       file.c_str());
+        }
         written.insert(name);
     }
     explore::remove_earlier_walks(*options.walks, header.campus, written);
@@ -317,6 +339,7 @@ int explore_campus(const ExploreOptions& options, std::string* json) {
     check_options(options);
     WalkLoader loader;
     const std::shared_ptr<const scene::Campus> campus = loader.load_campus(options.campus);
+    refuse_inputs(options, *campus);
     check_places(options, campus->description);
     const engine::AvatarProfile avatar = avatar_of(options.avatar, options, campus->description);
     check_width(options, avatar);

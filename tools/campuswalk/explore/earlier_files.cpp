@@ -63,6 +63,11 @@ std::vector<fs::path> files_in(const fs::path& folder) {
 
 }  // namespace
 
+bool may_replace_walk(const fs::path& file, const std::string& campus) {
+    std::error_code ignored;
+    return !fs::exists(fs::symlink_status(file, ignored)) || is_untouched_walk(beginning_of(file), campus);
+}
+
 void remove_earlier_walks(const fs::path& folder, const std::string& campus,
                           const std::set<std::string>& written) {
     for (const fs::path& file : files_in(folder)) {

@@ -254,6 +254,9 @@ private:
         }
         CanonicalPaths canonical;
         const std::set<fs::path> inputs = inputs_of(plan, canonical);
+        if (!settings_.single) {
+            targets.push_back({"last-run", settings_.saved});
+        }
         refuse_inputs(targets, inputs, canonical);
         for (const Case& each : plan.cases) {
             refuse_inputs_below(settings_.output / each.folder, inputs, canonical);
