@@ -123,8 +123,10 @@ public:
 
 private:
     void finish_element() {
-        bytes_ += static_cast<double>(std::exchange(count_, 0)) *
-                  static_cast<double>(std::exchange(bytes_each_, 0));
+        // Those without properties have a line each in a text file, and are refused in others: else any
+        // number would fit.
+        const std::uint64_t bytes_each = std::max<std::uint64_t>(std::exchange(bytes_each_, 0), 1);
+        bytes_ += static_cast<double>(std::exchange(count_, 0)) * static_cast<double>(bytes_each);
     }
 
     bool is_text_ = false;
@@ -144,7 +146,7 @@ std::string ply_fault(std::istream& in) {
     std::uint64_t read = 0;
     for (std::string line; read < kMaxHeader && std::getline(in, line);) {
         read += line.size() + 1;
-        if (line.starts_with("end_header")) {
+        if (line.substr(0, line.find_last_not_of(kSpace) + 1) == "end_header") {
             if (!elements.fits(read < size ? size - read : 0)) {
                 return "it ends before the elements that its header announces";
             }

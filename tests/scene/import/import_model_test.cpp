@@ -205,6 +205,16 @@ TEST_F(ImportModelTest, RejectsAPlyFileTruncatedInItsHeader) {
               std::string::npos);
 }
 
+TEST_F(ImportModelTest, RejectsPlyElementsWithoutPropertiesThatTheFileCantHold) {
+    for (const char* format : {"ascii", "binary_little_endian"}) {
+        folder_.write("many.ply",
+                      std::string("ply\nformat ") + format + " 1.0\nelement vertex 4000000000\nend_header\n");
+        EXPECT_NE(text_of(errors("many.ply")).find("its header announces"), std::string::npos) << format;
+    }
+    folder_.write("word.ply", "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nend_headers\n");
+    EXPECT_NE(text_of(errors("word.ply")).find("inside its PLY header"), std::string::npos);
+}
+
 TEST_F(ImportModelTest, ReadsNoBufferOutsideOfTheSceneFolder) {
     test::TemporaryFolder outside;
     test::write_gltf(folder_, "box", {{.name = "box", .size = {1, 1, 1}}});
