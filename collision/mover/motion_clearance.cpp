@@ -1,6 +1,7 @@
 #include "collision/mover/motion_clearance.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "collision/mover/upright_distance.h"
 
@@ -63,6 +64,21 @@ bool is_free_over(MoveContext& context, const Vec3& from, const Vec3& to) {
         context.contacts.measure(i, to);
         return clear(from, above_from) && clear(above_from, above_to) && clear(above_to, to);
     });
+}
+
+bool is_free_around_edge(MoveContext& context, const Vec3& from, const Vec3& to) {
+    const Vec3 chord = to - from;
+    const double across = horizontal_norm(chord);
+    const double square = chord.squaredNorm();
+    if (!(across > 0.0) || square > context.body.radius * context.body.radius) {
+        return false;
+    }
+    // The tangents meet so far above the chord's middle, along the normal of the chord.
+    const double above = square / (4.0 * context.body.radius) + kSweepGap;
+    const Vec3 up =
+        Vec3(-chord.x() * chord.y() / across, across, -chord.z() * chord.y() / across) / std::sqrt(square);
+    const Vec3 apex = 0.5 * (from + to) + above * up;
+    return is_free(context, from, apex) && is_free(context, apex, to);
 }
 
 Vec3 free_part(const MoveContext& context, const Vec3& foot, const Vec3& move, double radius) {

@@ -14,6 +14,10 @@ bool is_free(MoveContext& context, const Vec3& from, const Vec3& to);
 /// Up, across and down: an edge that a round body rolls over is higher between two places than at both.
 bool is_free_over(MoveContext& context, const Vec3& from, const Vec3& to);
 
+/// Along two tangents of the arc on which the body rolls over an edge: under a ceiling there may be no room
+/// to go up first.
+bool is_free_around_edge(MoveContext& context, const Vec3& from, const Vec3& to);
+
 /// The part of `move` during which everything stays at least `radius` from the core.
 Vec3 free_part(const MoveContext& context, const Vec3& foot, const Vec3& move, double radius);
 

@@ -79,26 +79,50 @@ void walk_as_far_as_free(MoveContext& context, MoverState& state, const Vec3& fl
     state.leave_ground(0.0, start.y());
 }
 
-void walk(MoveContext& context, MoverState& state, const Vec3& desired) {
-    const Support stand = support_of(context.body, state);
+Ground ground_ahead(MoveContext& context, const Support& stand, const Vec3& flat) {
     const Vec3& start = stand.foot;
-    Vec3 flat = slide(context, stand, desired, true).move;
-    if (flat.squaredNorm() < kCreep * kCreep * desired.squaredNorm()) {
-        flat = Vec3::Zero();
-    }
     const double slope = context.steepest * horizontal_norm(flat) + kHeightSlack;
     const double up = std::max(context.body.step_height + kHeightSlack + stand.base - start.y(), slope);
     const double down = std::max(context.body.step_height + kHeightSlack, slope);
-    const Ground ahead = find_ground(context, start.x() + flat.x(), start.z() + flat.z(), stand, up, down);
-    if (ahead.carries) {
-        const Vec3 goal(start.x() + flat.x(), ahead.foot_y, start.z() + flat.z());
-        if (is_free(context, start, goal) || is_free_over(context, start, goal)) {
-            state.foot = goal;
-            state.support_y = ahead.support_y;
-            return;
-        }
+    return find_ground(context, start.x() + flat.x(), start.z() + flat.z(), stand, up, down);
+}
+
+/// False, with nothing changed, if that isn't free.
+bool walk_to_ground(MoveContext& context, MoverState& state, const Vec3& flat, const Ground& ahead) {
+    const Vec3 start = state.foot;
+    const Vec3 goal(start.x() + flat.x(), ahead.foot_y, start.z() + flat.z());
+    if (!is_free(context, start, goal) && !is_free_over(context, start, goal) &&
+        !is_free_around_edge(context, start, goal)) {
+        return false;
     }
-    walk_as_far_as_free(context, state, flat, ahead);
+    state.foot = goal;
+    state.support_y = ahead.support_y;
+    return true;
+}
+
+/// Under a ceiling that slants down like the ground, a body that stayed at its height would run into it.
+/// False, with nothing changed, unless the body gets by below it.
+bool walk_down_under(MoveContext& context, MoverState& state, const Vec3& desired) {
+    const Support stand = support_of(context.body, state);
+    const Vec3 flat = slide(context, stand, desired, true, Overhangs::pass).move;
+    const Ground ahead = ground_ahead(context, stand, flat);
+    return ahead.carries && ahead.foot_y < stand.foot.y() && walk_to_ground(context, state, flat, ahead);
+}
+
+void walk(MoveContext& context, MoverState& state, const Vec3& desired) {
+    const Support stand = support_of(context.body, state);
+    const Slide along = slide(context, stand, desired, true);
+    if (along.overhung && along.move != desired && walk_down_under(context, state, desired)) {
+        return;
+    }
+    Vec3 flat = along.move;
+    if (flat.squaredNorm() < kCreep * kCreep * desired.squaredNorm()) {
+        flat = Vec3::Zero();
+    }
+    const Ground ahead = ground_ahead(context, stand, flat);
+    if (!ahead.carries || !walk_to_ground(context, state, flat, ahead)) {
+        walk_as_far_as_free(context, state, flat, ahead);
+    }
 }
 
 /// Moves the body for one of the equal parts of a tick.

@@ -15,9 +15,16 @@ HalfPlane wall_of(const Separation& s, double radius, double gap) {
     return {s.normal.x() / flat, s.normal.z() / flat, room / flat};
 }
 
-/// Fills the buffers with the flat walls and the edges that a move of `length` may run into.
-void find_walls(MoveContext& context, const Support& stand, double length, bool grounded) {
+/// How steeply, as the downward part of its normal, something must hang over a body that may get by under it
+/// on its way down a slope: no slope that is walked on is steeper than its complement.
+constexpr double kOverhang = 0.5;
+
+/// Fills the buffers with the flat walls and the edges that a move of `length` may run into. Returns whether
+/// some hang over the body.
+bool find_walls(MoveContext& context, const Support& stand, double length, bool grounded,
+                Overhangs overhangs) {
     constexpr double kVertical = 1e-6;
+    bool overhung = false;
     const MoverSettings& body = context.body;
     const Vec3& foot = stand.foot;
     context.buffers.walls.clear();
@@ -36,31 +43,34 @@ void find_walls(MoveContext& context, const Support& stand, double length, bool 
         }
         const bool wall =
             grounded ? classify(context, i, stand) == PieceKind::wall : s.normal.y() < body.min_up;
-        if (!wall) {
+        if (!wall || (overhangs == Overhangs::pass && s.normal.y() <= -kOverhang)) {
             continue;
         }
+        overhung = overhung || s.normal.y() <= -kOverhang;
         if (s.feature == Feature::face) {
             context.buffers.walls.push_back(wall_of(s, body.radius, body.skin));
         } else {
             context.buffers.edges.push_back(i);
         }
     }
+    return overhung;
 }
 
 }  // namespace
 
-Slide slide(MoveContext& context, const Support& stand, const Vec3& desired, bool grounded) {
+Slide slide(MoveContext& context, const Support& stand, const Vec3& desired, bool grounded,
+            Overhangs overhangs) {
     const Vec3& foot = stand.foot;
     std::vector<HalfPlane>& walls = context.buffers.walls;
     std::vector<ContactCache::Index>& edges = context.buffers.edges;
-    find_walls(context, stand, horizontal_norm(desired), grounded);
+    const bool overhung = find_walls(context, stand, horizontal_norm(desired), grounded, overhangs);
     while (true) {
         const Vec3 move = nearest_allowed(desired, walls);
         const auto hit = std::partition(edges.begin(), edges.end(), [&](ContactCache::Index i) {
             return !comes_near(context, i, foot, move);
         });
         if (hit == edges.end()) {
-            return {move, walls};
+            return {move, walls, overhung};
         }
         for (auto i = hit; i != edges.end(); ++i) {
             walls.push_back(wall_of(context.contacts.measure(*i, foot), context.body.radius, kRestGap));
