@@ -49,9 +49,9 @@ private:
     void go_to(const Step& step, const Target& target) {
         double least = 0.0;
         if (at_) {
-            Eigen::Vector3d way = target.point - at_->point;
-            way.y() = 0.0;
-            least = std::max(0.0, way.norm() - step.within - at_->error) / fastest_;
+            Eigen::Vector3d path = target.point - at_->point;
+            path.y() = 0.0;
+            least = std::max(0.0, path.norm() - step.within - at_->error) / fastest_;
         }
         if (step.timeout && *step.timeout < least && !too_short_) {
             too_short_ = step.mark;

@@ -123,7 +123,7 @@ public:
 
 private:
     void finish_element() {
-        // Those without properties have a line each in a text file, and are refused in others: else any
+        // Those without properties take a line in a text file, and are refused in others: else any
         // number would fit.
         const std::uint64_t bytes_each = std::max<std::uint64_t>(std::exchange(bytes_each_, 0), 1);
         bytes_ += static_cast<double>(std::exchange(count_, 0)) * static_cast<double>(bytes_each);
