@@ -1,7 +1,6 @@
 #include "config/loader/campus/read_scenes.h"
 
 #include <array>
-#include <cmath>
 
 #include <Eigen/Geometry>
 
@@ -50,20 +49,16 @@ void read_scene_file(const CheckedNode& file, const fs::path& folder, const Read
     scene.images_beside = roots.why_unreadable(model_folder.parent_path() / "textures").empty();
 }
 
-/// A quaternion's length may be off by what is rounded in writing.
 void read_quaternion(const CheckedNode& node, Eigen::Matrix3d& rotation) {
-    constexpr double kTolerance = 0.01;
-    const auto value = node.vector4({-1.0 - kTolerance, 1.0 + kTolerance, false, ""});
+    const auto value = node.vector4({-1.0, 1.0, false, ""});
     if (!value) {
         return;
     }
-    const double length = value->norm();
-    if (std::abs(length - 1.0) > kTolerance) {
-        node.diagnose("bad-value", "'quaternion' must have the length 1, not " + shown_number(length) +
-                                       "; it is [x, y, z, w]");
+    if (value->isZero(0.0)) {
+        node.diagnose("bad-value", "'quaternion' has no direction; [0, 0, 0, 1] turns nothing");
         return;
     }
-    const Eigen::Vector4d unit = *value / length;
+    const Eigen::Vector4d unit = *value / value->norm();
     rotation = Eigen::Quaterniond(unit.w(), unit.x(), unit.y(), unit.z()).toRotationMatrix();
 }
 
