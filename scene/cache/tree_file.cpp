@@ -35,6 +35,7 @@ void put(ArchiveWriter& out, const PlacedMesh& placed) {
     out.put_text(placed.object);
     put(out, placed.p_world_origin);
     out.put(std::uint64_t{placed.zero_area});
+    out.put(std::uint64_t{placed.openings});
     put(out, tree.outer.center);
     out.put(tree.outer.radius);
     out.put(static_cast<double>(tree.reach));
@@ -81,6 +82,7 @@ PlacedMesh take_mesh(ArchiveReader& in) {
     placed.object = in.take_text();
     placed.p_world_origin = take_vector(in);
     placed.zero_area = in.take<std::uint64_t>();
+    placed.openings = in.take<std::uint64_t>();
     Bvh8 tree;
     tree.outer.center = take_vector(in);
     tree.outer.radius = in.take<double>();

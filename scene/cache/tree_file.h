@@ -18,10 +18,11 @@ struct PlacedMesh {
     std::shared_ptr<const collision::MeshCollider> collider;
     collision::Vec3 p_world_origin = collision::Vec3::Zero();
     std::size_t zero_area = 0;  ///< ignored degenerate triangles
+    std::size_t openings = 0;   ///< closed ones
 };
 
 /// Increment the version whenever the layout, the trees or the baking of meshes change.
-inline constexpr FileKind kTreeFile = {{'c', 'w', ' ', 't', 'r', 'e', 'e', 's'}, 3};
+inline constexpr FileKind kTreeFile = {{'c', 'w', ' ', 't', 'r', 'e', 'e', 's'}, 4};
 
 /// Serializes meshes with their BVH8 and closed parts, which are computed if they weren't yet. Arrays are not
 /// copied: `meshes` must outlive the writer.

@@ -37,6 +37,7 @@ ContentHash key_of(const CacheFolder& cache, const CampusDescription& campus, co
         if (std::holds_alternative<MeshShape>(collider.shape)) {
             hasher.add_text(collider.id);
             hasher.add_number(std::uint64_t{collider.each});
+            hasher.add_number(std::uint64_t{is_only_trigger(collider.modes)});
             add_globs(globs_of(campus, collider), hasher);
             add_globs(collider.except, hasher);
         }
@@ -69,6 +70,7 @@ std::optional<PlacedShape> CachedMeshes::find(const std::string& object) const {
     placed.shape = found->second.collider;
     placed.X_world_shape.translation = found->second.p_world_origin;
     placed.zero_area = found->second.zero_area;
+    placed.openings = found->second.openings;
     return placed;
 }
 
@@ -76,7 +78,7 @@ void CachedMeshes::add(const std::string& object, const PlacedShape& built) {
     if (cache_ != nullptr) {
         meshes_.insert_or_assign(
             object, PlacedMesh{object, std::get<std::shared_ptr<const collision::MeshCollider>>(built.shape),
-                               built.X_world_shape.translation, built.zero_area});
+                               built.X_world_shape.translation, built.zero_area, built.openings});
         is_new_ = true;
     }
 }

@@ -105,6 +105,18 @@ Origin move_to_origin(const CampusOrigin& requested, std::vector<Model>& models)
     return origin;
 }
 
+std::string reason(NoInside why) {
+    switch (why) {
+        case NoInside::flat:
+            return "its surface is flat";
+        case NoInside::open:
+            return "its surface is open, and the rim of an opening isn't flat";
+        case NoInside::branching:
+            break;
+    }
+    return "three or more faces meet at an edge of its surface";
+}
+
 /// Adds the colliders of a campus to its world, one after the other.
 class ColliderBuilder {
 public:
@@ -207,6 +219,9 @@ std::optional<PlacedShape> ColliderBuilder::shape_of(const ColliderDescription& 
     }
     std::optional<PlacedShape> placed = place_shape(collider.shape, source);
     if (is_mesh && placed) {
+        if (is_only_trigger(collider.modes)) {
+            placed = enclosed(std::move(*placed), source);
+        }
         meshes_.add(id, *placed);
     }
     return placed;
@@ -224,6 +239,18 @@ void ColliderBuilder::add_object(const ColliderDescription& collider, const std:
         diagnostics_.error(collider.mark, "empty-mesh",
                            "the nodes of collider '" + id + "' have no triangles");
         return;
+    }
+    if (placed->no_inside) {
+        diagnostics_.error(collider.mark, "no-inside",
+                           "nobody can be inside of trigger '" + id + "': " + reason(*placed->no_inside) +
+                               "; close it, or give the trigger a 'box' or another shape");
+        return;
+    }
+    if (placed->openings > 0) {
+        warnings_.push_back(
+            {Severity::warning, collider.mark, "closed-openings",
+             "trigger '" + id + "': " + std::to_string(placed->openings) +
+                 " openings of its surface are taken for closed, so that visitors can be inside"});
     }
     if (placed->zero_area > 0) {
         warnings_.push_back({Severity::warning, collider.mark, "zero-area",

@@ -92,6 +92,11 @@ struct DetectionModes {
     bool ray = false;
 };
 
+/// Its surface then counts for nothing but what it encloses.
+inline bool is_only_trigger(const DetectionModes& modes) {
+    return modes.trigger && !modes.solid && !modes.ray;
+}
+
 struct ColliderDescription {
     SourceMark mark;
     std::string id;        ///< object id in events; with `each` the prefix of every object's id

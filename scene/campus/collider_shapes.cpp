@@ -55,6 +55,17 @@ std::optional<PlacedShape> place(const MeshShape& /*shape*/, const ShapeSource& 
     return placed;
 }
 
+bool encloses_all(const collision::MeshCollider& mesh) {
+    const collision::ClosedParts& closed = mesh.closed_parts();
+    const std::size_t count = mesh.mesh().triangles.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        if (closed.empty() || !closed.has(i)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 std::optional<PlacedShape> place(const BoxShape& box, const ShapeSource& source) {
     PlacedShape placed;
     placed.X_world_shape = source.frame;
@@ -149,6 +160,23 @@ bool is_placed_by_numbers(const ShapeDescription& shape) {
         bool operator()(const WheelShape& wheel) const { return wheel.center && wheel.radius && wheel.width; }
     };
     return std::visit(Visitor{}, shape);
+}
+
+PlacedShape enclosed(PlacedShape placed, const ShapeSource& source) {
+    if (encloses_all(*std::get<std::shared_ptr<const collision::MeshCollider>>(placed.shape))) {
+        return placed;
+    }
+    EnclosingSurface surface = enclosing_surface(source.geometry);
+    if (surface.no_inside) {
+        placed.no_inside = surface.no_inside;
+        return placed;
+    }
+    // A lid may have triangles without area, and would be open without them.
+    BakedMesh baked = bake_every_triangle(surface.geometry);
+    placed.openings = surface.openings;
+    placed.X_world_shape.translation = baked.p_world_origin;
+    placed.shape = std::make_shared<const collision::MeshCollider>(std::move(baked.mesh), source.tree);
+    return placed;
 }
 
 std::optional<PlacedShape> place_shape(const ShapeDescription& shape, const ShapeSource& source) {

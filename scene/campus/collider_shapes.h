@@ -4,6 +4,7 @@
 
 #include "collision/geometry/shapes.h"
 #include "scene/campus/campus_description.h"
+#include "scene/campus/enclosing_surface.h"
 #include "scene/campus/node_selection.h"
 
 namespace campuswalk::scene {
@@ -12,7 +13,9 @@ namespace campuswalk::scene {
 struct PlacedShape {
     collision::Shape shape;
     collision::Pose X_world_shape;
-    std::size_t zero_area = 0;  ///< triangles of a mesh that were left out
+    std::size_t zero_area = 0;               ///< triangles of a mesh that were left out
+    std::size_t openings = 0;                ///< of a mesh, that were closed (enclosing_surface.h)
+    std::optional<NoInside> no_inside = {};  ///< of a mesh that is only a trigger
 };
 
 /// What the numbers of a shape refer to: a node's upright_frame (see node_frame.h) and its geometry, or the
@@ -37,5 +40,9 @@ bool is_placed_by_numbers(const ShapeDescription& shape);
 ///   wheel    about the bounds' centre along `axis`, as wide and as large as the geometry
 /// nullopt if something has to be fitted and there is no triangle.
 std::optional<PlacedShape> place_shape(const ShapeDescription& shape, const ShapeSource& source);
+
+/// The mesh of what is only a trigger, `placed` by place_shape from this geometry: as it is if all of it
+/// encloses something, else its enclosing_surface.
+PlacedShape enclosed(PlacedShape placed, const ShapeSource& source);
 
 }  // namespace campuswalk::scene

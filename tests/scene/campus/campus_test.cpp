@@ -80,6 +80,32 @@ protected:
     std::vector<Diagnostic> warnings_;
 };
 
+TEST_F(CampusTest, ATriggerOfAMeshIsWhatItEncloses) {
+    // A room of 4 x 3 x 4 m that faces inward and has no roof, and a sheet.
+    folder_.write("room.obj",
+                  "o room\nv -2 0 -2\nv 2 0 -2\nv 2 0 2\nv -2 0 2\nv -2 3 -2\nv 2 3 -2\nv 2 3 2\nv -2 3 2\n"
+                  "f 1 4 3 2\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\no sheet\nv 9 0 0\nv 9 0 1\nv 9 1 "
+                  "0\nf 9 10 11\n");
+    description_.scenes = {test::scene_file(folder_, "room.obj")};
+    description_.buildings.clear();
+    add("room", MeshShape{}, {"room"}).modes = {.trigger = true};
+    const Campus campus = load();
+    const auto& mesh = *std::get<std::shared_ptr<const collision::MeshCollider>>(
+        campus.world.object(collision::ObjectId{0}).shape);
+    EXPECT_FALSE(mesh.closed_parts().empty());
+    EXPECT_TRUE(has_code(warnings_, "closed-openings")) << text_of(warnings_);
+    // What is solid, too, stays as it is.
+    description_.colliders[0].modes.solid = true;
+    const Campus solid = load();
+    const auto& walls = *std::get<std::shared_ptr<const collision::MeshCollider>>(
+        solid.world.object(collision::ObjectId{0}).shape);
+    EXPECT_EQ(walls.mesh().triangles.size(), 10U);
+    add("sheet", MeshShape{}, {"sheet"}).modes = {.trigger = true};
+    EXPECT_THAT(
+        text_of(errors()),
+        testing::HasSubstr("error no-inside: nobody can be inside of trigger 'sheet': its surface is flat"));
+}
+
 TEST_F(CampusTest, MakesOneObjectPerCollider) {
     auto& ground = add("ground", MeshShape{}, {"terrain"});
     ground.layer = "ground";

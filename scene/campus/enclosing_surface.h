@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "scene/campus/node_selection.h"
+
+namespace campuswalk::scene {
+
+/// Why a surface encloses nothing.
+enum class NoInside {
+    flat,       ///< it has no thickness
+    open,       ///< it has openings whose rims aren't flat, as terrain does
+    branching,  ///< three or more of its faces meet at an edge, or it is a strip with one side
+};
+
+/// A surface, as far as possible one that encloses volumes and faces outward.
+struct EnclosingSurface {
+    WorldGeometry geometry;             ///< with all positions, also those that no triangle uses
+    std::size_t openings = 0;           ///< that were closed
+    std::optional<NoInside> no_inside;  ///< if no part encloses anything; of its largest part
+};
+
+/// What a visitor can be inside of, where a surface is meant to enclose something and isn't quite modelled
+/// so: faces that are there twice are left out, vertices within a millimetre (a ten-thousandth of the
+/// surface's size, if that is less) are joined, each part is turned to face outward, and openings with a flat
+/// rim are closed. Parts that enclose nothing even so are left out. What is inside of any part is inside.
+EnclosingSurface enclosing_surface(const WorldGeometry& geometry);
+
+}  // namespace campuswalk::scene
