@@ -101,21 +101,24 @@ private:
     collision::QueryFilter solids_;
 };
 
-/// A warning if there is nothing near below a visitor who is put there, unless the walk says so.
+/// Whether a visitor who is put there falls, unless the walk says so.
 void check_ground(const scene::Campus& campus, const Walk& walk, const SpawnStep& spawn,
                   std::vector<Diagnostic>& diagnostics) {
-    constexpr double kHigh = 2.5;  // metres
     if (spawn.fall) {
         return;
     }
     const SpawnFall fall = fall_at_spawn(campus, walk);
-    if (fall.lands && fall.height <= kHigh) {
+    if (fall.lands && fall.height <= kSpawnFall) {
         return;
     }
     const std::string what = fall.lands ? fixed(fall.height, 2) + " m above the ground"
                                         : "over nothing that carries the visitor, who falls from there";
-    diagnostics.push_back({scene::Severity::warning, spawn.mark, "spawn-in-air",
-                           spawn.label + " at " + fixed(spawn.position) + " is " + what});
+    const bool is_name = spawn.label.find(',') == std::string::npos;
+    diagnostics.push_back({scene::Severity::error, spawn.mark, "spawn-in-air",
+                           spawn.label + " at " + fixed(spawn.position) + " is " + what +
+                               "; put it on the ground, or write 'spawn: {at: " +
+                               (is_name ? spawn.label : "[" + spawn.label + "]") +
+                               ", fall: true}' if that is meant"});
 }
 
 /// The steps of a `repeat` are checked once per round.

@@ -14,7 +14,8 @@ namespace campuswalk::engine {
 ///   unknown-name    an event that is expected or waited for but can't happen on this campus, whatever the
 ///                   avatar does; an object or building in an expectation, or an object to enable, disable or
 ///                   avoid, that doesn't exist
-///   spawn-in-air    a warning: a spawn over nothing, or more than 2.5 m above what is below it
+///   spawn-in-air    a spawn over nothing, or more than 0.5 m above what carries the avatar, that doesn't say
+///                   `fall: true`
 std::vector<scene::Diagnostic> check_walk(const scene::Campus& campus, const Walk& walk);
 
 }  // namespace campuswalk::engine

@@ -211,7 +211,11 @@ class Strict(ProgramCase):
     def test_a_fall_at_the_start_is_announced(self):
         falling = WALK.replace("spawn: start", "spawn: %s")
         for spawn in ("{at: [0, 0.6, 5]}", "{at: [0, 3, 5]}", "{at: [50, 0, 5]}"):
-            self.refused_at(falling % spawn, r"4:\d+: error strict: .* begin with a fall")
+            self.write("short.walk.yaml", falling % spawn)
+            for command in (("run", "-q"), ("validate",)):
+                outcome = self.run_program(*command, "short.walk.yaml")
+                self.assertEqual(outcome.code, 2)
+                self.assertRegex(outcome.err, r"(?m)^short.walk.yaml:4:\d+: error spawn-in-air: .*fall: true")
         self.write("short.walk.yaml", falling % "{at: [0, 0.6, 5], fall: true}")
         self.assertNotIn("error strict", self.run_walks("--strict").err)
         self.refused_at(falling % "{at: [0, 0.4, 5], fall: true}", r"4:\d+: error strict: 'fall: true' .* 0.40 m")

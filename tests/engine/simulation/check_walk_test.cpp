@@ -53,13 +53,16 @@ TEST(CheckWalk, AcceptsAPlaceThatIsFreeUpToHalfAMetreAbove) {
     EXPECT_EQ(diagnostics(walk_of({spawn_at({-5, -0.15, 0})})).size(), 1U);
 }
 
-TEST(CheckWalk, WarnsOfASpawnInTheAir) {
-    EXPECT_EQ(diagnostics(walk_of({spawn_at({0, 2.4, 0})})), Diagnostics());
+TEST(CheckWalk, RejectsASpawnInTheAirThatDoesNotSaySo) {
+    EXPECT_EQ(diagnostics(walk_of({spawn_at({0, 0.49, 0})})), Diagnostics());
+    EXPECT_THAT(
+        diagnostics(walk_of({marked(spawn_at({0, 0.51, 0}), 12)})),
+        ElementsAre(says("a.walk.yaml:12:5: error spawn-in-air", {"0.51 m above the ground", "fall: true"})));
     EXPECT_THAT(
         diagnostics(walk_of({marked(spawn_at({-5, 30.4, 0}, 0.0, "roof"), 12)})),
-        ElementsAre(says("a.walk.yaml:12:5: warning spawn-in-air", {"roof", "30.00 m above the ground"})));
+        ElementsAre(says("a.walk.yaml:12:5: error spawn-in-air", {"roof", "30.00 m above the ground"})));
     EXPECT_THAT(diagnostics(walk_of({spawn_at({5000, 0, 0})})),
-                ElementsAre(says(": warning spawn-in-air", {"over nothing"})));
+                ElementsAre(says(": error spawn-in-air", {"over nothing"})));
     SpawnStep announced = spawn_at({-5, 30.4, 0});
     announced.fall = true;
     EXPECT_EQ(diagnostics(walk_of({announced})), Diagnostics());
