@@ -13,6 +13,10 @@ constexpr double kBehindPitch = -0.17;
 constexpr double kAboveEyes = 0.15;      // metres, of the point that it circles
 constexpr double kWallClearance = 0.25;  // metres, so that the near plane's corners stay on this side
 constexpr double kClosest = 0.3;         // metres, so that the camera stays out of the avatar's head
+constexpr double kThisSide = 0.9;        // of the way to a wall that is nearer than that
+
+constexpr double kRounding = 1e-9;  // metres
+constexpr double kNearest = 1e-6;   // metres, of the near plane of a camera in a wall
 
 constexpr double kOrbitMargin = 1.08;  // of the distance at which a building just fits into the image
 constexpr double kClosestOrbit = 0.5;  // metres
@@ -42,6 +46,18 @@ Viewpoint downwards(const Eigen::Vector3d& over, double height, const scene::Bou
 }
 
 }  // namespace
+
+void keep_near_plane_free(Viewpoint& view, double aspect, const FreeRadius& free_radius) {
+    if (!free_radius || view.projection != Projection::perspective) {
+        return;
+    }
+    const double slope = std::tan(0.5 * view.fov);
+    const double farthest =
+        std::sqrt(1.0 + slope * slope * (1.0 + aspect * aspect));  // of the near plane, in near distances
+    const double free = free_radius(view.position, view.near_distance * farthest);
+    view.near_distance =
+        std::clamp(free / farthest, std::min(kNearest, view.near_distance), view.near_distance);
+}
 
 Viewpoint looking(const Eigen::Vector3d& position, double yaw, double pitch, double fov) {
     Viewpoint view;
@@ -88,15 +104,22 @@ Viewpoint first_person(const AvatarState& avatar, const AvatarProfile& profile, 
 
 Viewpoint third_person(const AvatarState& avatar, const AvatarProfile& profile, double fov, double distance,
                        const FreeDistance& free_distance) {
-    const Eigen::Vector3d pivot =
-        avatar.position + (avatar.stature * profile.eye_height + kAboveEyes) * Eigen::Vector3d::UnitY();
+    const Eigen::Vector3d up = Eigen::Vector3d::UnitY();
+    const Eigen::Vector3d eyes = avatar.position + avatar.stature * profile.eye_height * up;
+    double above = kAboveEyes;
+    if (free_distance) {
+        const double free = free_distance(eyes, eyes + kAboveEyes * up);
+        above = free < kAboveEyes - kRounding ? 0.5 * free : kAboveEyes;
+    }
+    const Eigen::Vector3d pivot = avatar.position + (avatar.stature * profile.eye_height + above) * up;
     // Half of the avatar's own pitch: looking up at a tower must not put the camera into the ground.
     Viewpoint view = looking(pivot, avatar.yaw, kBehindPitch + 0.5 * avatar.pitch, fov);
     const Eigen::Vector3d backwards = view.R_world_camera.col(2);
     double behind = distance;
     if (free_distance) {
         const double free = free_distance(pivot, pivot + (distance + kWallClearance) * backwards);
-        behind = std::clamp(free - kWallClearance, std::min(kClosest, distance), distance);
+        const double closest = std::min({kClosest, distance, kThisSide * free});
+        behind = std::clamp(free - kWallClearance, closest, distance);
     }
     view.position = pivot + behind * backwards;
     return view;

@@ -21,13 +21,21 @@ struct Viewpoint {
     Projection projection = Projection::perspective;
     double fov = 1.0471975511965976;  ///< vertical; for Projection::perspective
     double height = 100.0;            ///< metres from the lower to the upper edge; for orthographic
-    double near_distance = 0.1;       ///< nothing closer is drawn; the avatar's skin keeps walls farther away
+    double near_distance = 0.1;       ///< nothing closer is drawn; see keep_near_plane_free
     double far_distance = 2000.0;     ///< for orthographic only; a perspective view extends to infinity
 };
 
 /// The distance in metres from `from` towards `to` that is free of solid objects, at most up to `to`.
 /// Supplied by the owner of the collision world.
 using FreeDistance = std::function<double(const Eigen::Vector3d& from, const Eigen::Vector3d& to)>;
+
+/// The distance in metres from a point to the nearest solid object, at most `most`. Supplied likewise.
+using FreeRadius = std::function<double(const Eigen::Vector3d& point, double most)>;
+
+/// Moves the near plane of a perspective view so close that its corners are within the free space around the
+/// camera, of an image of width / height = `aspect`: else it would show what is behind a wall, a floor or a
+/// ceiling. Only where it is that narrow.
+void keep_near_plane_free(Viewpoint& view, double aspect, const FreeRadius& free_radius);
 
 /// At `position`, turned by yaw (0 along -Z, positive to the left) and pitch (up positive).
 Viewpoint looking(const Eigen::Vector3d& position, double yaw, double pitch, double fov);
@@ -45,7 +53,8 @@ Viewpoint orbiting(const scene::Bounds& box, double aspect, double yaw, double p
 /// Through the avatar's eyes.
 Viewpoint first_person(const AvatarState& avatar, const AvatarProfile& profile, double fov);
 
-/// From `distance` metres behind and a little above the avatar, closer if a wall is in between.
+/// From `distance` metres behind and a little above the avatar, closer if a wall is in between, lower under a
+/// ceiling.
 Viewpoint third_person(const AvatarState& avatar, const AvatarProfile& profile, double fov, double distance,
                        const FreeDistance& free_distance);
 

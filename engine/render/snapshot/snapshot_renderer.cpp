@@ -126,7 +126,8 @@ Channels SnapshotRenderer::draw_plan_channels(int width, int height, const Chann
     return renderer_.draw_channels(view, width, height, choice);
 }
 
-Image SnapshotRenderer::draw_view(const Viewpoint& view, int width, int height) {
+Image SnapshotRenderer::draw_view(Viewpoint view, int width, int height) {
+    keep_near_plane_free(view, static_cast<double>(width) / height, settings_.free_radius);
     return renderer_.draw(view, width, height);
 }
 
@@ -174,7 +175,11 @@ Viewpoint SnapshotRenderer::viewpoint_of(const FixedView& view, const SnapshotRe
 }
 
 Viewpoint SnapshotRenderer::viewpoint(const SnapshotRequest& request) const {
-    return std::visit([&](const auto& view) { return viewpoint_of(view, request); }, request.camera.view);
+    Viewpoint view =
+        std::visit([&](const auto& any) { return viewpoint_of(any, request); }, request.camera.view);
+    keep_near_plane_free(view, static_cast<double>(request.camera.width) / request.camera.height,
+                         settings_.free_radius);
+    return view;
 }
 
 Eigen::Vector3d SnapshotRenderer::point_of(const CameraTarget& target) const {

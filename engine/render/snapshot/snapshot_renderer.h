@@ -33,6 +33,7 @@ struct SnapshotSettings {
     std::size_t max_windows = 3;  ///< pop-ups shown at once
     bool labels = true;           ///< building titles on plans
     FreeDistance free_distance;   ///< keeps the third-person camera out of walls, if set
+    FreeRadius free_radius;       ///< keeps cameras from looking behind walls that they are at, if set
 };
 
 /// What a snapshot shows.
@@ -80,7 +81,7 @@ public:
     Image draw_plan(int width, int height, bool grid);
     Channels draw_plan_channels(int width, int height, const ChannelChoice& choice);
     /// Without overlays.
-    Image draw_view(const Viewpoint& view, int width, int height);
+    Image draw_view(Viewpoint view, int width, int height);
 
     const scene::Bounds& bounds() const { return renderer_.bounds(); }
 

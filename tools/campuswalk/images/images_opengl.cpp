@@ -1,7 +1,10 @@
+#include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "collision/world/cast.h"
+#include "collision/world/obstacle.h"
 #include "engine/render/image/png.h"
 #include "engine/render/passes/light.h"
 #include "engine/render/plan/plan_image.h"
@@ -25,6 +28,15 @@ SnapshotSettings settings_for(const scene::Campus& campus, Backend backend) {
         const auto hit = collision::cast(campus.world, {collision::Detection::solid, 0}, {from, to},
                                          collision::Detection::solid);
         return (to - from).norm() * (hit ? hit->fraction : 1.0);
+    };
+    settings.free_radius = [&campus, obstacles = std::vector<collision::Obstacle>()](
+                               const Eigen::Vector3d& point, double most) mutable {
+        const collision::Segment here{point, point};
+        collision::gather_obstacles(campus.world, {collision::Detection::solid, 0}, here, most, obstacles);
+        for (const collision::Obstacle& obstacle : obstacles) {
+            most = std::min(most, collision::closest(here, obstacle).distance);
+        }
+        return most;
     };
     return settings;
 }

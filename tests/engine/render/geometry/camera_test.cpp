@@ -67,7 +67,45 @@ TEST(ThirdPerson, ComesCloserIfAWallIsBehind) {
     };
     EXPECT_NEAR(distance_with(100.0), 4.0, 1e-12);
     EXPECT_NEAR(distance_with(2.0), 1.75, 1e-12);
-    EXPECT_NEAR(distance_with(0.1), 0.3, 1e-12) << "never into the head";
+    EXPECT_NEAR(distance_with(0.32), 0.288, 1e-12) << "on this side of the wall";
+}
+
+TEST(ThirdPerson, StaysOnThisSideOfWhatIsNearerThanTheHead) {
+    AvatarState avatar;
+    AvatarProfile mouse;
+    mouse.height = 0.2;
+    mouse.eye_height = 0.18;
+    // A ceiling 3 cm above its eyes, and a wall 4 cm behind.
+    const auto free = [](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+        return std::min((to - from).norm(), to.y() - from.y() > 0.1 ? 0.03 : 0.04);
+    };
+    const Viewpoint view = third_person(avatar, mouse, 1.0, 4.0, free);
+    EXPECT_LT(view.position.y(), 0.18 + 0.03);
+    EXPECT_LT(view.position.z(), 0.04);
+}
+
+TEST(NearPlane, IsWithinTheFreeSpace) {
+    for (const double fov_deg : {20.0, 60.0, 120.0, 170.0}) {
+        for (const double free : {0.5, 0.1, 0.03, 0.002}) {
+            for (const double aspect : {0.5, 1.0, 16.0 / 9.0, 8.0}) {
+                Viewpoint view = looking({1, 2, 3}, 0.3, -0.2, fov_deg * M_PI / 180.0);
+                keep_near_plane_free(view, aspect, [free](const Eigen::Vector3d&, double most) {
+                    return std::min(free, most);
+                });
+                const Eigen::Matrix4d world_clip = clip_from_world(view, aspect).inverse();
+                const Eigen::Vector4d farthest = world_clip * Eigen::Vector4d(1, 1, 1, 1);
+                const double distance = (farthest.head<3>() / farthest.w() - view.position).norm();
+                EXPECT_LE(distance, free * (1.0 + 1e-9)) << fov_deg << " degrees, " << aspect;
+                EXPECT_LE(view.near_distance, 0.1);
+            }
+        }
+    }
+    Viewpoint roomy = looking({1, 2, 3}, 0, 0, 1.0);
+    keep_near_plane_free(roomy, 1.5, [](const Eigen::Vector3d&, double most) { return most; });
+    EXPECT_EQ(roomy.near_distance, 0.1);
+    Viewpoint map = plan(scene::Bounds{{0, 0, 0}, {9, 9, 9}}, 1.5);
+    keep_near_plane_free(map, 1.5, [](const Eigen::Vector3d&, double) { return 0.0; });
+    EXPECT_EQ(map.near_distance, 0.0);
 }
 
 TEST(TopView, IsAMapWithNorthUpCentredOnAGroundPoint) {
