@@ -41,18 +41,16 @@ private:
         return (points_[b] - points_[a]).cross(points_[c] - points_[a]).dot(normal_);
     }
     bool is_ear(std::size_t at) const {
-        const auto [a, b, c] = triangle_at(at);
-        if (left_.size() == 3) {
-            return true;
-        }
-        if (turn(a, b, c) < 0.0) {
-            return false;
-        }
-        return std::ranges::none_of(left_, [&](std::size_t p) {
-            const bool is_vertex =
-                points_[p] == points_[a] || points_[p] == points_[b] || points_[p] == points_[c];
-            return !is_vertex && turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0;
-        });
+        const std::array<std::size_t, 3> ear = triangle_at(at);
+        return left_.size() == 3 ||
+               (turn(ear[0], ear[1], ear[2]) >= 0.0 &&
+                std::ranges::none_of(left_, [&](std::size_t p) { return is_in(ear, p); }));
+    }
+    /// Not of a point that is where one of the ear's is.
+    bool is_in(const std::array<std::size_t, 3>& ear, std::size_t p) const {
+        return std::ranges::none_of(ear, [&](std::size_t vertex) { return points_[p] == points_[vertex]; }) &&
+               turn(ear[0], ear[1], p) >= 0.0 && turn(ear[1], ear[2], p) >= 0.0 &&
+               turn(ear[2], ear[0], p) >= 0.0;
     }
 
     const std::vector<Eigen::Vector3d>& points_;
