@@ -111,6 +111,9 @@ std::string reason(NoInside why) {
             return "its surface is flat";
         case NoInside::open:
             return "its surface is open, and the rim of an opening isn't flat";
+        case NoInside::too_large:
+            return "its surface isn't closed, and has too many faces (over " +
+                   std::to_string(kMostClosedFaces) + ") to close it";
         case NoInside::branching:
             break;
     }

@@ -21,8 +21,9 @@ using Eigen::Vector3d;
 using Face = std::array<std::uint32_t, 3>;
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
-constexpr double kFlatRim = 0.01;    // of a rim's extent
-constexpr double kThickness = 1e-4;  // of the extent: a part that is thinner encloses nothing
+constexpr double kFlatRim = 0.01;                // of a rim's extent
+constexpr std::size_t kMostRimVertices = 1'000;  // cutting ears takes the square of their number, or more
+constexpr double kThickness = 1e-4;              // of the extent: a part that is thinner encloses nothing
 
 double extent_of(const std::vector<Vector3d>& points) {
     Vector3d min = Vector3d::Constant(1e300);
@@ -218,8 +219,11 @@ double area_of(const std::vector<Face>& faces, const std::vector<Vector3d>& posi
     return area;
 }
 
-/// The faces that close an opening; none if its rim isn't flat.
+/// The faces that close an opening; none if its rim isn't flat, or is longer than those of rooms.
 std::vector<Face> lid_of(const std::vector<std::uint32_t>& rim, const std::vector<Vector3d>& positions) {
+    if (rim.size() > kMostRimVertices) {
+        return {};
+    }
     std::vector<Vector3d> points;
     for (const std::uint32_t vertex : rim) {
         points.push_back(positions[vertex]);
@@ -307,6 +311,9 @@ private:
 }  // namespace
 
 EnclosingSurface enclosing_surface(const WorldGeometry& geometry) {
+    if (geometry.triangles.size() > kMostClosedFaces) {
+        return {{}, 0, NoInside::too_large};
+    }
     return Closer(geometry, distinct_faces(geometry)).run();
 }
 

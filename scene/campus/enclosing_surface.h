@@ -12,7 +12,11 @@ enum class NoInside {
     flat,       ///< it has no thickness
     open,       ///< it has openings whose rims aren't flat, as terrain does
     branching,  ///< three or more of its faces meet at an edge, or it is a strip with one side
+    too_large,  ///< more than kMostClosedFaces faces, so that it wasn't looked for
 };
+
+/// Surfaces of more faces have to be closed as they are; a trigger needs few.
+inline constexpr std::size_t kMostClosedFaces = 1'000'000;
 
 /// A surface, as far as possible one that encloses volumes and faces outward.
 struct EnclosingSurface {

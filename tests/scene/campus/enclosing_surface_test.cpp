@@ -195,6 +195,24 @@ TEST(EnclosingSurface, SaysWhyNothingIsInside) {
     EXPECT_TRUE(enclosing_surface(fins).no_inside);
 }
 
+TEST(EnclosingSurface, LeavesWhatIsTooLarge) {
+    WorldGeometry many;
+    many.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    many.triangles.assign(kMostClosedFaces + 1, {0, 1, 2});
+    EXPECT_EQ(enclosing_surface(many).no_inside, NoInside::too_large);
+
+    WorldGeometry tube;  // with rims of 2,000 vertices
+    for (std::uint32_t i = 0; i < 2000; ++i) {
+        const double angle = 2 * M_PI * i / 2000;
+        tube.positions.emplace_back(9 * std::cos(angle), 0, 9 * std::sin(angle));
+        tube.positions.emplace_back(9 * std::cos(angle), 3, 9 * std::sin(angle));
+        const std::uint32_t next = 2 * ((i + 1) % 2000);
+        tube.triangles.push_back({2 * i, 2 * i + 1, next + 1});
+        tube.triangles.push_back({2 * i, next + 1, next});
+    }
+    EXPECT_EQ(enclosing_surface(tube).no_inside, NoInside::open);
+}
+
 TEST(PolygonEars, CoverThePolygonOnce) {
     support::Dice dice(5);
     for (int round = 0; round < 200; ++round) {
