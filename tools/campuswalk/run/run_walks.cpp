@@ -255,7 +255,7 @@ private:
         CanonicalPaths canonical;
         const std::set<fs::path> inputs = inputs_of(plan, canonical);
         if (!settings_.single) {
-            targets.push_back({"last-run", settings_.saved});
+            targets.push_back({"saved results", settings_.saved});
         }
         refuse_inputs(targets, inputs, canonical);
         for (const Case& each : plan.cases) {
