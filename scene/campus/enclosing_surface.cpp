@@ -21,9 +21,9 @@ using Eigen::Vector3d;
 using Face = std::array<std::uint32_t, 3>;
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
-constexpr double kFlatRim = 0.01;                // of a rim's extent
-constexpr std::size_t kMostRimVertices = 1'000;  // cutting ears takes the square of their number, or more
-constexpr double kThickness = 1e-4;              // of the extent: a part that is thinner encloses nothing
+constexpr double kFlatRim = 0.01;              // of a rim's extent
+constexpr std::size_t kMostRimVertices = 256;  // cutting ears takes the square of their number, or more
+constexpr double kThickness = 1e-4;            // of the extent: a part that is thinner encloses nothing
 
 double extent_of(const std::vector<Vector3d>& points) {
     Vector3d min = Vector3d::Constant(1e300);

@@ -7,6 +7,8 @@
 namespace campuswalk::scene {
 namespace {
 
+constexpr std::size_t kMaxMegabytes = 1024;  // of all nodes with their names, which are copied
+
 Eigen::Matrix4d transform_of(const ScenePlacement& placement) {
     Eigen::Matrix4d X_world_scene = Eigen::Matrix4d::Identity();
     X_world_scene.topLeftCorner<3, 3>() = placement.rotation * placement.scale;
@@ -21,6 +23,14 @@ void refuse_too_many(const SceneFile& scene, std::size_t count, std::size_t most
                              " times, has " + std::to_string(count) + " " + what + "; a model may have " +
                              std::to_string(most) + ": place it less often or simplify it");
     }
+}
+
+std::size_t bytes_of_nodes(const Model& model) {
+    std::size_t bytes = 0;
+    for (const Node& node : model.nodes) {
+        bytes += sizeof(Node) + node.name.size() + node.meshes.size() * sizeof(MeshIndex);
+    }
+    return bytes;
 }
 
 /// The only placement has no name of its own: the model's nodes stay the topmost.
@@ -52,6 +62,7 @@ void place_scene(const SceneFile& scene, Model& model) {
     }
     const std::size_t times = scene.placements.size();
     refuse_too_many(scene, times * (model.nodes.size() + 1), kMaxNodes, "nodes");
+    refuse_too_many(scene, (times * bytes_of_nodes(model)) >> 20U, kMaxMegabytes, "MB of nodes");
     refuse_too_many(scene, times * count_triangles(model), kMaxTriangles, "triangles");
     const Eigen::Matrix4d X_world_first = transform_of(scene.placements.front());
     if (model.geographic) {

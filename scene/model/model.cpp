@@ -28,6 +28,9 @@ std::uint64_t count_bytes(const Model& model) {
     for (const Texture& texture : model.textures) {
         count += bytes(texture.rgba);
     }
+    for (const Node& node : model.nodes) {
+        count += sizeof(Node) + bytes(node.name, node.meshes);
+    }
     return count;
 }
 

@@ -151,6 +151,8 @@ TEST_F(ReadCampus, RefusesPlacementsThatContradictThemselves) {
                 ElementsAre(testing::HasSubstr("wrong-type: 'quaternion' must be four numbers")));
     EXPECT_THAT(about_scene("quaternion: [0, 0, 0, 0]"),
                 ElementsAre(testing::HasSubstr("bad-value: 'quaternion' has no direction")));
+    EXPECT_THAT(about_scene("quaternion: [0, 0, 0, 1e-300]"),
+                ElementsAre(testing::HasSubstr("'quaternion' has no direction")));
     EXPECT_THAT(about_scene("rotation_deg: [0, 9, 0], quaternion: [0, 0, 0, 1]"),
                 ElementsAre(testing::HasSubstr("write one of them")));
     EXPECT_THAT(about_scene("placements: []"),

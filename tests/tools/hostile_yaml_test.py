@@ -64,6 +64,7 @@ SMALL = {
     "nested complex keys": "? " * 20_000,
     "a billion laughs": bomb(40, 9),
     "a billion laughs in a list": bomb(12, 300),
+    "a long text, again and again": "a: [&a " + "x" * 1_000_000 + "".join(", *a" for _ in range(100)) + "]\n",
     "an anchor that names itself": "a: &a\n  b: *a\n",
     "binary": bytes(range(256)) * 100,
     "an ELF file": b"\x7fELF\x02\x01\x01\x00" + b"\x00" * 4000,

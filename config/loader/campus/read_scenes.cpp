@@ -54,7 +54,8 @@ void read_quaternion(const CheckedNode& node, Eigen::Matrix3d& rotation) {
     if (!value) {
         return;
     }
-    if (value->isZero(0.0)) {
+    constexpr double kLeastLength = 1e-6;
+    if (value->norm() < kLeastLength) {
         node.diagnose("bad-value", "'quaternion' has no direction; [0, 0, 0, 1] turns nothing");
         return;
     }

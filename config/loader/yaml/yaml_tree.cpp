@@ -25,6 +25,8 @@ using scene::SourceMark;
 
 constexpr std::size_t kMaxDepth = 64;
 constexpr std::size_t kMaxNodes = 1'000'000;
+// Long texts that aliases repeat would take gigabytes.
+constexpr std::size_t kLettersOfAValue = 64;
 constexpr std::size_t kMaxAnchors = 10'000;
 
 /// Thrown to stop the parser at an error after which reading on is pointless.
@@ -85,6 +87,7 @@ public:
         refuse_tag(mark, tag);
         auto node = leaf(YamlNode::Kind::scalar, position_of(text_, mark));
         node->text = value;
+        node->size += value.size() / kLettersOfAValue;
         node->quoted = tag == "!";
         if (node->quoted && is_quote_unclosed(text_, static_cast<std::size_t>(mark.pos))) {
             throw Refusal{mark, "yaml-syntax", "this quote is never closed"};
@@ -198,7 +201,9 @@ private:
         Open& parent = open_.back();
         parent.node->size += std::min(node->size, kMaxNodes);  // cannot overflow: the file is small
         if (parent.node->size > kMaxNodes) {
-            throw Refusal{parent.mark, "too-large", "more than a million values (each alias counts in full)"};
+            throw Refusal{
+                parent.mark, "too-large",
+                "more than a million values (each alias counts in full, and 64 letters as a value)"};
         }
         if (is_full(diagnostics_)) {
             throw Refusal{};

@@ -21,7 +21,7 @@ struct YamlNode {
     bool quoted = false;  ///< scalar: in quotes or a block, so never a number or a boolean
     std::vector<std::shared_ptr<const YamlNode>> items;  ///< sequence
     std::vector<Entry> entries;                          ///< map, in the file's order, keys distinct
-    std::size_t size = 1;                                ///< nodes below and this one, aliases expanded
+    std::size_t size = 1;  ///< nodes below and this one, aliases expanded; of long texts more
 };
 
 struct YamlNode::Entry {

@@ -172,8 +172,11 @@ void Primitives::deform(const JsonObject& primitive, const Deformation& deformat
         primitive.fail("is drawn with a skin and has no JOINTS_0 or WEIGHTS_0; re-export it");
     }
     for (const JointSet& set : joints) {
-        check_length(primitive, set.joints, out.positions.size(), "JOINTS");
-        check_length(primitive, set.weights, out.positions.size(), "WEIGHTS");
+        if (set.joints.size() != out.positions.size() || set.weights.size() != out.positions.size()) {
+            primitive.fail("has " + std::to_string(out.positions.size()) + " positions, " +
+                           std::to_string(set.joints.size()) + " of JOINTS and " +
+                           std::to_string(set.weights.size()) + " of WEIGHTS; re-export it");
+        }
     }
     if (!apply_skin(deformation.X_node_bound, joints, out)) {
         primitive.fail("refers to a joint that its skin does not have; re-export it");

@@ -115,6 +115,17 @@ TEST_F(PlaceSceneTest, RefusesMoreNodesThanAModelMayHave) {
         << error;
 }
 
+TEST_F(PlaceSceneTest, RefusesNamesThatTakeGigabytesTogether) {
+    for (int i = 0; i < 2'000; ++i) {
+        place({}, 0.0);
+    }
+    Model model = import_model(file_).model;
+    model.nodes[1].name.assign(1'000'000, 'n');
+    const std::string error = test::text_of(test::errors_of([&] { place_scene(file_, model); }));
+    EXPECT_NE(error.find("MB of nodes; a model may have 1024"), std::string::npos) << error;
+    EXPECT_EQ(model.nodes.size(), 2U);
+}
+
 TEST_F(PlaceSceneTest, HashesWhatPlacesAModel) {
     const ContentHash contents = ContentHasher().result();
     EXPECT_EQ(placed_contents(file_, contents), contents);

@@ -247,6 +247,11 @@ TEST_F(DeformedMeshesTest, BadSkinsAreRefused) {
     expect(refused([](Json& json) { json["meshes"][0]["primitives"][0]["attributes"].erase("WEIGHTS_0"); }),
            "no JOINTS_0 or WEIGHTS_0");
     expect(refused([](Json& json) {
+               const auto& attributes = json["meshes"][0]["primitives"][0]["attributes"];
+               json["accessors"][attributes["JOINTS_0"].get<std::size_t>()]["count"] = 0;
+           }),
+           "3 positions, 0 of JOINTS and 3 of WEIGHTS");
+    expect(refused([](Json& json) {
                const std::size_t matrices = json["skins"][0]["inverseBindMatrices"].get<std::size_t>();
                json["accessors"][matrices]["count"] = 1;
            }),
