@@ -98,9 +98,9 @@ std::vector<VacuousExpectation> vacuous_expectations(const scene::Campus& campus
             }
         }
     }
-    if (std::ranges::find(walk.status.codes, "timeout") != walk.status.codes.end()) {
-        if (const auto mark = certain_timeout(walk, at_end.fastest())) {
-            found.push_back({*mark, "timeout", false});
+    for (const CertainTimeout& certain : certain_timeouts(walk, at_end.fastest())) {
+        if (std::ranges::find(walk.status.codes, certain.code) != walk.status.codes.end()) {
+            found.push_back({certain.mark, certain.code, false});
         }
     }
     return found;

@@ -1,14 +1,19 @@
 #pragma once
 
-#include <optional>
+#include <vector>
 
 #include "engine/script/walk.h"
 
 namespace campuswalk::engine {
 
-/// Where a time is written that the walk's steps exceed whatever happens: a step's, of whose target the
-/// straight line alone takes longer at `fastest` metres per second, or that of the walk, in which the steps
-/// wait, turn and go for longer. An xfail of such a `timeout` can't be wrong.
-std::optional<SourceMark> certain_timeout(const Walk& walk, double fastest);
+/// A time that the walk's steps exceed whatever happens. An xfail of that failure can't be wrong.
+struct CertainTimeout {
+    SourceMark mark;        ///< of the step, or of the walk's status
+    const char* code = "";  ///< of the failure: a walk_to or follow that takes too long is `blocked`
+};
+
+/// Steps to whose target the straight line alone takes longer than they may take, at `fastest` metres per
+/// second, and the walk, if its steps wait, turn and go for longer than it may take.
+std::vector<CertainTimeout> certain_timeouts(const Walk& walk, double fastest);
 
 }  // namespace campuswalk::engine
