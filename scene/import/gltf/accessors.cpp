@@ -228,7 +228,7 @@ std::vector<Eigen::Matrix<float, kComponents, 1>> Accessors::vectors(std::size_t
     return result;
 }
 
-/// Whose last row is 0, 0, 0, 1, whatever the file says.
+/// Sets the last row of each to 0, 0, 0, 1, whatever the file says.
 std::vector<Eigen::Matrix4d> Accessors::matrices(std::size_t index) {
     const std::vector<float> values = floats(index, 16);
     std::vector<Eigen::Matrix4d> result;

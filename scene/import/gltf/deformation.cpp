@@ -10,6 +10,11 @@ namespace {
 
 using Affine = Eigen::Matrix<double, 3, 4>;
 
+/// Whether the number that a vertex has is that of a joint; not if it is NaN.
+bool is_joint(float number, const std::vector<Eigen::Matrix4d>& X_node_bound) {
+    return number >= 0.0F && number < static_cast<float>(X_node_bound.size());
+}
+
 /// The mean of a vertex's joints by their weights; nullopt if one doesn't exist.
 std::optional<Affine> blend(const std::vector<Eigen::Matrix4d>& X_node_bound,
                             const std::vector<JointSet>& sets, std::size_t vertex) {
@@ -22,7 +27,7 @@ std::optional<Affine> blend(const std::vector<Eigen::Matrix4d>& X_node_bound,
             if (weight == 0.0) {
                 continue;
             }
-            if (!(joint >= 0.0F && joint < static_cast<float>(X_node_bound.size()))) {
+            if (!is_joint(joint, X_node_bound)) {
                 return std::nullopt;
             }
             sum += weight * X_node_bound[static_cast<std::size_t>(joint)].topRows<3>();
@@ -33,7 +38,7 @@ std::optional<Affine> blend(const std::vector<Eigen::Matrix4d>& X_node_bound,
         return sum / total;
     }
     const float first = sets.front().joints[vertex][0];
-    if (!(first >= 0.0F && first < static_cast<float>(X_node_bound.size()))) {
+    if (!is_joint(first, X_node_bound)) {
         return std::nullopt;
     }
     return X_node_bound[static_cast<std::size_t>(first)].topRows<3>();

@@ -24,6 +24,12 @@ struct MorphTarget {
     std::vector<Eigen::Vector3f> normals;
 };
 
+/// The accessors, or the ids in a Draco mesh, of JOINTS_n and WEIGHTS_n.
+struct JointSource {
+    std::size_t joints;
+    std::size_t weights;
+};
+
 /// JOINTS_n and WEIGHTS_n: four joints of each vertex.
 struct JointSet {
     std::vector<Eigen::Vector4f> joints;

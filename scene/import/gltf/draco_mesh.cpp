@@ -100,7 +100,7 @@ std::vector<JointSet> decode_draco(const JsonObject& compression, Bytes packed,
         append_colors(compression, mesh, *attributes.color, out);
     }
     std::vector<JointSet> sets;
-    for (const DracoAttributes::Joints& ids : attributes.joints) {
+    for (const JointSource& ids : attributes.joints) {
         JointSet& set = sets.emplace_back();
         const auto append_to = [](std::vector<Eigen::Vector4f>& values) {
             return [&values](const auto& v) { values.emplace_back(v[0], v[1], v[2], v[3]); };

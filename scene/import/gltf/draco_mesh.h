@@ -12,15 +12,11 @@ namespace campuswalk::scene::gltf {
 
 /// The unique ids of a Draco mesh's attributes.
 struct DracoAttributes {
-    struct Joints {
-        std::size_t joints;
-        std::size_t weights;
-    };
     std::size_t position = 0;
     std::optional<std::size_t> normal;
     std::optional<std::size_t> uv;
     std::optional<std::size_t> color;
-    std::vector<Joints> joints;
+    std::vector<JointSource> joints;  ///< of the sets that are wanted
 };
 
 /// Decodes KHR_draco_mesh_compression into `out` and returns its joints. `compression` is the extension's

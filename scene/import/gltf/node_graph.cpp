@@ -234,7 +234,7 @@ void GraphReader::draw(int node, std::size_t mesh) {
     draw_numbers(node, mesh, primitives_.first(mesh));
 }
 
-/// Nodes that draw the same share it.
+/// Nodes that draw the same mesh in the same shape share its triangles.
 void GraphReader::draw_deformed(int node, const DeformedKey& key, std::vector<Eigen::Matrix4d> X_node_bound) {
     const auto& [mesh, skin, weights] = key;
     auto known = deformed_.find(key);

@@ -54,6 +54,19 @@ void check_length(const JsonObject& primitive, const Vector& values, std::size_t
     }
 }
 
+/// Where JOINTS_0 and WEIGHTS_0 are, JOINTS_1 and WEIGHTS_1, and so on.
+std::vector<JointSource> joint_sources(const JsonObject& attributes) {
+    std::vector<JointSource> sources;
+    for (std::size_t n = 0;; ++n) {
+        const auto joints = attributes.uint(("JOINTS_" + std::to_string(n)).c_str());
+        const auto weights = attributes.uint(("WEIGHTS_" + std::to_string(n)).c_str());
+        if (!joints || !weights) {
+            return sources;
+        }
+        sources.push_back({*joints, *weights});
+    }
+}
+
 }  // namespace
 
 Primitives::Primitives(const Document& document, Buffers& buffers, const std::vector<GltfMaterial>& materials)
@@ -125,20 +138,7 @@ void Primitives::read_triangles(const JsonObject& primitive, RawMesh& out) {
     }
 }
 
-/// Of as many sets as there are, JOINTS_0 and WEIGHTS_0 first.
-std::vector<JointSet> Primitives::read_joints(const JsonObject& attributes) {
-    std::vector<JointSet> sets;
-    for (std::size_t n = 0;; ++n) {
-        const auto joints = attributes.uint(("JOINTS_" + std::to_string(n)).c_str());
-        const auto weights = attributes.uint(("WEIGHTS_" + std::to_string(n)).c_str());
-        if (!joints || !weights) {
-            return sets;
-        }
-        sets.push_back({accessors_.vectors4(*joints), accessors_.vectors4(*weights)});
-    }
-}
-
-/// Those that move something.
+/// Reads the targets whose weight isn't 0.
 std::vector<MorphTarget> Primitives::read_targets(const JsonObject& primitive,
                                                   const std::vector<float>& weights, const RawMesh& mesh) {
     std::vector<MorphTarget> result;
@@ -183,7 +183,7 @@ void Primitives::deform(const JsonObject& primitive, const Deformation& deformat
     }
 }
 
-void Primitives::read_draco(const JsonObject& compression, RawMesh& out, std::vector<JointSet>& joints) {
+std::vector<JointSet> Primitives::read_draco(const JsonObject& compression, bool skinned, RawMesh& out) {
     const auto ids = compression.object("attributes");
     if (!ids) {
         compression.fail("lacks 'attributes'");
@@ -197,15 +197,10 @@ void Primitives::read_draco(const JsonObject& compression, RawMesh& out, std::ve
     attributes.normal = ids->uint("NORMAL");
     attributes.uv = ids->uint(uv_name(out).c_str());
     attributes.color = ids->uint("COLOR_0");
-    for (std::size_t n = 0;; ++n) {
-        const auto joint = ids->uint(("JOINTS_" + std::to_string(n)).c_str());
-        const auto weight = ids->uint(("WEIGHTS_" + std::to_string(n)).c_str());
-        if (!joint || !weight) {
-            break;
-        }
-        attributes.joints.push_back({*joint, *weight});
+    if (skinned) {
+        attributes.joints = joint_sources(*ids);
     }
-    joints = decode_draco(compression, *packed, attributes, out);
+    return decode_draco(compression, *packed, attributes, out);
 }
 
 std::size_t Primitives::add_deformed(std::size_t mesh, Deformation deformation) {
@@ -245,15 +240,16 @@ RawMesh Primitives::read(std::size_t number) {
     if (!attributes) {
         primitive.fail("lacks 'attributes'");
     }
+    const bool skinned = found.deformation != nullptr && !found.deformation->X_node_bound.empty();
     std::vector<JointSet> joints;
     const auto extensions = primitive.object("extensions");
     if (const auto draco = extensions ? extensions->object("KHR_draco_mesh_compression") : std::nullopt) {
-        read_draco(*draco, out, joints);
+        joints = read_draco(*draco, skinned, out);
     } else {
         read_attributes(primitive, *attributes, out);
         read_triangles(primitive, out);
-        if (found.deformation != nullptr && !found.deformation->X_node_bound.empty()) {
-            joints = read_joints(*attributes);
+        for (const JointSource& source : skinned ? joint_sources(*attributes) : std::vector<JointSource>()) {
+            joints.push_back({accessors_.vectors4(source.joints), accessors_.vectors4(source.weights)});
         }
     }
     if (found.deformation != nullptr) {

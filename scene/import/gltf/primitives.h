@@ -39,8 +39,7 @@ private:
     };
     Numbered find(std::size_t number) const;
     void read_attributes(const JsonObject& primitive, const JsonObject& attributes, RawMesh& out);
-    void read_draco(const JsonObject& compression, RawMesh& out, std::vector<JointSet>& joints);
-    std::vector<JointSet> read_joints(const JsonObject& attributes);
+    std::vector<JointSet> read_draco(const JsonObject& compression, bool skinned, RawMesh& out);
     std::vector<MorphTarget> read_targets(const JsonObject& primitive, const std::vector<float>& weights,
                                           const RawMesh& mesh);
     void deform(const JsonObject& primitive, const Deformation& deformation,

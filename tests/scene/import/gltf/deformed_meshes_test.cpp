@@ -124,7 +124,7 @@ TEST_F(DeformedMeshesTest, JointsPlaceASkinnedMeshWhateverItsNode) {
         const std::size_t leaf = skinned.add_leaf(own);
         expect_near(triangle_of(import(skinned.text), "leaf"), moved(X_world_joint * X_joint_bound));
         EXPECT_EQ(warnings_, "");
-        // Below a parent that is moved, too.
+        // A parent that is moved changes nothing, either.
         skinned.text.json["nodes"].push_back(
             {{"name", "arm"}, {"translation", {9, 9, 9}}, {"children", {leaf}}});
         skinned.text.json["scenes"][0]["nodes"] = {0, 2};
