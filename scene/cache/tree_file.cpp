@@ -36,6 +36,7 @@ void put(ArchiveWriter& out, const PlacedMesh& placed) {
     put(out, placed.p_world_origin);
     out.put(std::uint64_t{placed.zero_area});
     out.put(std::uint64_t{placed.openings});
+    out.put(std::uint64_t{placed.left_out});
     put(out, tree.outer.center);
     out.put(tree.outer.radius);
     out.put(static_cast<double>(tree.reach));
@@ -83,6 +84,7 @@ PlacedMesh take_mesh(ArchiveReader& in) {
     placed.p_world_origin = take_vector(in);
     placed.zero_area = in.take<std::uint64_t>();
     placed.openings = in.take<std::uint64_t>();
+    placed.left_out = in.take<std::uint64_t>();
     Bvh8 tree;
     tree.outer.center = take_vector(in);
     tree.outer.radius = in.take<double>();

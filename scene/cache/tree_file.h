@@ -18,7 +18,8 @@ struct PlacedMesh {
     std::shared_ptr<const collision::MeshCollider> collider;
     collision::Vec3 p_world_origin = collision::Vec3::Zero();
     std::size_t zero_area = 0;  ///< ignored degenerate triangles
-    std::size_t openings = 0;   ///< closed ones
+    std::size_t openings = 0;   ///< of a trigger's surface, that were closed
+    std::size_t left_out = 0;   ///< faces of a trigger's surface that enclose nothing
 };
 
 /// Increment the version whenever the layout, the trees or the baking of meshes change.

@@ -71,14 +71,16 @@ std::optional<PlacedShape> CachedMeshes::find(const std::string& object) const {
     placed.X_world_shape.translation = found->second.p_world_origin;
     placed.zero_area = found->second.zero_area;
     placed.openings = found->second.openings;
+    placed.left_out = found->second.left_out;
     return placed;
 }
 
 void CachedMeshes::add(const std::string& object, const PlacedShape& built) {
     if (cache_ != nullptr) {
         meshes_.insert_or_assign(
-            object, PlacedMesh{object, std::get<std::shared_ptr<const collision::MeshCollider>>(built.shape),
-                               built.X_world_shape.translation, built.zero_area, built.openings});
+            object,
+            PlacedMesh{object, std::get<std::shared_ptr<const collision::MeshCollider>>(built.shape),
+                       built.X_world_shape.translation, built.zero_area, built.openings, built.left_out});
         is_new_ = true;
     }
 }

@@ -252,8 +252,14 @@ void ColliderBuilder::add_object(const ColliderDescription& collider, const std:
     if (placed->openings > 0) {
         warnings_.push_back(
             {Severity::warning, collider.mark, "closed-openings",
-             "trigger '" + id + "': " + std::to_string(placed->openings) +
-                 " openings of its surface are taken for closed, so that visitors can be inside"});
+             "trigger '" + id +
+                 "': openings of its surface that are taken for closed, so that visitors can be inside: " +
+                 std::to_string(placed->openings)});
+    }
+    if (placed->left_out > 0) {
+        warnings_.push_back({Severity::warning, collider.mark, "open-parts",
+                             "trigger '" + id + "': faces that are left out because they enclose nothing: " +
+                                 std::to_string(placed->left_out)});
     }
     if (placed->zero_area > 0) {
         warnings_.push_back({Severity::warning, collider.mark, "zero-area",

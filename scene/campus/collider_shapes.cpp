@@ -174,6 +174,7 @@ PlacedShape enclosed(PlacedShape placed, const ShapeSource& source) {
     // A lid may have triangles without area, and would be open without them.
     BakedMesh baked = bake_every_triangle(surface.geometry);
     placed.openings = surface.openings;
+    placed.left_out = surface.left_out;
     placed.X_world_shape.translation = baked.p_world_origin;
     placed.shape = std::make_shared<const collision::MeshCollider>(std::move(baked.mesh), source.tree);
     return placed;

@@ -13,9 +13,11 @@ namespace campuswalk::scene {
 struct PlacedShape {
     collision::Shape shape;
     collision::Pose X_world_shape;
-    std::size_t zero_area = 0;               ///< triangles of a mesh that were left out
-    std::size_t openings = 0;                ///< of a mesh, that were closed (enclosing_surface.h)
-    std::optional<NoInside> no_inside = {};  ///< of a mesh that is only a trigger
+    std::size_t zero_area = 0;  ///< triangles of a mesh that were left out
+    // Of a mesh that is only a trigger; see EnclosingSurface.
+    std::size_t openings = 0;
+    std::size_t left_out = 0;
+    std::optional<NoInside> no_inside = {};
 };
 
 /// What the numbers of a shape refer to: a node's upright_frame (see node_frame.h) and its geometry, or the

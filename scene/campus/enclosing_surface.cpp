@@ -12,6 +12,7 @@
 
 #include <Eigen/Geometry>
 
+#include "collision/geometry/shapes.h"
 #include "scene/campus/polygon_ears.h"
 
 namespace campuswalk::scene {
@@ -26,13 +27,11 @@ constexpr std::size_t kMostRimVertices = 256;  // cutting ears takes the square 
 constexpr double kThickness = 1e-4;            // of the extent: a part that is thinner encloses nothing
 
 double extent_of(const std::vector<Vector3d>& points) {
-    Vector3d min = Vector3d::Constant(1e300);
-    Vector3d max = -min;
+    collision::Aabb box;
     for (const Vector3d& p : points) {
-        min = min.cwiseMin(p);
-        max = max.cwiseMax(p);
+        box.extend(p);
     }
-    return points.empty() ? 0.0 : (max - min).norm();
+    return points.empty() ? 0.0 : (box.max - box.min).norm();
 }
 
 /// For each position, the index of the first one within the tolerance.
@@ -112,11 +111,11 @@ bool runs_up(const Face& face, const Edge& edge) {
 struct Part {
     std::vector<std::size_t> faces;
     std::vector<std::vector<std::uint32_t>>
-        rims;  // of its openings, each so that faces which close it face the same way
+        rims;  // of its openings, in the direction in which the edges of a lid have to run
     bool branching = false;
 };
 
-/// Divides the faces into parts, turning them as it goes.
+/// Divides the faces into parts, and turns those of a part so that they face the same way.
 class Parts {
 public:
     explicit Parts(std::vector<Face>& faces) : faces_(faces), seen_(faces.size(), false) {
@@ -170,7 +169,7 @@ private:
         }
     }
 
-    /// The edges that its faces run along more often in one direction.
+    /// Chains the edges that the part's faces run along more often in one direction than in the other.
     void find_rims(Part& part) {
         std::map<Edge, int> balance;
         for (const std::size_t face : part.faces) {
@@ -247,7 +246,7 @@ std::vector<Face> lid_of(const std::vector<std::uint32_t>& rim, const std::vecto
     return lid;
 }
 
-/// Adds what each part becomes.
+/// Closes the parts that can be closed, turns them outward, and counts the others.
 class Closer {
 public:
     Closer(const WorldGeometry& geometry, std::vector<Face> faces)
@@ -293,6 +292,7 @@ private:
                                                closed.end());
             return;
         }
+        surface_.left_out += part.faces.size();
         if (area > largest_) {
             largest_ = area;
             surface_.no_inside = part.branching ? NoInside::branching
@@ -312,7 +312,7 @@ private:
 
 EnclosingSurface enclosing_surface(const WorldGeometry& geometry) {
     if (geometry.triangles.size() > kMostClosedFaces) {
-        return {{}, 0, NoInside::too_large};
+        return {.no_inside = NoInside::too_large};
     }
     return Closer(geometry, distinct_faces(geometry)).run();
 }

@@ -12,7 +12,7 @@ enum class NoInside {
     flat,       ///< it has no thickness
     open,       ///< it has openings whose rims aren't flat, as terrain does
     branching,  ///< three or more of its faces meet at an edge, or it is a strip with one side
-    too_large,  ///< more than kMostClosedFaces faces, so that it wasn't looked for
+    too_large,  ///< it has more than kMostClosedFaces faces, and isn't closed as it is
 };
 
 /// Surfaces of more faces have to be closed as they are; a trigger needs few.
@@ -20,9 +20,10 @@ inline constexpr std::size_t kMostClosedFaces = 1'000'000;
 
 /// A surface, as far as possible one that encloses volumes and faces outward.
 struct EnclosingSurface {
-    WorldGeometry geometry;             ///< with all positions, also those that no triangle uses
-    std::size_t openings = 0;           ///< that were closed
-    std::optional<NoInside> no_inside;  ///< if no part encloses anything; of its largest part
+    WorldGeometry geometry = {};             ///< with all positions, also those that no triangle uses
+    std::size_t openings = 0;                ///< that were closed
+    std::size_t left_out = 0;                ///< faces of parts that enclose nothing
+    std::optional<NoInside> no_inside = {};  ///< why no part encloses anything: what the largest one lacks
 };
 
 /// What a visitor can be inside of, where a surface is meant to enclose something and isn't quite modelled

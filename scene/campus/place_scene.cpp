@@ -65,11 +65,10 @@ void place_scene(const SceneFile& scene, Model& model) {
     refuse_too_many(scene, (times * bytes_of_nodes(model)) >> 20U, kMaxMegabytes, "MB of nodes");
     refuse_too_many(scene, times * count_triangles(model), kMaxTriangles, "triangles");
     const Eigen::Matrix4d X_world_first = transform_of(scene.placements.front());
-    if (model.geographic) {
-        model.geographic->at = (X_world_first * model.geographic->at.homogeneous()).head<3>();
-    }
     if (times > 1) {
-        model.geographic.reset();  // of which it would be the location isn't known
+        model.geographic.reset();  // the file doesn't say where on the Earth which of them is
+    } else if (model.geographic) {
+        model.geographic->at = (X_world_first * model.geographic->at.homogeneous()).head<3>();
     }
     if (keeps_hierarchy(scene)) {
         for (Node& node : model.nodes) {

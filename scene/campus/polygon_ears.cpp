@@ -46,7 +46,7 @@ private:
                (turn(ear[0], ear[1], ear[2]) >= 0.0 &&
                 std::ranges::none_of(left_, [&](std::size_t p) { return is_in(ear, p); }));
     }
-    /// Not of a point that is where one of the ear's is.
+    /// Whether the point lies in the ear; a point at the place of one of the ear's own doesn't.
     bool is_in(const std::array<std::size_t, 3>& ear, std::size_t p) const {
         return std::ranges::none_of(ear, [&](std::size_t vertex) { return points_[p] == points_[vertex]; }) &&
                turn(ear[0], ear[1], p) >= 0.0 && turn(ear[1], ear[2], p) >= 0.0 &&

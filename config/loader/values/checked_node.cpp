@@ -109,7 +109,8 @@ std::optional<bool> CheckedNode::as_bool() const {
     return std::nullopt;
 }
 
-/// As many numbers as `value` has; false if they aren't, which is reported with `shape`.
+/// Fills `value` from a list of as many numbers. Reports anything else, saying that `shape` is needed, and
+/// returns false.
 bool CheckedNode::numbers(const Range& range, std::span<double> value, const char* shape) const {
     if (!is_sequence() || node_->items.size() != value.size()) {
         diagnose("wrong-type", what_ + " must be " + shape);

@@ -169,6 +169,7 @@ TEST(EnclosingSurface, CountsWhatIsInAnyPart) {
     const EnclosingSurface surface = enclosing_surface(with_sign);
     expect_room(surface);
     EXPECT_EQ(surface.geometry.triangles.size(), 12U);
+    EXPECT_EQ(surface.left_out, 1U);
 }
 
 TEST(EnclosingSurface, SaysWhyNothingIsInside) {
@@ -192,7 +193,7 @@ TEST(EnclosingSurface, SaysWhyNothingIsInside) {
     WorldGeometry fins;  // three sheets that share an edge
     fins.positions = {{0, 0, 0}, {0, 3, 0}, {1, 0, 0}, {-1, 0, 1}, {-1, 0, -1}};
     fins.triangles = {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}};
-    EXPECT_TRUE(enclosing_surface(fins).no_inside);
+    EXPECT_EQ(enclosing_surface(fins).no_inside, NoInside::branching);
 }
 
 TEST(EnclosingSurface, LeavesWhatIsTooLarge) {

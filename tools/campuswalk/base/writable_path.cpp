@@ -138,4 +138,14 @@ void require_writable_folder(const fs::path& folder, const std::string& message)
     }
 }
 
+void require_no_input(const fs::path& file, const std::vector<fs::path>& inputs, const std::string& purpose) {
+    for (const fs::path& input : inputs) {
+        std::error_code ignored;
+        if (fs::equivalent(file, input, ignored)) {
+            throw error_about(file, "report-unwritable",
+                              "this would replace a file that " + purpose + "; name another");
+        }
+    }
+}
+
 }  // namespace campuswalk::tools

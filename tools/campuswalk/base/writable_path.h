@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace campuswalk::tools {
 
@@ -25,6 +26,10 @@ std::string why_folder_unwritable(const std::filesystem::path& folder);
 /// nothing in it may be one of these either.
 void require_writable_file(const std::filesystem::path& file, const std::string& message);
 void require_writable_folder(const std::filesystem::path& folder, const std::string& message);
+/// Throws scene::InputError report-unwritable if `file` is one of `inputs`, under whatever name. `purpose`
+/// completes "this would replace a file that …".
+void require_no_input(const std::filesystem::path& file, const std::vector<std::filesystem::path>& inputs,
+                      const std::string& purpose);
 /// Likewise for a picture, and file-name: a name with another ending than .png would lie about what is
 /// written.
 void require_writable_png(const std::filesystem::path& file, const std::string& message);

@@ -20,7 +20,6 @@
 #include "scene/base/glob.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/print.h"
-#include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/status_line.h"
 #include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/commands/commands.h"
@@ -245,17 +244,17 @@ void check_options(const ExploreOptions& options) {
     }
 }
 
-/// Once it is known what the campus is read from.
+/// Refuses outputs that are files of the campus; these are known once it is loaded.
 void refuse_inputs(const ExploreOptions& options, const scene::Campus& campus) {
-    std::set<std::filesystem::path> inputs = campus.files;
-    inputs.insert(options.campus);
+    std::vector<std::filesystem::path> inputs(campus.files.begin(), campus.files.end());
+    inputs.push_back(options.campus);
+    if (!options.covered_by.empty()) {
+        const std::vector<std::filesystem::path> walks = find_walks(options.covered_by);
+        inputs.insert(inputs.end(), walks.begin(), walks.end());
+    }
     for (const std::optional<std::filesystem::path>& output : {options.json, options.geojson}) {
-        for (const std::filesystem::path& input : inputs) {
-            std::error_code ignored;
-            if (output && std::filesystem::equivalent(*output, input, ignored)) {
-                throw error_about(*output, "report-unwritable",
-                                  "this would replace a file that the campus is read from; name another");
-            }
+        if (output) {
+            require_no_input(*output, inputs, "the campus or its walks are read from");
         }
     }
 }

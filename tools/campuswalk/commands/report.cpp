@@ -2,14 +2,13 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "scene/base/diagnostic.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/print.h"
-#include "tools/campuswalk/base/report_diagnostics.h"
+#include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/html/html_reports.h"
 #include "tools/campuswalk/loading/model_importer.h"
@@ -44,13 +43,7 @@ void refuse_inputs(const Options& options, const std::vector<ResultFile>& inputs
             read.push_back(input.file());
         }
     }
-    for (const fs::path& file : read) {
-        std::error_code ignored;
-        if (fs::equivalent(options.file, file, ignored)) {
-            throw error_about(options.file, "report-unwritable",
-                              "this would replace a file that the report is made from; name another");
-        }
-    }
+    require_no_input(options.file, read, "the report is made from");
 }
 
 int report(const Options& options) {

@@ -37,7 +37,7 @@ void PlanContents::add(const engine::WalkResult& planned, const config::SharedRu
         for (const fs::path& profile : run->profiles) {
             add_once(profile);
         }
-        // Also those of which no step is left to tell: they only include others.
+        // A file that only includes others has no step whose mark would name it.
         hasher_.add_number(std::uint64_t{run->walk.included.size()});
         for (const fs::path& file : run->walk.included) {
             hasher_.add_hash(files_.of(file));

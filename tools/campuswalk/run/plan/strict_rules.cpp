@@ -26,11 +26,15 @@ scene::Diagnostic refusal(const engine::SourceMark& mark, const std::string& wha
     return {scene::Severity::error, mark, "strict", what};
 }
 
-/// Nothing if the walk begins with the fall that its spawn announces; one that it doesn't is always an error.
+/// Refuses `fall: true` of a walk that doesn't begin with a fall. The opposite is an error without --strict,
+/// too.
 void check_fall(const scene::Campus& campus, const engine::Walk& walk, const engine::SpawnStep& spawn,
                 std::vector<scene::Diagnostic>& errors) {
+    if (!spawn.fall) {
+        return;
+    }
     const engine::SpawnFall fall = engine::fall_at_spawn(campus, walk);
-    if (spawn.fall && fall.lands && fall.height <= engine::kSpawnFall) {
+    if (fall.lands && fall.height <= engine::kSpawnFall) {
         errors.push_back(refusal(spawn.mark, "'fall: true' isn't so: from " + spawn.label + " at " +
                                                  engine::fixed(spawn.position) + " the walk falls by only " +
                                                  engine::fixed(fall.height, 2) + " m; remove it"));
