@@ -49,13 +49,13 @@ std::string_view name_of(EventKind kind) {
     return name;
 }
 
-std::vector<std::string> event_kind_names() {
-    std::vector<std::string> names;
-    names.reserve(kNames.size());
+std::vector<EventKind> event_kinds() {
+    std::vector<EventKind> kinds;
+    kinds.reserve(kNames.size());
     for (const auto& [kind, name] : kNames) {
-        names.emplace_back(name);
+        kinds.push_back(kind);
     }
-    return names;
+    return kinds;
 }
 
 }  // namespace campuswalk::engine

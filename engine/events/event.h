@@ -47,8 +47,8 @@ enum class EventKind : std::uint8_t {
 
 /// The name in logs and patterns, e.g. "collision.enter".
 std::string_view name_of(EventKind kind);
-/// All names, for checking patterns.
-std::vector<std::string> event_kind_names();
+/// All of them, in their order.
+std::vector<EventKind> event_kinds();
 
 /// A number that logs print with a fixed number of decimals.
 struct Decimal {

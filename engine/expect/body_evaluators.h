@@ -246,8 +246,9 @@ public:
         }
     }
 
-    static PossibleVerdicts possible(const ExpectFell& /*expected*/, const WalkBounds& /*bounds*/) {
-        return {};
+    /// A fall stops the walk, so that no later step is left to expect it.
+    static PossibleVerdicts possible(const ExpectFell& /*expected*/, const WalkBounds& bounds) {
+        return {.holds = !bounds.in_step()};
     }
 
     Finding finding(bool /*ended*/) const {

@@ -84,15 +84,16 @@ private:
 
 std::vector<VacuousExpectation> vacuous_expectations(const scene::Campus& campus, const Walk& walk) {
     std::vector<VacuousExpectation> found;
-    const WalkBounds at_end(campus, walk, false);
+    const WalkBounds at_end(campus, walk);
     for (const Expectation& expectation : walk.expectations) {
         std::visit(Finder(walk, at_end, found), expectation);
     }
-    const WalkBounds so_far(campus, walk, true);
+    WalkBounds so_far(campus, walk);
     std::set<SourceMark> seen;  // the rounds of a `repeat` share them
-    for (const Step& step : walk.steps) {
-        const auto* expect = std::get_if<ExpectStep>(&step);
+    for (std::size_t i = 0; i < walk.steps.size(); ++i) {
+        const auto* expect = std::get_if<ExpectStep>(&walk.steps[i]);
         if (expect != nullptr && seen.insert(expect->mark).second) {
+            so_far.stop_before(i);
             for (const Expectation& expectation : expect->expectations) {
                 std::visit(Finder(walk, so_far, found), expectation);
             }

@@ -37,17 +37,18 @@ public:
     }
 
     static PossibleVerdicts possible(const ExpectSequence& expected, const WalkBounds& bounds) {
-        // Nothing comes before walk.start or after walk.end, and nothing else comes for certain.
+        // Nothing comes before walk.start or after walk.end, and little after a fall.
         const std::vector<EventPattern>& events = expected.events;
         PossibleVerdicts possible;
         for (std::size_t i = 0; i < events.size(); ++i) {
             const bool too_late = i > 0 && bounds.is_only(events[i], EventKind::walk_start);
             const bool too_early = i + 1 < events.size() && bounds.is_only(events[i], EventKind::walk_end);
-            possible.holds = possible.holds && !too_late && !too_early && bounds.times(events[i]).most > 0.0;
+            const bool too_low = i > 0 && bounds.is_only(events[i - 1], EventKind::avatar_fell) &&
+                                 !bounds.can_follow_fall(events[i]);
+            possible.holds =
+                possible.holds && !too_late && !too_early && !too_low && bounds.times(events[i]).most > 0.0;
         }
-        const bool start = !events.empty() && bounds.is_certain(events.front(), EventKind::walk_start);
-        const bool end = !events.empty() && bounds.is_certain(events.back(), EventKind::walk_end);
-        possible.fails = !(events.size() == 1 ? start || end : events.size() == 2 && start && end);
+        possible.fails = !bounds.are_certain(events);
         return possible;
     }
 
@@ -172,7 +173,7 @@ public:
 
     static PossibleVerdicts possible(const ExpectWithin& expected, const WalkBounds& bounds) {
         const bool long_enough =
-            bounds.times(expected.after).least > 0.0 && expected.seconds >= bounds.seconds();
+            bounds.times(expected.after).least > 0.0 && expected.seconds >= bounds.seconds().most;
         // In the middle of a walk the event may still come; at the end walk.end is the last that can.
         const bool comes = bounds.in_step() || (bounds.is_certain(expected.event, EventKind::walk_end) &&
                                                 bounds.is_only(expected.after, EventKind::walk_start));

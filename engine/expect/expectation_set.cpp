@@ -33,9 +33,10 @@ Finding Evaluator::finding(bool ended) const {
     return std::visit([&](const auto& evaluator) { return evaluator.finding(ended); }, evaluator_);
 }
 
-std::optional<SourceMark> Evaluator::undecided() const {
-    const Finding found = finding(true);
-    return found.holds == negated_ && found.can_change ? std::optional(found.mark) : std::nullopt;
+std::optional<Undecided> Evaluator::undecided() const {
+    Finding found = finding(true);
+    return found.can_change ? std::optional(Undecided{std::move(found.mark), found.holds != negated_})
+                            : std::nullopt;
 }
 
 std::optional<Failure> Evaluator::failure(bool ended, const StateSnapshot& now) const {
@@ -70,9 +71,13 @@ ExpectationSet::ExpectationSet(const scene::Campus& campus, const Walk& walk)
     : of_walk_(evaluators_of(walk.expectations, campus, walk.avatar)) {
     for (const Step& step : walk.steps) {
         const auto* expect = std::get_if<ExpectStep>(&step);
-        if (expect != nullptr && group_of(*expect) == of_steps_.end()) {
+        if (expect == nullptr) {
+            continue;
+        }
+        if (group_of(*expect) == of_steps_.end()) {
             of_steps_.push_back({expect->mark, evaluators_of(expect->expectations, campus, walk.avatar)});
         }
+        ++group_of(*expect)->rounds;
     }
 }
 
@@ -94,19 +99,23 @@ void ExpectationSet::on_close(const TickRecord& record) {
     }
 }
 
-std::vector<ExpectationSet::Group>::const_iterator ExpectationSet::group_of(const ExpectStep& step) const {
+std::vector<ExpectationSet::Group>::iterator ExpectationSet::group_of(const ExpectStep& step) {
     return std::ranges::find_if(of_steps_, [&](const Group& group) { return group.mark == step.mark; });
 }
 
-std::optional<Failure> ExpectationSet::failure_at(const ExpectStep& step, const TickRecord& record) const {
+std::optional<Failure> ExpectationSet::evaluate(const ExpectStep& step, const TickRecord& record) {
     StateHistory so_far = history_;
     so_far.on_tick(record);
-    for (Evaluator evaluator : group_of(step)->evaluators) {
+    Group& group = *group_of(step);
+    for (std::size_t i = 0; i < group.evaluators.size(); ++i) {
+        Evaluator evaluator = group.evaluators[i];
         evaluator.on_tick(record, so_far.now());
         if (auto failure = evaluator.failure(false, so_far.now())) {
+            group.failed = i;
             return failure;
         }
     }
+    ++group.held;
     return std::nullopt;
 }
 
@@ -123,10 +132,17 @@ std::vector<Failure> ExpectationSet::verdicts() const {
 ExpectationSet::StoppedVerdicts ExpectationSet::verdicts_when_stopped() const {
     StoppedVerdicts verdicts;
     for (const Evaluator& evaluator : of_walk_) {
-        if (auto mark = evaluator.undecided()) {
-            verdicts.undecided.push_back(std::move(*mark));
+        if (auto undecided = evaluator.undecided()) {
+            verdicts.undecided.push_back(std::move(*undecided));
         } else if (auto failure = evaluator.failure(true, history_.now())) {
             verdicts.failures.push_back(std::move(*failure));
+        }
+    }
+    for (const Group& group : of_steps_) {
+        for (std::size_t i = 0; i < group.evaluators.size(); ++i) {
+            if (group.held < group.rounds && i != group.failed) {
+                verdicts.undecided.push_back({group.evaluators[i].mark(), false});
+            }
         }
     }
     return verdicts;

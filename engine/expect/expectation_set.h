@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,6 +22,12 @@ template <typename... Expected>
 std::variant<EvaluatorOf<Expected>...> each_evaluator(const std::variant<Expected...>&);
 using PlainEvaluator = decltype(each_evaluator(std::declval<PlainExpectation>()));
 
+/// An expectation that a walk which stopped early leaves undecided.
+struct Undecided {
+    SourceMark mark;            ///< of the part of it that decides
+    bool holds_so_far = false;  ///< never of a step that the walk didn't get to
+};
+
 /// Evaluates one expectation over a walk's tick records.
 class Evaluator {
 public:
@@ -34,9 +41,9 @@ public:
     /// it is decided `now`.
     std::optional<Failure> failure(bool ended, const StateSnapshot& now) const;
 
-    /// The part of the expectation that doesn't hold at the walk's end, if it might have held had the walk
-    /// gone on.
-    std::optional<SourceMark> undecided() const;
+    /// At the walk's end, if the verdict might have been another had the walk gone on.
+    std::optional<Undecided> undecided() const;
+    SourceMark mark() const { return finding(false).mark; }
 
 private:
     Finding finding(bool ended) const;
@@ -64,18 +71,18 @@ public:
     /// to expect anything.
     void on_close(const TickRecord& record);
 
-    /// The first of the step's expectations that doesn't hold, if any; `record` is the tick so far, which
-    /// `on_tick` gets afterwards in full.
-    std::optional<Failure> failure_at(const ExpectStep& step, const TickRecord& record) const;
+    /// Evaluates a step that the walk has come to: the first of its expectations that doesn't hold, if any.
+    /// `record` is the tick so far, which `on_tick` gets afterwards in full.
+    std::optional<Failure> evaluate(const ExpectStep& step, const TickRecord& record);
 
     /// The failures of the whole walk's expectations, in the order of the file; empty if all hold.
     std::vector<Failure> verdicts() const;
 
     /// Of a walk that a step or its timeout stopped: the failures that the rest of the walk couldn't have
-    /// changed, and the other expectations that don't hold, which are due to the stop.
+    /// changed, and the expectations that it might have decided otherwise, those of its steps last.
     struct StoppedVerdicts {
         std::vector<Failure> failures;
-        std::vector<SourceMark> undecided;
+        std::vector<Undecided> undecided;
     };
     StoppedVerdicts verdicts_when_stopped() const;
     /// The state of the walk now, or at its end.
@@ -86,8 +93,11 @@ private:
     struct Group {
         SourceMark mark;
         std::vector<Evaluator> evaluators;
+        std::size_t rounds = 0;  ///< how often the steps come to it, if nothing stops the walk
+        std::size_t held = 0;    ///< how often it was evaluated and held
+        std::optional<std::size_t> failed = std::nullopt;  ///< the evaluator that stopped the walk
     };
-    std::vector<Group>::const_iterator group_of(const ExpectStep& step) const;
+    std::vector<Group>::iterator group_of(const ExpectStep& step);
 
     StateHistory history_;
     std::vector<Evaluator> of_walk_;

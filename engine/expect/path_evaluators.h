@@ -124,7 +124,7 @@ public:
     void on_tick(const TickRecord& record, const StateSnapshot& /*now*/) { time_ = record.time; }
 
     static PossibleVerdicts possible(const ExpectDuration& expected, const WalkBounds& bounds) {
-        return possible_verdicts(expected.seconds, {0.0, bounds.seconds()});
+        return possible_verdicts(expected.seconds, bounds.seconds());
     }
 
     Finding finding(bool ended) const {

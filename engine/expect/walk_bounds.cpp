@@ -1,9 +1,11 @@
 #include "engine/expect/walk_bounds.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <variant>
 
 #include "collision/mover/mover_settings.h"
@@ -58,6 +60,17 @@ bool moves_avatar(const Step& step) {
            std::holds_alternative<FollowStep>(step) || (jump != nullptr && jump->forward > 0.0);
 }
 
+/// By the first `steps` steps, without the tick that each may end early by rounding.
+double seconds_waited(const Walk& walk, std::size_t steps) {
+    double seconds = 0.0;
+    for (const Step& step : std::span(walk.steps).first(steps)) {
+        if (const auto* wait = std::get_if<WaitStep>(&step)) {
+            seconds += std::max(0.0, wait->seconds - 1.0 / walk.sim.ticks_per_second);
+        }
+    }
+    return seconds;
+}
+
 Interval distance_to(const collision::Aabb& box, const Target& target) {
     Eigen::Vector3d near = (box.min - target.point).cwiseMax(target.point - box.max).cwiseMax(0.0);
     Eigen::Vector3d far = (target.point - box.min).cwiseAbs().cwiseMax((box.max - target.point).cwiseAbs());
@@ -69,14 +82,14 @@ Interval distance_to(const collision::Aabb& box, const Target& target) {
 
 }  // namespace
 
-WalkBounds::WalkBounds(const scene::Campus& campus, const Walk& walk, bool in_step)
-    : campus_(campus), walk_(walk), in_step_(in_step) {
+WalkBounds::WalkBounds(const scene::Campus& campus, const Walk& walk)
+    : campus_(campus), walk_(walk), step_events_(campus, walk), steps_(walk.steps.size() + 1) {
     fastest_ = walk.avatar.speed;
     if (!campus.objects.empty()) {
         region_ = campus.world.bounds();
     }
     for (const Step& step : walk.steps) {
-        seconds_ += std::visit(LongestStep{walk.avatar}, step) + 1.0 / walk.sim.ticks_per_second;
+        seconds_.most += std::visit(LongestStep{walk.avatar}, step) + 1.0 / walk.sim.ticks_per_second;
         fastest_ = std::max(fastest_, std::visit(FastestStep{}, step));
         moves_ = moves_ || moves_avatar(step);
         if (const auto place = preview_of(step).place) {
@@ -89,9 +102,10 @@ WalkBounds::WalkBounds(const scene::Campus& campus, const Walk& walk, bool in_st
         region_.extend(start_);
     }
     const double tick = 1.0 / walk.sim.ticks_per_second;
-    seconds_ = std::min(
-        {seconds_, walk.timeout.value_or(kUnbounded) + tick, static_cast<double>(walk.sim.max_ticks) * tick});
-    ticks_ = seconds_ / tick + 1.0;
+    seconds_.least = seconds_waited(walk, walk.steps.size());
+    seconds_.most = std::min({seconds_.most, walk.timeout.value_or(kUnbounded) + tick,
+                              static_cast<double>(walk.sim.max_ticks) * tick});
+    ticks_ = seconds_.most / tick + 1.0;
     // In a tick it walks, is lifted or lowered by a step, and falls no faster than from the top of all.
     const double drop = region_.empty() ? 0.0 : region_.max.y() - region_.min.y() + 1000.0;
     const double falling = std::sqrt(2.0 * collision::MoverSettings().gravity * drop);
@@ -103,29 +117,38 @@ bool WalkBounds::matches_own(const EventPattern& event, EventKind kind) const {
 }
 
 bool WalkBounds::is_only(const EventPattern& event, EventKind kind) const {
-    return std::ranges::all_of(event_kind_names(), [&](const std::string& name) {
-        return name == name_of(kind) || !scene::glob_matches(event.kind, name);
+    return std::ranges::all_of(event_kinds(), [&](EventKind other) {
+        return other == kind || !scene::glob_matches(event.kind, name_of(other));
     });
 }
 
 Interval WalkBounds::times(const EventPattern& event) const {
-    Interval times;
-    bool others = false;
-    for (const std::string& name : event_kind_names()) {
-        const bool start = name == name_of(EventKind::walk_start);
-        const bool end = name == name_of(EventKind::walk_end);
-        if (!start && !end) {
-            others = others || scene::glob_matches(event.kind, name);
-        } else if ((start || !in_step_) &&
-                   matches_own(event, start ? EventKind::walk_start : EventKind::walk_end)) {
-            times.least += 1.0;
-        }
+    Interval times = step_events_.times(event, steps_);
+    const bool others = std::ranges::any_of(event_kinds(), [&](EventKind kind) {
+        const bool stops_walk = in_step() && kind == EventKind::avatar_fell;
+        return !StepEvents::is_caused_by_steps(kind) && !stops_walk &&
+               scene::glob_matches(event.kind, name_of(kind));
+    });
+    if (others) {
+        // An object enters, stays or leaves in three modes, and its building's window opens or closes.
+        const double in_a_tick = 12.0 * static_cast<double>(campus_.objects.size()) + 16.0;
+        times.most += ticks_ * in_a_tick;
     }
-    // An object enters, stays or leaves in three modes, and its building's window opens or closes.
-    const double in_a_tick =
-        12.0 * static_cast<double>(campus_.objects.size()) + static_cast<double>(walk_.steps.size()) + 16.0;
-    times.most = others ? ticks_ * in_a_tick : times.least;
     return times;
+}
+
+bool WalkBounds::can_follow_fall(const EventPattern& event) const {
+    using enum EventKind;
+    return std::ranges::any_of(
+        std::array{walk_end, avatar_stuck, collision_exit, trigger_exit, ray_exit, popup_close},
+        [&](EventKind kind) {
+            return !(in_step() && kind == walk_end) && scene::glob_matches(event.kind, name_of(kind));
+        });
+}
+
+void WalkBounds::stop_before(std::size_t step) {
+    steps_ = step;
+    seconds_.least = seconds_waited(walk_, step);
 }
 
 Interval WalkBounds::distance(const Target& target) const {

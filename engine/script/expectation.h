@@ -275,8 +275,9 @@ std::vector<std::string> image_failure_codes();
 inline constexpr std::string_view kGoldenMissing = "golden-missing";        ///< a golden log or image
 inline constexpr std::string_view kGoldenUnreadable = "golden-unreadable";  ///< a golden image
 inline constexpr std::string_view kSnapshotMissing = "snapshot-missing";    ///< no step took it
-inline constexpr std::string_view kNotEvaluated = "not-evaluated";          ///< nothing draws images
-inline constexpr std::string_view kRouteUnknown = "route-unknown";          ///< a search for one was cut
+inline constexpr std::string_view kNotEvaluated =
+    "not-evaluated";  ///< nothing draws images, or the walk ended before
+inline constexpr std::string_view kRouteUnknown = "route-unknown";  ///< a search for one was cut
 
 /// Whether it is one of these.
 bool is_lack(std::string_view code);

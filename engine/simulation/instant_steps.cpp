@@ -88,7 +88,7 @@ std::optional<Stop> execute_step(const EnableStep& step, SimulationState& state)
 
 /// The expectations have seen the ticks before this one; they are shown this one so far.
 std::optional<Stop> execute_step(const ExpectStep& step, SimulationState& state) {
-    auto failure = state.expectations.failure_at(step, state.record());
+    auto failure = state.expectations.evaluate(step, state.record());
     return failure ? std::optional(Stop{failure->mark, std::move(failure->code), std::move(failure->message),
                                         std::move(failure->scene)})
                    : std::nullopt;

@@ -21,13 +21,13 @@ Event event_at(Tick tick, EventKind kind, std::string object) {
     return event;
 }
 
-/// The expectations that aren't evaluated because the walk was stopped: "; the walk stops here, so what lines
-/// 9 and 11 expect isn't evaluated".
-std::string describe_undecided(const std::vector<SourceMark>& marks) {
+/// The expectations that don't hold because the walk was stopped: "; the walk stops here, so what lines 9 and
+/// 11 expect isn't evaluated".
+std::string describe_undecided(const std::vector<Undecided>& undecided) {
     constexpr std::size_t kMaxListed = 8;
     std::vector<int> lines;
-    for (const SourceMark& mark : marks) {
-        if (std::ranges::find(lines, mark.line) == lines.end()) {
+    for (const auto& [mark, holds_so_far] : undecided) {
+        if (!holds_so_far && std::ranges::find(lines, mark.line) == lines.end()) {
             lines.push_back(mark.line);
         }
     }
@@ -85,6 +85,7 @@ void summarize(const Simulation& simulation, const scene::Campus& campus, const 
         summary.failures.insert(summary.failures.begin(),
                                 {stop->mark, stop->code,
                                  stop->message + describe_undecided(verdicts.undecided), std::move(scene)});
+        summary.undecided = std::move(verdicts.undecided);
     } else {
         summary.failures = expectations.verdicts();
     }

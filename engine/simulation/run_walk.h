@@ -7,6 +7,7 @@
 
 #include "collision/base/query_statistics.h"
 #include "engine/events/event.h"
+#include "engine/expect/expectation_set.h"
 #include "engine/expect/failure.h"
 #include "engine/record/observer.h"
 #include "engine/script/intent.h"
@@ -25,6 +26,9 @@ struct WalkSummary {
     /// don't change it.
     std::uint64_t hash = 0;
     std::vector<Failure> failures;
+    /// What the rest of a walk that a step or its timeout stopped might have decided otherwise; empty if it
+    /// got to its end.
+    std::vector<Undecided> undecided;
     collision::QueryStatistics statistics;
 };
 

@@ -576,7 +576,7 @@ places: {corner: [19, 0, 19]}
         names = sorted(os.listdir(self.path("walks")))
         kinds = {re.sub(r"^\d+-([a-z]+)-.*", r"\1", name) for name in names}
         self.assertLessEqual({"unreached", "traps", "holes"}, kinds)
-        self.passes("run", "walks", "--rendering-backend", "none")
+        self.passes("run", "walks", "--strict", "--rendering-backend", "none")
         # A ramp of two steps before the stage: the walk passes, which an xfail may not.
         self.write("yard.campus.yaml", YARD.replace("spawns:", box("ramp", (3.4, -0.1, 4), (4, 0.2, 9.8)) + "spawns:"))
         stage = next(name for name in names if "stage" in name)

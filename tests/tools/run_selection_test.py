@@ -204,6 +204,22 @@ class Strict(ProgramCase):
         text = WALK + "status: {is: xfail, because: x, failures: [timeout]}\ntimeout: 0.02\n"
         self.refused_at(text, r"10:\d+: error strict: 'timeout' fails like this")
 
+    def test_an_xfail_decides_all_that_it_expects(self):
+        """What follows a step that fails is never evaluated."""
+        steps = WALK[:WALK.index("expect:")] + "  - walk_to: {to: [0, 90], timeout: 200}\n%s"
+        status = "status: {is: xfail, because: x, failures: [%s]}\n"
+        self.write("short.walk.yaml", steps % status % "fell")
+        self.assertEqual(self.run_walks("--strict").code, 0)
+        self.write("short.walk.yaml", steps % "expect:\n  - never: avatar.landed\n" + status % "fell")
+        self.assertEqual(self.run_walks().code, 0)
+        outcome = self.run_walks("--strict")
+        self.assertEqual(outcome.code, 1)
+        self.assertRegex(outcome.err, r"short.walk.yaml:9:\d+: error not-evaluated: the walk failed at a step before")
+        self.write("short.walk.yaml", steps % "  - expect: [{never: avatar.landed}]\n" + status % "fell")
+        self.assertEqual(self.run_walks("--strict").code, 1)
+        self.write("short.walk.yaml", steps % "expect:\n  - never: walk.start\n" + status % "fell, never")
+        self.assertNotIn("error not-evaluated", self.run_walks("--strict").err)
+
     def test_waiting_for_what_a_step_causes_expects_nothing(self):
         text = WALK[:WALK.index("expect:")] + "  - disable: hut/wall\n  - wait_until: {event: '*', timeout: 10}\n"
         self.refused_at(text, " error strict: the walk expects nothing")

@@ -23,7 +23,10 @@ engine::EventPattern read_pattern(const CheckedNode& node) {
         node.diagnose("bad-value", "an event is written KIND OBJECT, as in 'popup.open library'; remove " +
                                        in_quotes(more));
     }
-    const std::vector<std::string> kinds = engine::event_kind_names();
+    std::vector<std::string> kinds;
+    for (const engine::EventKind kind : engine::event_kinds()) {
+        kinds.emplace_back(name_of(kind));
+    }
     const auto known = [&](const std::string& kind) { return scene::glob_matches(pattern.kind, kind); };
     if (std::ranges::none_of(kinds, known)) {
         node.diagnose("unknown-name",

@@ -268,6 +268,70 @@ Walk xfail(Walk walk, const std::vector<std::string>& codes) {
     return walk;
 }
 
+/// Each step but the first logs an event by itself.
+Walk busy_walk() {
+    Walk walk = walk_of({spawn_at({0, 0, 0}), JumpStep{{}, 3.0, 0.0}, teleport_to({2, 0, 2}),
+                         snapshot("view"), EnableStep{{}, {{{}, "hut/*"}}, false}, wait_for(5)});
+    walk.timeout = 60.0;
+    return walk;
+}
+
+TEST(CanFail, WhatStepsCauseByThemselvesIsCertain) {
+    for (const char* event :
+         {"avatar.jump", "avatar.teleport", "snapshot.take view", "object.disable hut/wall"}) {
+        EXPECT_FALSE(can_fail(sequence({event}), busy_walk())) << event;
+        EXPECT_FALSE(can_fail(count(event, {1, kNone, kNone}), busy_walk())) << event;
+        EXPECT_FALSE(can_fail(denied(never(event)), busy_walk())) << event;
+        EXPECT_FALSE(can_fail(never(event), xfail(busy_walk(), {"never"}))) << event;
+        EXPECT_TRUE(can_fail(sequence({event, "popup.open"}), busy_walk())) << event;
+    }
+    EXPECT_FALSE(
+        can_fail(sequence({"walk.start", "avatar.jump", "object.disable", "walk.end"}), busy_walk()));
+    EXPECT_TRUE(can_fail(sequence({"object.disable", "avatar.jump"}), busy_walk()));
+    EXPECT_FALSE(can_fail(duration({kNone, 3.0, kNone}), busy_walk())) << "it waits for longer";
+    EXPECT_TRUE(can_fail(duration({kNone, 5.0, kNone}), busy_walk()));
+}
+
+TEST(CanFail, WhatNoStepCausesNeverComes) {
+    for (const char* event : {"avatar.jump", "avatar.spawn", "avatar.crouch", "avatar.stand", "object.*",
+                              "expect.fail", "avatar.teleport"}) {
+        EXPECT_FALSE(can_fail(never(event))) << event;
+        EXPECT_FALSE(can_fail(count(event, {0, kNone, kNone}))) << event;
+        EXPECT_FALSE(can_fail(denied(sequence({"walk.start", event})))) << event;
+    }
+    EXPECT_TRUE(can_fail(never("avatar.arrive"))) << "the visitor may get there";
+    EXPECT_TRUE(can_fail(count("avatar.arrive", {1, kNone, kNone}))) << "or may not";
+    EXPECT_TRUE(can_fail(never("avatar.*")));
+    EXPECT_FALSE(can_fail(count("avatar.jump", {kNone, kNone, 1}), busy_walk()));
+    EXPECT_FALSE(can_fail(never("object.enable"), busy_walk()));
+    EXPECT_FALSE(can_fail(never("expect.fail"), xfail(ten_seconds(), {"never"})));
+}
+
+TEST(CanFail, AStepKnowsWhatStepsBeforeItCause) {
+    Walk walk = busy_walk();
+    const auto can_fail_before = [&](std::ptrdiff_t step, Expectation expected) {
+        Walk with = walk;
+        with.steps.insert(with.steps.begin() + step, ExpectStep{{}, {std::move(expected)}});
+        return vacuous_expectations(hut_yard(), with).empty();
+    };
+    EXPECT_FALSE(can_fail_before(2, sequence({"avatar.jump"})));
+    EXPECT_FALSE(can_fail_before(1, never("avatar.jump")));
+    EXPECT_FALSE(can_fail_before(1, denied(sequence({"avatar.jump"}))));
+    EXPECT_FALSE(can_fail_before(6, duration({kNone, 4.0, kNone})));
+    EXPECT_TRUE(can_fail_before(6, duration({kNone, 5.0, kNone})));
+    EXPECT_TRUE(can_fail_before(2, never("popup.open")));
+    EXPECT_FALSE(can_fail_before(2, ExpectNot{{}, ExpectFell{}})) << "a fall would have stopped the walk";
+    EXPECT_FALSE(can_fail_before(2, never("avatar.fell")));
+}
+
+TEST(CanFail, LittleFollowsAFall) {
+    EXPECT_FALSE(can_fail(denied(sequence({"avatar.fell", "avatar.arrive"}))));
+    EXPECT_FALSE(can_fail(denied(sequence({"avatar.fell", "popup.open"}))));
+    EXPECT_TRUE(can_fail(denied(sequence({"avatar.fell", "popup.close"})))) << "as all contacts end";
+    EXPECT_TRUE(can_fail(denied(sequence({"avatar.fell", "walk.end"}))));
+    EXPECT_TRUE(can_fail(denied(sequence({"avatar.*", "popup.open"}))));
+}
+
 TEST(CanFail, AnXfailMustBeAbleToHold) {
     const std::vector<std::pair<Expectation, Expectation>> certain_and_not = {
         {reaches(place(5000, 5000), 1.0), reaches(place(5, 5), 1.0)},

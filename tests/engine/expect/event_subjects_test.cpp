@@ -112,8 +112,8 @@ TEST(EventSubjects, RejectImpossibleEvents) {
 }
 
 TEST(EventSubjects, AcceptEveryKindWithoutAnObject) {
-    for (const std::string& kind : event_kind_names()) {
-        EXPECT_TRUE(can_happen(kind)) << kind;
+    for (const EventKind kind : event_kinds()) {
+        EXPECT_TRUE(can_happen(std::string(name_of(kind)))) << name_of(kind);
     }
 }
 

@@ -41,7 +41,8 @@ TEST(ExpectationSet, HasNoFailuresWithoutExpectations) {
 
 // ---- when the walk is stopped ----------------------------------------------------------------------------
 
-/// Whether an expectation "fails", is "open" or "holds" when a walk stops after three events and 3 m.
+/// Whether an expectation "fails", is "open", "holds so far" or "holds" when a walk stops after three events
+/// and 3 m.
 std::string when_stopped(const Expectation& expectation) {
     Walk walk;
     walk.expectations = {expectation};
@@ -53,8 +54,13 @@ std::string when_stopped(const Expectation& expectation) {
         .in_the_air(true)
         .tick({"popup.open a", "avatar.stuck me"});
     const ExpectationSet::StoppedVerdicts verdicts = set.verdicts_when_stopped();
-    EXPECT_LE(verdicts.failures.size() + verdicts.undecided.size(), set.verdicts().size());
-    return !verdicts.failures.empty() ? "fails" : !verdicts.undecided.empty() ? "open" : "holds";
+    EXPECT_LE(verdicts.failures.size() + verdicts.undecided.size(), 1U);
+    if (!verdicts.failures.empty() || verdicts.undecided.empty()) {
+        EXPECT_EQ(verdicts.failures.empty(), set.verdicts().empty());
+        return verdicts.failures.empty() ? "holds" : "fails";
+    }
+    EXPECT_EQ(verdicts.undecided.front().holds_so_far, set.verdicts().empty());
+    return verdicts.undecided.front().holds_so_far ? "holds so far" : "open";
 }
 
 TEST(StoppedWalk, FailsExpectationsThatCanNoLongerHold) {
@@ -91,10 +97,47 @@ TEST(StoppedWalk, LeavesExpectationsOpenThatCouldStillHold) {
 
 TEST(StoppedWalk, PassesExpectationsThatHold) {
     for (const Expectation& held : std::vector<Expectation>{
-             expect_never("avatar.fell"), expect_count("popup.open", 1), expect_sequence({"popup.open"}),
-             ExpectNot{kWhole, ExpectFell{kWhole}}, ExpectNoPenetration{kWhole}}) {
+             expect_sequence({"popup.open"}), expect_count("popup.open", {}, 1),
+             ExpectStuck{kWhole, {kWhole, "*"}}, expect_reaches({"here", {0, 0, 0}, true}, 1.0)}) {
         EXPECT_EQ(when_stopped(held), "holds") << held.index();
     }
+}
+
+TEST(StoppedWalk, TellsWhatOnlyHoldsSoFar) {
+    for (const Expectation& held :
+         std::vector<Expectation>{expect_never("avatar.fell"), expect_count("popup.open", 1),
+                                  ExpectNot{kWhole, ExpectFell{kWhole}}, ExpectNoPenetration{kWhole},
+                                  ExpectDuration{kWhole, {{}, {}, 5.0}}}) {
+        EXPECT_EQ(when_stopped(held), "holds so far") << held.index();
+    }
+}
+
+TEST(StoppedWalk, LeavesStepsOpenThatItDidNotGetTo) {
+    const auto expects = [](int line, Expectation first, Expectation second) {
+        ExpectStep step;
+        step.mark = {"walk.yaml", line, 1};
+        step.expectations = {std::move(first), std::move(second)};
+        return step;
+    };
+    const Expectation holds = expect_never("avatar.fell");
+    const Expectation fails = expect_never("walk.start");
+    Walk walk;
+    const ExpectStep held = expects(3, holds, holds);
+    const ExpectStep repeated = expects(4, holds, holds);
+    const ExpectStep failing = expects(5, fails, holds);
+    const ExpectStep later = expects(6, fails, holds);
+    walk.steps = {held, repeated, repeated, failing, later};
+    const scene::Campus campus = empty_campus();
+    ExpectationSet set(campus, walk);
+    TickFeed(set).tick({"walk.start me"});
+    const TickRecord record;
+    EXPECT_FALSE(set.evaluate(held, record));
+    EXPECT_FALSE(set.evaluate(repeated, record));
+    ASSERT_TRUE(set.evaluate(failing, record));
+    const ExpectationSet::StoppedVerdicts verdicts = set.verdicts_when_stopped();
+    EXPECT_TRUE(verdicts.failures.empty());
+    ASSERT_EQ(verdicts.undecided.size(), 2U + 1U + 2U) << "a round of 4, the rest of 5, and 6";
+    EXPECT_TRUE(std::ranges::none_of(verdicts.undecided, &Undecided::holds_so_far));
 }
 
 // ---- not ------------------------------------------------------------------------------------------------

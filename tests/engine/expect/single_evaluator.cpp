@@ -32,9 +32,9 @@ void SingleEvaluator::on_tick(const TickRecord& record) {
 
 Event made_event(const std::string& words, std::vector<Field> fields) {
     const EventPattern made = pattern(words);
-    const std::vector<std::string> names = event_kind_names();
-    const auto kind = std::ranges::find(names, made.kind) - names.begin();
-    return {0, 1.0, static_cast<EventKind>(kind), made.object, std::move(fields)};
+    const std::vector<EventKind> kinds = event_kinds();
+    const auto kind = std::ranges::find_if(kinds, [&](EventKind each) { return name_of(each) == made.kind; });
+    return {0, 1.0, *kind, made.object, std::move(fields)};
 }
 
 TickFeed& TickFeed::tick(const std::vector<std::string>& event_lines, const Eigen::Vector3d& position) {

@@ -89,18 +89,26 @@ void check_golden_log(const Case& played, UpdateSnapshots mode, const std::vecto
     }
 }
 
-/// Where nothing is drawn.
-std::vector<engine::Failure> failures_not_evaluated(const engine::Walk& walk) {
+/// What --strict makes of expectations that nothing has decided: those about images where none are drawn, and
+/// what else is expected of a walk that failed at a step as it should.
+std::vector<engine::Failure> failures_not_evaluated(const engine::Walk& walk, bool images,
+                                                    const std::vector<engine::Undecided>& undecided) {
     std::vector<engine::Failure> failures;
+    const auto add = [&](const engine::SourceMark& mark, const std::string& why) {
+        failures.push_back(
+            {mark, std::string(engine::kNotEvaluated), why + ", and --strict wants all evaluated", {}});
+    };
     for (const engine::Expectation& expectation : walk.expectations) {
-        if (engine::is_about_images(expectation)) {
+        if (!images && engine::is_about_images(expectation)) {
             const auto* snapshot = std::get_if<engine::ExpectSnapshot>(&expectation);
-            const engine::SourceMark& mark =
-                snapshot != nullptr ? snapshot->mark : std::get<engine::ExpectVisible>(expectation).mark;
-            failures.push_back({mark,
-                                std::string(engine::kNotEvaluated),
-                                "nothing draws pictures, and --strict wants all evaluated",
-                                {}});
+            add(snapshot != nullptr ? snapshot->mark : std::get<engine::ExpectVisible>(expectation).mark,
+                "nothing draws pictures");
+        }
+    }
+    if (walk.status.kind == engine::WalkStatus::Kind::xfail) {
+        for (const engine::Undecided& open : undecided) {
+            add(open.mark,
+                "the walk failed at a step before this was decided; expect it in a walk of its own");
         }
     }
     return failures;
@@ -249,8 +257,8 @@ void CaseRunner::play_into(WalkResult& result, const Case& played, FrameHelpers*
     result.distance = summary.distance;
     result.hash = summary.hash;
 
-    if (settings_.strict && !settings_.images) {
-        append(failures_not_evaluated(loaded.walk), summary.failures);
+    if (settings_.strict) {
+        append(failures_not_evaluated(loaded.walk, settings_.images, summary.undecided), summary.failures);
     }
     std::vector<GoldenUpdate> updates;
     check_golden_log(played, settings_.update, stream.saved_lines(), summary.failures, updates);
