@@ -9,6 +9,8 @@
 
 #include <Eigen/Core>
 
+#include "engine/script/mentions.h"
+
 namespace campuswalk::engine {
 
 /// What a camera looks at: a whole building or a point. Resolved by the loader.
@@ -16,6 +18,7 @@ struct CameraTarget {
     std::string label;                                ///< what the user wrote
     std::optional<std::size_t> building;              ///< index into the campus' buildings
     Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< if there is no building
+    SourceMark mark = {};
 };
 
 /// What a view shows of the avatar and of the map around it. Each view says so itself: `kShows`.

@@ -133,6 +133,8 @@ struct TurnStep {
 struct LookAtStep {
     SourceMark mark;
     Target target;  ///< without a height: level with the eyes
+    /// Index into the campus' buildings: none once resolve_targets has set the target to its middle.
+    std::optional<std::size_t> building = {};
 
     StepPreview preview() const { return {}; }
 };
@@ -142,6 +144,8 @@ struct TeleportStep {
     std::string label;
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
     std::optional<double> yaw;
+    /// Index into the campus' places; none once resolve_targets has set the position to its own.
+    std::optional<std::size_t> place = {};
 
     StepPreview preview() const {
         return {.events = {{EventKind::avatar_teleport, label}, {EventKind::avatar_depenetrated, label}},

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <span>
+#include <stdexcept>
 #include <utility>
 
 #include "engine/events/decimals.h"
+#include "engine/script/resolve_targets.h"
 #include "engine/script/travel.h"
 #include "engine/simulation/instant_steps.h"
 
@@ -41,7 +43,11 @@ Simulation::Simulation(const scene::Campus& campus, const Walk& walk, RouteMemor
     : state_(campus, walk),
       routes_(campus, walk.sim, state_.body, memory),
       script_(std::in_place, walk, &routes_),
-      intents_(*script_) {}
+      intents_(*script_) {
+    if (!is_resolved(walk)) {
+        throw std::invalid_argument("resolve_targets hasn't completed the walk");
+    }
+}
 
 Simulation::Simulation(const scene::Campus& campus, const Walk& walk, IntentSource& intents)
     : state_(campus, walk), routes_(campus, walk.sim, state_.body, nullptr), intents_(intents) {}

@@ -21,7 +21,8 @@ namespace campuswalk::engine {
 /// It has no observers and no clock but the tick count. What it is constructed from must outlive it.
 class Simulation {
 public:
-    /// The avatar does what the walk's steps say. `memory` may be null.
+    /// The avatar does what the walk's steps say. `memory` may be null. Throws std::invalid_argument unless
+    /// resolve_targets has completed the walk.
     Simulation(const scene::Campus& campus, const Walk& walk, RouteMemory* memory = nullptr);
     /// The avatar does what the source says; the walk's steps are left to the source.
     Simulation(const scene::Campus& campus, const Walk& walk, IntentSource& intents);

@@ -21,7 +21,8 @@ class ReadSteps : public test::StepsFixture {};
 TEST_F(ReadSteps, ReadsSpawnsAndTeleports) {
     const auto steps = read(
         "  - spawn: gate\n  - teleport: gate\n  - teleport: {at: [1, 2, 3]}\n"
-        "  - teleport: {at: [1, 2, 3], yaw_deg: 180}\n");
+        "  - teleport: {at: [1, 2, 3], yaw_deg: 180}\n"
+        "  - teleport: square\n  - teleport: {at: square, yaw_deg: 180}\n");
     const auto& spawn = std::get<SpawnStep>(steps.at(0));
     EXPECT_EQ(spawn.label, "gate");
     EXPECT_EQ(spawn.position, Vector3d(1, 0, 5));
@@ -34,6 +35,10 @@ TEST_F(ReadSteps, ReadsSpawnsAndTeleports) {
     EXPECT_EQ(std::get<TeleportStep>(steps.at(2)).position, Vector3d(1, 2, 3));
     EXPECT_FALSE(std::get<TeleportStep>(steps.at(2)).yaw);
     EXPECT_NEAR(std::get<TeleportStep>(steps.at(3)).yaw.value(), radians(180), 1e-15);
+    EXPECT_EQ(std::get<TeleportStep>(steps.at(4)).label, "square");
+    EXPECT_TRUE(std::get<TeleportStep>(steps.at(4)).place);
+    EXPECT_FALSE(std::get<TeleportStep>(steps.at(4)).yaw) << "the avatar looks where it did";
+    EXPECT_NEAR(std::get<TeleportStep>(steps.at(5)).yaw.value(), radians(180), 1e-15);
 }
 
 TEST_F(ReadSteps, SpawnsAtCoordinates) {
@@ -117,7 +122,8 @@ TEST_F(ReadSteps, ReadsWaitTurnLookAtAndSnapshot) {
         "  - turn: {to_deg: 180}\n"
         "  - look_at: square\n"
         "  - look_at: [1, 2]\n"
-        "  - snapshot: view-1\n");
+        "  - snapshot: view-1\n"
+        "  - look_at: hut\n");
     EXPECT_EQ(std::get<WaitStep>(steps.at(1)).seconds, 2.5);
     EXPECT_NEAR(std::get<TurnStep>(steps.at(2)).angle, radians(-90), 1e-15);
     EXPECT_FALSE(std::get<TurnStep>(steps.at(2)).absolute);
@@ -126,6 +132,8 @@ TEST_F(ReadSteps, ReadsWaitTurnLookAtAndSnapshot) {
     EXPECT_EQ(std::get<LookAtStep>(steps.at(4)).target.point, Vector3d(2, 0, -3));
     EXPECT_FALSE(std::get<LookAtStep>(steps.at(5)).target.has_height);
     EXPECT_EQ(std::get<SnapshotStep>(steps.at(6)).name, "view-1");
+    EXPECT_FALSE(std::get<LookAtStep>(steps.at(4)).building);
+    EXPECT_EQ(std::get<LookAtStep>(steps.at(7)).building, 0U);
 }
 
 TEST_F(ReadSteps, RequiresASpawnFirstAndOnlyThere) {
@@ -152,7 +160,8 @@ TEST_F(ReadSteps, RequiresOneKeyPerStep) {
 TEST_F(ReadSteps, DiagnosesTargets) {
     EXPECT_THAT(about("walk_to: sqare"),
                 ElementsAre(says("a.walk.yaml:4:14: error unknown-name", {"'sqare'", "'square'"})));
-    EXPECT_THAT(about("look_at: hut"), ElementsAre(says("a.walk.yaml:4:14: error unknown-name", {"'hut'"})));
+    EXPECT_THAT(about("look_at: shed"),
+                ElementsAre(says("a.walk.yaml:4:14: error unknown-name", {"'shed'"})));
     EXPECT_THAT(about("walk_to: [1]"),
                 ElementsAre(says("a.walk.yaml:4:14: error wrong-type", {"'walk_to'"})));
     EXPECT_THAT(about("walk_to:"), ElementsAre(says("a.walk.yaml:4:5: error wrong-type", {"'walk_to'"})));
@@ -172,8 +181,10 @@ TEST_F(ReadSteps, DiagnosesWalkTo) {
 }
 
 TEST_F(ReadSteps, DiagnosesSpawnsAndTeleports) {
-    EXPECT_THAT(about("teleport: square"),
-                ElementsAre(says("a.walk.yaml:4:15: error unknown-name", {"'square'"})));
+    EXPECT_THAT(about("teleport: sqare"),
+                ElementsAre(says("a.walk.yaml:4:15: error unknown-name", {"'sqare'", "'square'"})));
+    EXPECT_THAT(about("teleport: {at: gate, fall: true}"),
+                ElementsAre(says("a.walk.yaml:4:26: error unknown-key", {"'fall'"})));
     EXPECT_THAT(about("teleport: [1, 2, 3]"),
                 ElementsAre(says("a.walk.yaml:4:15: error wrong-type", {"'teleport'"})));
     EXPECT_THAT(about("teleport: {yaw_deg: 3}"),

@@ -62,14 +62,11 @@ engine::CameraTarget CampusNames::camera_target(const CheckedNode& node) const {
         const auto building = std::ranges::find(campus_->buildings, *name, &scene::Building::id);
         if (building != campus_->buildings.end()) {
             return {*name, static_cast<std::size_t>(building - campus_->buildings.begin()),
-                    Eigen::Vector3d::Zero()};
+                    Eigen::Vector3d::Zero(), node.mark()};
         }
         const std::vector<std::string> places = target_names();
         if (std::ranges::find(places, *name) == places.end()) {
-            std::vector<std::string> known;
-            std::ranges::transform(campus_->buildings, std::back_inserter(known), &scene::Building::id);
-            std::ranges::copy(places, std::back_inserter(known));
-            diagnose_unknown(node, *name, "building, place or spawn", known);
+            diagnose_unknown(node, *name, "building, place or spawn", sight_names());
             return {};
         }
     }
@@ -87,7 +84,7 @@ engine::CameraTarget CampusNames::camera_target(const CheckedNode& node) const {
                                        : node.what() + " needs a place with a height, which the file that " +
                                              in_quotes(target.label) + " is from doesn't give");
     }
-    return {target.label, std::nullopt, target.point};
+    return {target.label, std::nullopt, target.point, node.mark()};
 }
 
 std::vector<std::string> CampusNames::target_names() const {
@@ -114,6 +111,31 @@ Target CampusNames::target_at(const CheckedNode& node) const {
     return target;
 }
 
+Sight CampusNames::sight(const CheckedNode& node) const {
+    const std::optional<std::string> name = node.is_scalar() ? name_in(node) : std::nullopt;
+    if (name && campus_ != nullptr) {
+        const std::vector<std::string> places = target_names();
+        const auto building = std::ranges::find(campus_->buildings, *name, &scene::Building::id);
+        if (std::ranges::find(places, *name) != places.end()) {
+            return {target_named(node, *name), std::nullopt};
+        }
+        if (building != campus_->buildings.end()) {
+            return {{*name, Eigen::Vector3d::Zero(), true},
+                    static_cast<std::size_t>(building - campus_->buildings.begin())};
+        }
+        diagnose_unknown(node, *name, "place, spawn or building", sight_names());
+        return {};
+    }
+    return {target(node), std::nullopt};
+}
+
+std::vector<std::string> CampusNames::sight_names() const {
+    std::vector<std::string> names;
+    std::ranges::transform(campus_->buildings, std::back_inserter(names), &scene::Building::id);
+    std::ranges::copy(target_names(), std::back_inserter(names));
+    return names;
+}
+
 Target CampusNames::target_named(const CheckedNode& node, const std::string& name) const {
     Target target{name, Eigen::Vector3d::Zero(), true};
     if (campus_ == nullptr) {
@@ -132,35 +154,34 @@ Target CampusNames::target_named(const CheckedNode& node, const std::string& nam
     return target;
 }
 
-Placement CampusNames::placement(const CheckedNode& node) const {
-    if (node.is_map()) {
-        CheckedMap map(node, node.what());
-        map.require("at");
-        const Placement placement = placement_in(map);
-        map.refuse_other_keys();
-        return placement;
-    }
-    if (!node.is_scalar()) {
-        node.diagnose("wrong-type", node.what() + " must be a spawn's name or {at: [x, y, z], yaw_deg: 0}");
-        return {};
-    }
-    return placement_named(node);
+Placement CampusNames::spawn(const CheckedNode& node) const {
+    return placement(node, false);
 }
 
-Placement CampusNames::spawn(const CheckedNode& node) const {
+Placement CampusNames::teleport(const CheckedNode& node) const {
+    return placement(node, true);
+}
+
+Placement CampusNames::placement(const CheckedNode& node, bool teleports) const {
+    if (!node.is_map() && !node.is_scalar()) {
+        node.diagnose("wrong-type", node.what() + " must be a name or {at: [x, y, z], yaw_deg: 0}");
+        return {};
+    }
     if (!node.is_map()) {
-        return placement(node);
+        return placement_named(node, teleports);
     }
     CheckedMap map(node, node.what());
     const auto at = map.require("at");
     Placement placed;
     if (at && at->is_scalar() && !at->is_null()) {
-        placed = placement_named(*at);
+        placed = placement_named(*at, teleports);
         map.angle("yaw_deg", kYaw, placed.yaw);
     } else {
         placed = placement_in(map);
     }
-    map.as_bool("fall", placed.fall);
+    if (!teleports) {
+        map.as_bool("fall", placed.fall);
+    }
     map.refuse_other_keys();
     return placed;
 }
@@ -173,15 +194,22 @@ Placement CampusNames::placement_in(CheckedMap& map) const {
     return placement;
 }
 
-Placement CampusNames::placement_named(const CheckedNode& node) const {
+Placement CampusNames::placement_named(const CheckedNode& node, bool also_places) const {
     Placement placement;
     placement.label = name_in(node).value_or("");
     if (placement.label.empty() || campus_ == nullptr) {
         return placement;
     }
     const auto spawn = std::ranges::find(campus_->spawns, placement.label, &Spawn::name);
+    const auto place = std::ranges::find(campus_->places, placement.label, &Place::name);
+    if (spawn == campus_->spawns.end() && also_places && place != campus_->places.end()) {
+        placement.position = place->position;
+        placement.place = static_cast<std::size_t>(place - campus_->places.begin());
+        return placement;
+    }
     if (spawn == campus_->spawns.end()) {
-        diagnose_unknown(node, placement.label, "spawn", names_of(campus_->spawns));
+        diagnose_unknown(node, placement.label, also_places ? "place or spawn" : "spawn",
+                         also_places ? target_names() : names_of(campus_->spawns));
         return placement;
     }
     placement.position = spawn->position;

@@ -18,8 +18,15 @@ class CheckedMap;
 struct Placement {
     std::string label;
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
-    std::optional<double> yaw;  ///< radians
-    bool fall = false;          ///< it is meant to be in the air
+    std::optional<double> yaw;         ///< radians
+    bool fall = false;                 ///< it is meant to be in the air
+    std::optional<std::size_t> place;  ///< index into the campus' places, if it is one
+};
+
+/// What an avatar looks at.
+struct Sight {
+    engine::Target target;
+    std::optional<std::size_t> building;  ///< index into the campus' buildings, if it is one
 };
 
 /// Turns the names and coordinates of a walk into points of its campus.
@@ -32,22 +39,26 @@ public:
     engine::Target target(const CheckedNode& node) const;
     /// A building's, place's or spawn's name (in this order), or `[x, y, z]`.
     engine::CameraTarget camera_target(const CheckedNode& node) const;
-    /// A spawn's name, or `{at: [x, y, z], yaw_deg: 90}`.
-    Placement placement(const CheckedNode& node) const;
-    /// The first step's: as `placement`, but `at` may also be a spawn's name, and `fall: true` may follow.
+    /// As `target`, or else a building's name.
+    Sight sight(const CheckedNode& node) const;
+    /// The first step's: a spawn's name, or `{at: ..., yaw_deg: 90, fall: true}` with such a name or `[x, y, z]`.
     Placement spawn(const CheckedNode& node) const;
+    /// A later step's: likewise without `fall`, and else a place's name.
+    Placement teleport(const CheckedNode& node) const;
     /// Reports a layer that the campus doesn't have.
     void check_layer(const CheckedNode& node, const std::string& layer) const;
 
 private:
-    /// The spawn of that name.
-    Placement placement_named(const CheckedNode& node) const;
+    Placement placement(const CheckedNode& node, bool teleports) const;
+    Placement placement_named(const CheckedNode& node, bool also_places) const;
     Placement placement_in(CheckedMap& map) const;
     engine::Target target_at(const CheckedNode& node) const;
     engine::Target target_named(const CheckedNode& node, const std::string& name) const;
 
     /// The names of all places and spawns. Requires a campus.
     std::vector<std::string> target_names() const;
+    /// Those, and the ids of all buildings. Requires a campus.
+    std::vector<std::string> sight_names() const;
 
     const scene::CampusDescription* campus_;
 };

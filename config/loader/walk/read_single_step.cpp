@@ -77,8 +77,9 @@ Step read_spawn(const CheckedNode& node, StepContext& context) {
 }
 
 Step read_teleport(const CheckedNode& node, StepContext& context) {
-    Placement placement = context.names.campus.placement(node);
-    return TeleportStep{node.mark(), std::move(placement.label), placement.position, placement.yaw};
+    Placement placement = context.names.campus.teleport(node);
+    return TeleportStep{node.mark(), std::move(placement.label), placement.position, placement.yaw,
+                        placement.place};
 }
 
 Step read_walk_to(const CheckedNode& node, StepContext& context) {
@@ -194,7 +195,8 @@ Step read_turn(const CheckedNode& node, StepContext& /*context*/) {
 }
 
 Step read_look_at(const CheckedNode& node, StepContext& context) {
-    return LookAtStep{node.mark(), context.names.campus.target(node)};
+    Sight sight = context.names.campus.sight(node);
+    return LookAtStep{node.mark(), std::move(sight.target), sight.building};
 }
 
 Step read_snapshot(const CheckedNode& node, StepContext& context) {

@@ -7,10 +7,10 @@
 #include <variant>
 
 #include "engine/events/popup_text.h"
-#include "engine/render/geometry/building_bounds.h"
 #include "engine/render/geometry/visible_parts.h"
 #include "engine/render/overlay/map_grid.h"
 #include "engine/render/snapshot/walk_space_lines.h"
+#include "scene/campus/building_bounds.h"
 
 namespace campuswalk::engine::render {
 namespace {
@@ -45,7 +45,7 @@ SnapshotRenderer::SnapshotRenderer(const scene::Campus& campus, SnapshotSettings
     : campus_(campus),
       settings_(std::move(settings)),
       renderer_(campus.models, settings_.light, make_gl_context(settings_.backend)),
-      building_bounds_(building_bounds(campus)) {}
+      building_bounds_(scene::building_bounds(campus)) {}
 
 Image SnapshotRenderer::draw(const SnapshotRequest& request) {
     const Viewpoint view = viewpoint(request);

@@ -106,7 +106,7 @@ private:
     SnapshotSettings settings_;
     Fonts fonts_;
     Renderer renderer_;
-    std::vector<scene::Bounds> building_bounds_;  // one per building, empty for one without nodes
+    std::vector<scene::Bounds> building_bounds_;  // one per building; empty where nothing tells where it is
     std::optional<Minimap> minimap_;
     std::optional<NodeOwners> node_owners_;  // created on first use
 };

@@ -4,10 +4,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "config/loader/load_run.h"
+#include "engine/script/resolve_targets.h"
 #include "engine/script/walk.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
@@ -25,7 +27,7 @@ namespace {
 
 struct SnapshotOptions {
     std::filesystem::path campus;
-    /// "top" for a plan of everything, a spawn's name to look from there, or a camera's keys as in a walk:
+    /// "top" for a plan of everything, a spawn or a place to look from, or a camera's keys as in a walk:
     /// "{view: orbit, around: library}".
     std::string camera = "top";
     std::string light;  ///< as in a walk: a profile's name or what differs; empty: day
@@ -40,34 +42,48 @@ struct SnapshotOptions {
 };
 
 constexpr const char* kCameraOption = "--camera";
-constexpr const char* kGrid = "grid";  ///< an overlay's name
+// Names of overlays.
+constexpr const char* kGrid = "grid";
+constexpr const char* kLabels = "labels";
 
-const scene::Spawn& spawn_named(const scene::CampusDescription& campus, const std::string& name) {
+/// Puts somebody at the spawn or else the place of that name, where one looks north.
+void stand_at(const scene::CampusDescription& campus, const std::string& name, engine::AvatarState& avatar) {
     std::vector<std::string> known = {"top"};
     for (const scene::Spawn& spawn : campus.spawns) {
         if (spawn.name == name) {
-            return spawn;
+            avatar.position = spawn.position;
+            avatar.yaw = spawn.yaw;
+            return;
         }
         known.push_back(spawn.name);
     }
-    throw error_about(
-        kCameraOption, "unknown-name",
-        "'" + name + "' is neither 'top' nor a spawn of " + campus.name + scene::did_you_mean(name, known));
+    for (const scene::Place& place : campus.places) {
+        if (place.name == name) {
+            avatar.position = place.position;
+            return;
+        }
+        known.push_back(place.name);
+    }
+    throw error_about(kCameraOption, "unknown-name",
+                      "'" + name + "' is neither 'top' nor a spawn or place of " + campus.name +
+                          scene::did_you_mean(name, known));
 }
 
-/// A plan shows whole buildings from far above; only a grid is drawn over it, and that over nothing else.
+/// A plan shows whole buildings from far above, with their names; only a grid is drawn over it besides, and that
+/// over nothing else.
 void refuse_overlays(const SnapshotOptions& options) {
     const bool plan = options.camera == "top";
-    const auto other = [](const std::string& name) { return name != kGrid; };
-    if (plan && (options.overlays.tree_level || std::ranges::any_of(options.overlay_names, other))) {
+    const auto on_plan = [](const std::string& name) { return name == kGrid || name == kLabels; };
+    if (plan && (options.overlays.tree_level || !std::ranges::all_of(options.overlay_names, on_plan))) {
         throw error_about(options.overlays.tree_level ? "--tree-level" : "--overlay", "bad-value",
-                          "only a grid is drawn over a plan; give another --camera, such as a spawn");
+                          "only a grid and labels are drawn over a plan; give another --camera, such as a spawn");
     }
-    if (!plan && (options.no_grid || !std::ranges::all_of(options.overlay_names, other))) {
+    const bool asks_for_grid = std::ranges::count(options.overlay_names, kGrid) > 0;
+    if (!plan && (options.no_grid || asks_for_grid)) {
         throw error_about(options.no_grid ? "--no-grid" : "--overlay", "bad-value",
                           "a grid is drawn over a plan only: --camera top");
     }
-    if (options.no_grid && !options.overlay_names.empty()) {
+    if (options.no_grid && asks_for_grid) {
         throw error_about("--no-grid", "bad-value", "--overlay grid asks for a grid; give one or the other");
     }
 }
@@ -82,9 +98,7 @@ void set_viewpoint(const SnapshotOptions& options, const scene::CampusDescriptio
         return;
     }
     if (!options.camera.starts_with('{')) {
-        const scene::Spawn& spawn = spawn_named(campus, options.camera);
-        image.avatar.position = spawn.position;
-        image.avatar.yaw = spawn.yaw;
+        stand_at(campus, options.camera, image.avatar);
         return;
     }
     image.camera = config::read_camera_text(options.camera, kCameraOption, campus, image.camera);
@@ -104,7 +118,7 @@ engine::ImageOverlays overlays_of(const SnapshotOptions& options) {
     overlays.colliders = named("colliders");
     overlays.compass = named("compass");
     overlays.grid = !options.no_grid;  // on every plan
-    overlays.labels = named("labels");
+    overlays.labels = named(kLabels);
     overlays.triggers = named("triggers");
     overlays.walkspace = named("walkspace");
     return overlays;
@@ -119,6 +133,9 @@ int draw_snapshot(const SnapshotOptions& options) {
     const std::shared_ptr<const scene::Campus> campus = loader.load_campus(options.campus);
     CampusImage image;
     set_viewpoint(options, campus->description, image);
+    if (auto errors = engine::check_aim(*campus, image.camera.view); !errors.empty()) {
+        throw scene::InputError(std::move(errors));
+    }
     if (!options.light.empty()) {
         image.light =
             config::read_light_text(options.light, "--light", options.campus.parent_path(), search_paths());
@@ -162,7 +179,8 @@ void add_snapshot(Command program, CommandAction& chosen) {
     command.option({.names = "CAMPUS", .help = "NAME.campus.yaml", .value = "FILE", .required = true},
                    options->campus);
     command.option({.names = "--camera",
-                    .help = "top for a plan of everything, a spawn to look from, or a camera as in a walk: "
+                    .help = "top for a plan of everything, a spawn or place to look from, or a camera as in a "
+                            "walk: "
                             "'{view: orbit, around: library}'",
                     .value = "CAMERA",
                     .show_default = true},
@@ -187,8 +205,9 @@ void add_snapshot(Command program, CommandAction& chosen) {
          .check = check_channels},
         [&channels = options->channels](const std::string& list) { channels = *channels_in(list); });
     command.choices({.names = "--overlay",
-                     .help = "Draw this over the picture, a grid over a plan only; may be repeated"},
-                    {"colliders", "compass", kGrid, "labels", "triggers", "walkspace"},
+                     .help = "Draw this over the picture, a grid over a plan only; may be repeated. Plans have "
+                             "labels anyway"},
+                    {"colliders", "compass", kGrid, kLabels, "triggers", "walkspace"},
                     options->overlay_names);
     command.flag({.names = "--no-grid", .help = "Draw a plan without the grid of coordinates"},
                  options->no_grid);

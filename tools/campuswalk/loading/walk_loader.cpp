@@ -1,10 +1,12 @@
 #include "tools/campuswalk/loading/walk_loader.h"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <utility>
 
 #include "collision/world/bullet_broad_phase.h"
+#include "engine/script/resolve_targets.h"
 #include "engine/simulation/check_go_to.h"
 #include "engine/simulation/check_walk.h"
 #include "engine/simulation/route_folder.h"
@@ -93,7 +95,8 @@ LoadedWalk WalkLoader::ready(config::SharedRun run) {
     loaded.routes = built.routes;
     loaded.walk = std::move(run.walk);
     loaded.walk.origin = loaded.campus->origin;
-    std::vector<scene::Diagnostic> found = engine::check_walk(*loaded.campus, loaded.walk);
+    std::vector<scene::Diagnostic> found = engine::resolve_targets(*loaded.campus, loaded.walk);
+    std::ranges::move(engine::check_walk(*loaded.campus, loaded.walk), std::back_inserter(found));
     const auto errors = std::stable_partition(found.begin(), found.end(), [](const scene::Diagnostic& each) {
         return each.severity == scene::Severity::warning;
     });
