@@ -188,8 +188,9 @@ public:
         }
     }
 
-    static PossibleVerdicts possible(const ExpectBlockedBy& /*expected*/, const WalkBounds& bounds) {
-        return {.holds = bounds.moves()};
+    static PossibleVerdicts possible(const ExpectBlockedBy& expected, const WalkBounds& bounds) {
+        return {.holds =
+                    bounds.moves() && bounds.can_contact(collision::Detection::solid, expected.object.glob)};
     }
 
     Finding finding(bool /*ended*/) const {
@@ -218,8 +219,8 @@ public:
         }
     }
 
-    static PossibleVerdicts possible(const ExpectStuck& /*expected*/, const WalkBounds& bounds) {
-        return {.holds = bounds.moves()};
+    static PossibleVerdicts possible(const ExpectStuck& expected, const WalkBounds& bounds) {
+        return {.holds = bounds.moves() && bounds.can_contact(collision::Detection::solid, expected.by.glob)};
     }
 
     Finding finding(bool /*ended*/) const {

@@ -84,7 +84,8 @@ private:
 
 std::vector<VacuousExpectation> vacuous_expectations(const scene::Campus& campus, const Walk& walk) {
     std::vector<VacuousExpectation> found;
-    const WalkBounds at_end(campus, walk);
+    WalkBounds at_end(campus, walk);
+    at_end.come_to(walk.steps.size() + 1);
     for (const Expectation& expectation : walk.expectations) {
         std::visit(Finder(walk, at_end, found), expectation);
     }
@@ -93,13 +94,13 @@ std::vector<VacuousExpectation> vacuous_expectations(const scene::Campus& campus
     for (std::size_t i = 0; i < walk.steps.size(); ++i) {
         const auto* expect = std::get_if<ExpectStep>(&walk.steps[i]);
         if (expect != nullptr && seen.insert(expect->mark).second) {
-            so_far.stop_before(i);
+            so_far.come_to(i);
             for (const Expectation& expectation : expect->expectations) {
                 std::visit(Finder(walk, so_far, found), expectation);
             }
         }
     }
-    for (const CertainTimeout& certain : certain_timeouts(walk, at_end.fastest())) {
+    for (const CertainTimeout& certain : certain_timeouts(walk)) {
         if (std::ranges::find(walk.status.codes, certain.code) != walk.status.codes.end()) {
             found.push_back({certain.mark, certain.code, false});
         }

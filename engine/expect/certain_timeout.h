@@ -12,8 +12,8 @@ struct CertainTimeout {
     const char* code = "";  ///< of the failure: a walk_to or follow that takes too long is `blocked`
 };
 
-/// Steps to whose target the straight line alone takes longer than they may take, at `fastest` metres per
-/// second, and the walk, if its steps wait, turn and go for longer than it may take.
-std::vector<CertainTimeout> certain_timeouts(const Walk& walk, double fastest);
+/// Steps to whose target the straight line alone takes longer than they may take, and the walk, if its steps
+/// wait, turn and go for longer than it may take.
+std::vector<CertainTimeout> certain_timeouts(const Walk& walk);
 
 }  // namespace campuswalk::engine

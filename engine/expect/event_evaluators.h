@@ -37,18 +37,15 @@ public:
     }
 
     static PossibleVerdicts possible(const ExpectSequence& expected, const WalkBounds& bounds) {
-        // Nothing comes before walk.start or after walk.end, and little after a fall.
+        // Nothing comes after walk.end, and little after a fall.
         const std::vector<EventPattern>& events = expected.events;
-        PossibleVerdicts possible;
-        for (std::size_t i = 0; i < events.size(); ++i) {
-            const bool too_late = i > 0 && bounds.is_only(events[i], EventKind::walk_start);
-            const bool too_early = i + 1 < events.size() && bounds.is_only(events[i], EventKind::walk_end);
-            const bool too_low = i > 0 && bounds.is_only(events[i - 1], EventKind::avatar_fell) &&
-                                 !bounds.can_follow_fall(events[i]);
-            possible.holds =
-                possible.holds && !too_late && !too_early && !too_low && bounds.times(events[i]).most > 0.0;
+        PossibleVerdicts possible{.holds = bounds.can_come(events), .fails = !bounds.are_certain(events)};
+        for (std::size_t i = 0; i + 1 < events.size(); ++i) {
+            const bool too_early = bounds.is_only(events[i], EventKind::walk_end);
+            const bool too_low =
+                bounds.is_only(events[i], EventKind::avatar_fell) && !bounds.can_follow_fall(events[i + 1]);
+            possible.holds = possible.holds && !too_early && !too_low;
         }
-        possible.fails = !bounds.are_certain(events);
         return possible;
     }
 

@@ -139,8 +139,9 @@ ExpectationSet::StoppedVerdicts ExpectationSet::verdicts_when_stopped() const {
         }
     }
     for (const Group& group : of_steps_) {
+        const std::size_t rounds_left = group.rounds - group.held - (group.failed ? 1 : 0);
         for (std::size_t i = 0; i < group.evaluators.size(); ++i) {
-            if (group.held < group.rounds && i != group.failed) {
+            if (i != group.failed && (rounds_left > 0 || (group.failed && i > *group.failed))) {
                 verdicts.undecided.push_back({group.evaluators[i].mark(), false});
             }
         }

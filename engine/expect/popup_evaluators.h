@@ -43,12 +43,16 @@ public:
         Interval times = bounds.times({expected.mark, std::string(name_of(EventKind::popup_open)), "*"});
         if (std::ranges::none_of(bounds.campus().description.buildings, [&](const scene::Building& building) {
                 return scene::glob_matches(expected.building.glob, building.id) &&
-                       (building.title.find_first_of("{}") != std::string::npos ||  // filled in when it opens
-                        scene::glob_matches(expected.title, building.title));
+                       can_show(building.title, expected.title) && can_show(building.text, expected.body);
             })) {
             times.most = 0.0;
         }
         return possible_verdicts(expected.times, times);
+    }
+
+    /// Variables are filled in when the window opens.
+    static bool can_show(const std::string& text, const std::string& glob) {
+        return text.find_first_of("{}") != std::string::npos || scene::glob_matches(glob, text);
     }
 
     Finding finding(bool /*ended*/) const {

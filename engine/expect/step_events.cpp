@@ -24,7 +24,7 @@ StepEvents::StepEvents(const scene::Campus& campus, const Walk& walk) {
     for (std::size_t i = 0; i < walk.steps.size(); ++i) {
         add(i, walk.steps[i], walk);
         if (const auto switched = preview_of(walk.steps[i]).switched) {
-            add_switched(i, *switched, campus, disabled);
+            add_switched(i, *switched, campus, walk, disabled);
         }
     }
     events_.push_back({walk.steps.size(), EventKind::walk_end, walk.name, true});
@@ -42,19 +42,19 @@ void StepEvents::add(std::size_t index, const Step& step, const Walk& walk) {
         events_.push_back(
             {index, down ? EventKind::avatar_crouch : EventKind::avatar_stand, walk.name, false});
     }
-    if (preview.switched && preview.switched->enabled) {
-        events_.push_back({index, EventKind::avatar_depenetrated, walk.name, false});
-    }
 }
 
 void StepEvents::add_switched(std::size_t index, const StepPreview::Switch& step, const scene::Campus& campus,
-                              std::vector<bool>& disabled) {
+                              const Walk& walk, std::vector<bool>& disabled) {
     const EventKind kind = step.enabled ? EventKind::object_enable : EventKind::object_disable;
     for (std::size_t i = 0; i < disabled.size(); ++i) {
         if (disabled[i] == step.enabled && matches_any(step.objects, campus.objects[i].id)) {
             disabled[i] = !step.enabled;
             events_.push_back({index, kind, campus.objects[i].id, true});
         }
+    }
+    if (step.enabled) {
+        events_.push_back({index, EventKind::avatar_depenetrated, walk.name, false});
     }
 }
 
@@ -81,11 +81,15 @@ bool StepEvents::is_caused_by_steps(EventKind kind) {
     }
 }
 
+bool StepEvents::matches(const EventPattern& pattern, const StepEvent& event) {
+    return scene::glob_matches(pattern.kind, name_of(event.kind)) &&
+           scene::glob_matches(pattern.object, event.object);
+}
+
 Interval StepEvents::times(const EventPattern& event, std::size_t steps) const {
     Interval times;
     for (const StepEvent& each : events_) {
-        if (each.step < steps && scene::glob_matches(event.kind, name_of(each.kind)) &&
-            scene::glob_matches(event.object, each.object)) {
+        if (each.step < steps && matches(event, each)) {
             times.least += each.certain ? 1.0 : 0.0;
             times.most += 1.0;
         }
@@ -93,12 +97,30 @@ Interval StepEvents::times(const EventPattern& event, std::size_t steps) const {
     return times;
 }
 
+bool StepEvents::can_come(const std::vector<EventPattern>& in_order, const std::vector<bool>& at_any_time,
+                          std::size_t steps) const {
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < in_order.size(); ++i) {
+        if (at_any_time[i]) {
+            next = std::max<std::size_t>(next, 1);  // nothing comes before walk.start
+            continue;
+        }
+        while (next < events_.size() &&
+               !(events_[next].step < steps && matches(in_order[i], events_[next]))) {
+            ++next;
+        }
+        if (next == events_.size()) {
+            return false;
+        }
+        ++next;
+    }
+    return true;
+}
+
 bool StepEvents::are_certain(const std::vector<EventPattern>& in_order, std::size_t steps) const {
     auto wanted = in_order.begin();
     for (const StepEvent& each : events_) {
-        if (wanted != in_order.end() && each.certain && each.step < steps &&
-            scene::glob_matches(wanted->kind, name_of(each.kind)) &&
-            scene::glob_matches(wanted->object, each.object)) {
+        if (wanted != in_order.end() && each.certain && each.step < steps && matches(*wanted, each)) {
             ++wanted;
         }
     }

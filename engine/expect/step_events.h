@@ -27,6 +27,10 @@ public:
 
     /// How often events that match come from the first `steps` steps. walk.end comes from one after the last.
     Interval times(const EventPattern& event, std::size_t steps) const;
+    /// Whether events that match can come in this order. Those that steps don't cause alone come
+    /// `at_any_time`.
+    bool can_come(const std::vector<EventPattern>& in_order, const std::vector<bool>& at_any_time,
+                  std::size_t steps) const;
     /// Whether events that match come for certain and in this order.
     bool are_certain(const std::vector<EventPattern>& in_order, std::size_t steps) const;
 
@@ -38,9 +42,10 @@ private:
         bool certain = false;
     };
 
+    static bool matches(const EventPattern& pattern, const StepEvent& event);
     void add(std::size_t index, const Step& step, const Walk& walk);
     void add_switched(std::size_t index, const StepPreview::Switch& step, const scene::Campus& campus,
-                      std::vector<bool>& disabled);
+                      const Walk& walk, std::vector<bool>& disabled);
 
     std::vector<StepEvent> events_;  ///< in their order
 };

@@ -10,7 +10,7 @@ namespace campuswalk::engine {
 
 namespace {
 
-using Codes = std::set<std::string>;
+using Codes = std::multiset<std::string>;
 
 std::string listed(const Codes& codes) {
     std::string list;
@@ -27,9 +27,13 @@ Codes lacks_among(const Codes& failed) {
     return lacks;
 }
 
+Codes each_once(const Codes& codes) {
+    const std::set<std::string> once(codes.begin(), codes.end());
+    return {once.begin(), once.end()};
+}
+
 /// How the failures differ from those that the status lists; empty if they don't.
-std::string mismatch(const Codes& failed, const WalkStatus& status) {
-    const Codes expected(status.codes.begin(), status.codes.end());
+std::string mismatch(const Codes& failed, const Codes& expected, const WalkStatus& status) {
     const Codes lacks = lacks_among(failed);
     if (!failed.empty() && lacks.empty() && (expected.empty() || expected == failed)) {
         return "";
@@ -45,7 +49,7 @@ std::string mismatch(const Codes& failed, const WalkStatus& status) {
 
 }  // namespace
 
-EvaluatedWalk outcome_of_failures(std::vector<Failure> failures, const WalkStatus& status) {
+EvaluatedWalk outcome_of_failures(std::vector<Failure> failures, const WalkStatus& status, bool each_counts) {
     EvaluatedWalk evaluated{Outcome::passed, std::move(failures)};
     if (status.kind != WalkStatus::Kind::xfail) {
         evaluated.outcome = evaluated.failures.empty() ? Outcome::passed : Outcome::failed;
@@ -55,7 +59,10 @@ EvaluatedWalk outcome_of_failures(std::vector<Failure> failures, const WalkStatu
     for (const Failure& failure : evaluated.failures) {
         failed.insert(failure.code);
     }
-    if (std::string message = mismatch(failed, status); !message.empty()) {
+    const Codes expected(status.codes.begin(), status.codes.end());
+    std::string message = each_counts ? mismatch(failed, expected, status)
+                                      : mismatch(each_once(failed), each_once(expected), status);
+    if (!message.empty()) {
         evaluated.outcome = Outcome::failed;
         evaluated.failures.push_back({status.mark, std::string(kXfailCode), std::move(message), {}});
     }

@@ -46,22 +46,24 @@ public:
     void add(const TeleportStep& step) { put(step.position, step.yaw.value_or(yaw_)); }
     void add(const WalkToStep& step) {
         const double distance = flat(step.target.point - position_).norm();
-        seconds_ += std::max(0.0, distance - step.within) / step.speed.value_or(speed_);
+        travel(step, std::max(0.0, distance - step.within));
         arrive(position_, step.target.point);
     }
     /// As if the way through its points were straight.
     void add(const GoToStep& step) {
         std::vector<Target> points = step.through;
         points.push_back(step.target);
+        double length = 0.0;
         for (const Target& point : points) {
-            seconds_ += flat(point.point - position_).norm() / step.speed.value_or(speed_);
+            length += flat(point.point - position_).norm();
             arrive(position_, point.point);
         }
+        travel(step, length);
     }
     void add(const FollowStep& step) {
         CurveWalk curve;
         curve.start(position_, step.points);
-        seconds_ += std::max(0.0, curve.length() - step.within) / step.speed.value_or(speed_);
+        travel(step, std::max(0.0, curve.length() - step.within));
         const std::size_t count = step.points.size();
         arrive(count > 1 ? step.points[count - 2].point : position_, step.points.back().point);
     }
@@ -75,6 +77,12 @@ public:
     void add(const Instant&) {}
 
 private:
+    /// No longer than the step may.
+    template <typename Travel>
+    void travel(const Travel& step, double length) {
+        const double seconds = length / step.speed.value_or(speed_);
+        seconds_ += std::min(seconds, step.timeout.value_or(seconds));
+    }
     void put(const Vector3d& position, double yaw) {
         position_ = position;
         yaw_ = yaw;

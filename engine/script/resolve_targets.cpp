@@ -13,8 +13,12 @@ namespace campuswalk::engine {
 namespace {
 
 struct {
-    const CameraTarget* operator()(const OrbitView& view) const { return view.around ? &*view.around : nullptr; }
-    const CameraTarget* operator()(const FixedView& view) const { return view.look_at ? &*view.look_at : nullptr; }
+    const CameraTarget* operator()(const OrbitView& view) const {
+        return view.around ? &*view.around : nullptr;
+    }
+    const CameraTarget* operator()(const FixedView& view) const {
+        return view.look_at ? &*view.look_at : nullptr;
+    }
     template <typename Other>
     const CameraTarget* operator()(const Other&) const {
         return nullptr;
@@ -36,7 +40,8 @@ public:
             return bounds.center();
         }
         diagnostics_.push_back({scene::Severity::error, mark, "no-extent",
-                                "nothing tells where building '" + campus_.description.buildings[building].id +
+                                "nothing tells where building '" +
+                                    campus_.description.buildings[building].id +
                                     "' is: give it nodes or a collider, or aim at a place"});
         return Eigen::Vector3d::Zero();
     }
@@ -65,7 +70,8 @@ std::vector<scene::Diagnostic> resolve_targets(const scene::Campus& campus, Walk
         if (auto* look_at = std::get_if<LookAtStep>(&step); look_at != nullptr && look_at->building) {
             look_at->target.point = aim.middle_of(*look_at->building, look_at->mark);
             look_at->building.reset();
-        } else if (auto* teleport = std::get_if<TeleportStep>(&step); teleport != nullptr && teleport->place) {
+        } else if (auto* teleport = std::get_if<TeleportStep>(&step);
+                   teleport != nullptr && teleport->place) {
             teleport->position = campus.description.places[*teleport->place].position;
             teleport->place.reset();
         } else if (const auto* snapshot = std::get_if<SnapshotStep>(&step)) {

@@ -258,7 +258,7 @@ public:
         for (const Part& part : Parts(faces_).divide()) {
             add(part);
         }
-        if (encloses_) {
+        if (enclosing_ >= largest_left_out_) {
             surface_.no_inside.reset();
         }
         return std::move(surface_);
@@ -281,7 +281,7 @@ private:
         // A body of this surface is as thick as its volume over half of it.
         const bool is_flat = std::abs(volume) / 6.0 <= kThickness * 0.5 * area * std::sqrt(area);
         if (is_closed && !is_flat) {
-            encloses_ = true;
+            enclosing_ = std::max(enclosing_, area);
             surface_.openings += part.rims.size();
             if (volume < 0.0) {
                 for (Face& face : closed) {
@@ -293,8 +293,8 @@ private:
             return;
         }
         surface_.left_out += part.faces.size();
-        if (area > largest_) {
-            largest_ = area;
+        if (area > largest_left_out_) {
+            largest_left_out_ = area;
             surface_.no_inside = part.branching ? NoInside::branching
                                  : is_closed    ? NoInside::flat
                                                 : NoInside::open;
@@ -304,8 +304,8 @@ private:
     const std::vector<Vector3d>& positions_;
     std::vector<Face> faces_;
     EnclosingSurface surface_;
-    bool encloses_ = false;
-    double largest_ = -1.0;
+    double enclosing_ = 0.0;  // square metres of the largest part that encloses something
+    double largest_left_out_ = -1.0;
 };
 
 }  // namespace

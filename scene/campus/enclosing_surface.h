@@ -23,7 +23,7 @@ struct EnclosingSurface {
     WorldGeometry geometry = {};             ///< with all positions, also those that no triangle uses
     std::size_t openings = 0;                ///< that were closed
     std::size_t left_out = 0;                ///< faces of parts that enclose nothing
-    std::optional<NoInside> no_inside = {};  ///< why no part encloses anything: what the largest one lacks
+    std::optional<NoInside> no_inside = {};  ///< why the largest part encloses nothing
 };
 
 /// What a visitor can be inside of, where a surface is meant to enclose something and isn't quite modelled

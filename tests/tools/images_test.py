@@ -7,7 +7,7 @@ import stat
 import struct
 import sys
 
-from program import SKIPPED, WALK, ProgramCase, main
+from program import CAMPUS, SKIPPED, WALK, ProgramCase, main
 
 
 class Images(ProgramCase):
@@ -60,6 +60,26 @@ class Images(ProgramCase):
         self.passes("snapshot", "small.campus.yaml", "-o", "plan.png", "--width", "64", "--height", "48")
         self.assertEqual(self.size_of("view.png"), (64, 48))
         self.assertNotEqual(self.read("view.png"), self.read("plan.png"))
+
+    def test_view_from_a_place(self):
+        self.passes("snapshot", "small.campus.yaml", "--camera", "end", "-o", "end.png", "--width", "64", "--height", "48")
+        self.passes("snapshot", "small.campus.yaml", "--camera", "start", "-o", "start.png", "--width", "64", "--height", "48")
+        self.assertEqual(self.size_of("end.png"), (64, 48))
+        self.assertNotEqual(self.read("end.png"), self.read("start.png"))
+
+    def test_a_building_without_nodes_is_where_its_colliders_are(self):
+        def drawn(camera):
+            self.passes("snapshot", "small.campus.yaml", "--camera", camera, "-o", "a.png", "--width", "64", "--height", "48")
+            return self.read("a.png")
+        around = "{view: orbit, around: hut}"
+        by_nodes = drawn(around)
+        self.write("small.campus.yaml", CAMPUS.replace("    nodes: wall\n", "").replace(
+            "building: hut, shape", "building: hut, nodes: wall, shape"))
+        self.assertEqual(drawn(around), by_nodes)
+        self.write("small.campus.yaml", CAMPUS.replace("buildings:\n", "buildings:\n  - {id: club, title: Club}\n"))
+        self.refuses_camera("{view: orbit, around: club}", expected="--camera:1:23: error no-extent: 'club'")
+        self.write("short.walk.yaml", WALK.replace("turn: 180", "look_at: club"))
+        self.assert_refused(self.run_program("run", "short.walk.yaml"), "short.walk.yaml:6:14: error no-extent: 'club'")
 
     def test_an_unknown_camera_is_refused(self):
         self.refuses_camera("strat", expected="--camera: error unknown-name: 'strat' 'top' small 'start'")
@@ -115,7 +135,7 @@ class Images(ProgramCase):
 
     def test_what_would_have_no_effect_is_refused(self):
         for arguments, code in ((("-o", "a.jpg", "--camera", "start"), "a.jpg: error file-name: a.png"),
-                                (("-o", "a.png", "--overlay", "labels"), "--overlay: error bad-value: --camera"),
+                                (("-o", "a.png", "--overlay", "colliders"), "--overlay: error bad-value: --camera"),
                                 (("-o", "a.png", "--camera", "top", "--tree-level", "2"),
                                  "--tree-level: error bad-value: --camera"),
                                 (("-o", "a.png", "--camera", "start", "--overlay", "grid"),
@@ -143,6 +163,7 @@ class Images(ProgramCase):
             self.passes("snapshot", "small.campus.yaml", "-o", "a.png", "--width", "320", "--height", "200", *arguments)
             return self.read("a.png")
         self.assertEqual(drawn("--overlay", "grid"), drawn())
+        self.assertEqual(drawn("--overlay", "labels"), drawn(), "plans have them anyway")
         self.assertNotEqual(drawn("--no-grid"), drawn())
 
     def test_a_walk_draws_a_grid_if_told_to(self):

@@ -41,7 +41,8 @@ public:
     engine::CameraTarget camera_target(const CheckedNode& node) const;
     /// As `target`, or else a building's name.
     Sight sight(const CheckedNode& node) const;
-    /// The first step's: a spawn's name, or `{at: ..., yaw_deg: 90, fall: true}` with such a name or `[x, y, z]`.
+    /// The first step's: a spawn's name, or `{at: ..., yaw_deg: 90, fall: true}` with such a name or `[x, y,
+    /// z]`.
     Placement spawn(const CheckedNode& node) const;
     /// A later step's: likewise without `fall`, and else a place's name.
     Placement teleport(const CheckedNode& node) const;

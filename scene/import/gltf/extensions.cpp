@@ -41,6 +41,7 @@ void check_version_and_extensions(const Document& document) {
                             ", which is not supported; export without it");
         }
     }
+    unread_extensions(document);  // throws unless they are names
 }
 
 std::vector<std::string> unread_extensions(const Document& document) {

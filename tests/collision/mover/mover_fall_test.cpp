@@ -195,5 +195,40 @@ TEST(MoverFall, AmongBoxesThatAreNotQuiteInLineNoneHangsInTheAir) {
     }
 }
 
+/// Steep faces are walls, to which a body keeps a gap of at most the skin. A sphere that keeps the gap g to
+/// all faces of a pit with the slope s has its middle (r + g) / cos s above the deepest point.
+TEST(MoverFall, InAPitOfSteepFacesItRestsWhereTheGapToThemIsWithinTheSkin) {
+    const MoverSettings settings;
+    for (int seed = 0; seed < support::repeats(150); ++seed) {
+        SCOPED_TRACE(seed);
+        Dice dice(static_cast<std::uint32_t>(seed));
+        const int sides = 3 + dice.below(10);
+        const double slope = radians(dice.between(53, 80));
+        const double turned = dice.between(0.0, 6.283);
+        const double depth = 3.0 * std::tan(slope);
+        const double reach = 3.0 / std::cos(3.14159265 / sides);
+        const World world = world_with([&](TriangleMesh& mesh) {
+            const auto rim = [&](int side) {
+                const double angle = turned + 6.28318531 * side / sides;
+                return Vec3(reach * std::cos(angle), 0.0, reach * std::sin(angle));
+            };
+            for (int side = 0; side < sides; ++side) {
+                support::add_triangle(mesh, {0, -depth, 0}, rim(side + 1), rim(side));
+            }
+        });
+        AuditedBody body(world);
+        const double from = dice.between(0.0, 6.283);
+        const double off = dice.between(0.0, 1.4);
+        let_fall(body, {off * std::cos(from), 0.5, off * std::sin(from)}, 0.0);
+        ASSERT_TRUE(lands_within(body, 10.0));
+        const double above = (body.foot().y() + depth + settings.radius) * std::cos(slope) - settings.radius;
+        EXPECT_GE(above, 0.0);
+        EXPECT_LE(above, settings.skin);
+        const Vec3 rest = body.foot();
+        body.walk(Vec3::Zero(), 1.0);
+        EXPECT_EQ(body.foot(), rest);
+    }
+}
+
 }  // namespace
 }  // namespace campuswalk::collision

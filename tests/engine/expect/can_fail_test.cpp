@@ -322,6 +322,70 @@ TEST(CanFail, AStepKnowsWhatStepsBeforeItCause) {
     EXPECT_TRUE(can_fail_before(2, never("popup.open")));
     EXPECT_FALSE(can_fail_before(2, ExpectNot{{}, ExpectFell{}})) << "a fall would have stopped the walk";
     EXPECT_FALSE(can_fail_before(2, never("avatar.fell")));
+    walk = walk_of({spawn_at({0, 0, 0}), wait_for(1), wait_for(100), walk_to(5, 5)});
+    EXPECT_FALSE(can_fail_before(2, duration({kNone, kNone, 50.0}))) << "what follows takes longer";
+    EXPECT_FALSE(can_fail_before(2, ExpectNot{{}, ExpectBlockedBy{{}, {{}, "hut/wall"}}}));
+    EXPECT_TRUE(can_fail_before(4, ExpectNot{{}, ExpectBlockedBy{{}, {{}, "hut/wall"}}}));
+}
+
+TEST(CanFail, StepsCauseEventsInTheirOrderAndNoMoreOften) {
+    const auto can_hold = [](const std::vector<std::string>& events, Walk walk) {
+        return can_fail(denied(sequence(events)), std::move(walk));
+    };
+    EXPECT_TRUE(can_hold({"avatar.jump", "popup.open", "object.disable"}, xfail(busy_walk(), {})));
+    EXPECT_FALSE(can_hold({"object.disable", "avatar.jump"}, busy_walk()));
+    EXPECT_FALSE(can_hold({"popup.open", "object.disable", "popup.open", "avatar.jump"}, busy_walk()));
+    EXPECT_FALSE(can_hold({"avatar.jump", "avatar.jump"}, busy_walk()));
+    EXPECT_FALSE(can_hold({"avatar.arrive", "avatar.arrive"}, ten_seconds()));
+    EXPECT_TRUE(can_hold({"avatar.arrive", "popup.open"}, ten_seconds()));
+    EXPECT_FALSE(can_fail(sequence({"object.disable", "avatar.jump"}), xfail(busy_walk(), {"sequence"})));
+}
+
+TEST(CanFail, AWalkToTakesNoLongerThanItsOwnTimeout) {
+    const Walk walk = walk_of({spawn_at({0, 0, 0}), walk_to(5, 5)});
+    EXPECT_FALSE(can_fail(duration({kNone, kNone, 86400.0}), walk));
+    EXPECT_FALSE(can_fail(distance({kNone, kNone, 1e6}), walk));
+    EXPECT_TRUE(can_fail(duration({kNone, kNone, 10.0}), walk));
+}
+
+TEST(CanFail, AJumpLeadsAboveTheCampus) {
+    const Expectation up = denied(reaches({"up", {0, 18, 0}, true}, 1.0));
+    EXPECT_FALSE(can_fail(up));
+    EXPECT_TRUE(can_fail(up, walk_of({spawn_at({0, 0, 0}), JumpStep{{}, 19.8, 0.0}})));
+}
+
+TEST(CanFail, WhatTheAvatarDetectsNothingOfNeverComes) {
+    scene::Campus campus = level_campus(10.0);
+    ObjectTraits glass;
+    glass.layer = "glass";
+    glass.detection = collision::Detection::solid | collision::Detection::ray;
+    add_box(campus, "pane", {3, 0, 3}, {4, 2, 3.1}, glass);
+    const auto can_fail_there = [&](Expectation expected, const std::function<void(Walk&)>& change) {
+        Walk walk = ten_seconds();
+        walk.expectations = {std::move(expected)};
+        change(walk);
+        return vacuous_expectations(campus, walk).empty();
+    };
+    const auto nothing = [](Walk&) {};
+    const auto ignoring = [](Walk& walk) { walk.avatar.ignore_layers = {"glass"}; };
+    const Expectation blocked = ExpectNot{{}, ExpectBlockedBy{{}, {{}, "pane"}}};
+    const Expectation stuck = ExpectNot{{}, ExpectStuck{{}, {{}, "pane"}}};
+    for (const Expectation& expected : {never("collision.enter pane"), blocked, stuck}) {
+        EXPECT_TRUE(can_fail_there(expected, nothing));
+        EXPECT_FALSE(can_fail_there(expected, ignoring));
+    }
+    EXPECT_TRUE(can_fail_there(never("collision.enter"), ignoring)) << "of the floor";
+    EXPECT_FALSE(can_fail_there(never("trigger.enter"), nothing)) << "there is none";
+    EXPECT_TRUE(can_fail_there(never("ray.enter"), nothing));
+    EXPECT_FALSE(can_fail_there(never("ray.enter"), [](Walk& walk) { walk.avatar.look_distance = 0.0; }));
+}
+
+TEST(CanFail, APopUpShowsWhatItsBuildingSays) {
+    const auto shows = [](const char* body) {
+        return PlainExpectation(ExpectPopup{{}, {{}, "hut"}, "*", body, {kNone, 1, kNone}});
+    };
+    EXPECT_FALSE(can_fail(ExpectNot{{}, shows("no such text")}));
+    EXPECT_TRUE(can_fail(ExpectNot{{}, shows("*")}));
 }
 
 TEST(CanFail, LittleFollowsAFall) {
@@ -370,6 +434,21 @@ TEST(CanFail, AnXfailIsNotOfTimesThatAreTooShort) {
     walk.steps.insert(walk.steps.end() - 1, teleport_to({8, 0, 0}));
     walk.timeout = 2.5;
     EXPECT_TRUE(in_time(walk)) << "from there it isn't far";
+    WalkToStep late = walk_to(8, 0);
+    late.timeout = 0.5;
+    WalkToStep fast = walk_to(0, 0);
+    fast.speed = 100.0;
+    EXPECT_FALSE(in_time(walk_of({spawn_at({0, 0, 0}), late, fast}))) << "only a later step is so fast";
+    EXPECT_FALSE(in_time(walk_of({spawn_at({0, 0, 0}), JumpStep{{}, 1.0, 0.0}, late})));
+    FollowStep round = follow({{0, 0, 9}, {0, 0, 0.2}});
+    round.timeout = 1.0;
+    EXPECT_FALSE(in_time(walk_of({spawn_at({0, 0, 0}), round}))) << "there and back";
+    Walk turning = walk_of({spawn_at({0, 0, 0}), turn_to(170)});
+    turning.timeout = 0.1;
+    EXPECT_FALSE(in_time(turning));
+    turning.steps.insert(turning.steps.end() - 1, walk_to_or_proceed(0, 1));
+    turning.timeout = 5.0;
+    EXPECT_TRUE(in_time(turning));
 }
 
 TEST(CanFail, NothingFollowsTheEnd) {

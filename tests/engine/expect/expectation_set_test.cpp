@@ -138,6 +138,11 @@ TEST(StoppedWalk, LeavesStepsOpenThatItDidNotGetTo) {
     EXPECT_TRUE(verdicts.failures.empty());
     ASSERT_EQ(verdicts.undecided.size(), 2U + 1U + 2U) << "a round of 4, the rest of 5, and 6";
     EXPECT_TRUE(std::ranges::none_of(verdicts.undecided, &Undecided::holds_so_far));
+    walk.steps = {expects(7, holds, fails)};
+    ExpectationSet evaluated(campus, walk);
+    TickFeed(evaluated).tick({"walk.start me"});
+    ASSERT_TRUE(evaluated.evaluate(std::get<ExpectStep>(walk.steps.front()), record));
+    EXPECT_TRUE(evaluated.verdicts_when_stopped().undecided.empty()) << "one held, the other failed";
 }
 
 // ---- not ------------------------------------------------------------------------------------------------

@@ -35,6 +35,15 @@ TEST(OutcomeOfFailures, IsTheWalksOwnUnlessItIsExpectedToFail) {
     EXPECT_EQ(evaluated.failures.size(), 1U);
 }
 
+TEST(OutcomeOfFailures, EachFailureOfACodeCanCount) {
+    const std::vector<Failure> twice = {failure("near"), failure("near")};
+    EXPECT_EQ(outcome_of_failures(twice, xfail({"near"})).outcome, Outcome::passed);
+    EXPECT_EQ(outcome_of_failures(twice, xfail({"near"}), true).outcome, Outcome::failed);
+    EXPECT_EQ(outcome_of_failures(twice, xfail({"near", "near"}), true).outcome, Outcome::passed);
+    EXPECT_EQ(outcome_of_failures({failure("near")}, xfail({"near", "near"}), true).outcome, Outcome::failed);
+    EXPECT_EQ(outcome_of_failures(twice, xfail(), true).outcome, Outcome::passed) << "in any way";
+}
+
 TEST(OutcomeOfFailures, XfailPassesIfTheWalkFails) {
     EXPECT_EQ(outcome_of_failures({failure("never")}, xfail()).outcome, Outcome::passed);
     const EvaluatedWalk evaluated =

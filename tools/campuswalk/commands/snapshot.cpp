@@ -69,14 +69,15 @@ void stand_at(const scene::CampusDescription& campus, const std::string& name, e
                           scene::did_you_mean(name, known));
 }
 
-/// A plan shows whole buildings from far above, with their names; only a grid is drawn over it besides, and that
-/// over nothing else.
+/// A plan shows whole buildings from far above, with their names; only a grid is drawn over it besides, and
+/// that over nothing else.
 void refuse_overlays(const SnapshotOptions& options) {
     const bool plan = options.camera == "top";
     const auto on_plan = [](const std::string& name) { return name == kGrid || name == kLabels; };
     if (plan && (options.overlays.tree_level || !std::ranges::all_of(options.overlay_names, on_plan))) {
-        throw error_about(options.overlays.tree_level ? "--tree-level" : "--overlay", "bad-value",
-                          "only a grid and labels are drawn over a plan; give another --camera, such as a spawn");
+        throw error_about(
+            options.overlays.tree_level ? "--tree-level" : "--overlay", "bad-value",
+            "only a grid and labels are drawn over a plan; give another --camera, such as a spawn");
     }
     const bool asks_for_grid = std::ranges::count(options.overlay_names, kGrid) > 0;
     if (!plan && (options.no_grid || asks_for_grid)) {
@@ -178,13 +179,14 @@ void add_snapshot(Command program, CommandAction& chosen) {
     Command command = program.add("snapshot", "Draw one picture of a campus");
     command.option({.names = "CAMPUS", .help = "NAME.campus.yaml", .value = "FILE", .required = true},
                    options->campus);
-    command.option({.names = "--camera",
-                    .help = "top for a plan of everything, a spawn or place to look from, or a camera as in a "
-                            "walk: "
-                            "'{view: orbit, around: library}'",
-                    .value = "CAMERA",
-                    .show_default = true},
-                   options->camera);
+    command.option(
+        {.names = "--camera",
+         .help = "top for a plan of everything, a spawn or place to look from, or a camera as in a "
+                 "walk: "
+                 "'{view: orbit, around: library}'",
+         .value = "CAMERA",
+         .show_default = true},
+        options->camera);
     command.option(
         {.names = "-o,--output", .help = "The PNG file to write", .value = "FILE", .required = true},
         options->output);
@@ -204,11 +206,11 @@ void add_snapshot(Command program, CommandAction& chosen) {
          .value = "LIST",
          .check = check_channels},
         [&channels = options->channels](const std::string& list) { channels = *channels_in(list); });
-    command.choices({.names = "--overlay",
-                     .help = "Draw this over the picture, a grid over a plan only; may be repeated. Plans have "
-                             "labels anyway"},
-                    {"colliders", "compass", kGrid, kLabels, "triggers", "walkspace"},
-                    options->overlay_names);
+    command.choices(
+        {.names = "--overlay",
+         .help = "Draw this over the picture, a grid over a plan only; may be repeated. Plans have "
+                 "labels anyway"},
+        {"colliders", "compass", kGrid, kLabels, "triggers", "walkspace"}, options->overlay_names);
     command.flag({.names = "--no-grid", .help = "Draw a plan without the grid of coordinates"},
                  options->no_grid);
     command.option({.names = "--tree-level",

@@ -271,7 +271,7 @@ void CaseRunner::play_into(WalkResult& result, const Case& played, FrameHelpers*
     }
     write_goldens(updates, fails_regardless_of_goldens(summary.failures, loaded.walk.status));
     engine::EvaluatedWalk evaluated =
-        engine::outcome_of_failures(std::move(summary.failures), loaded.walk.status);
+        engine::outcome_of_failures(std::move(summary.failures), loaded.walk.status, settings_.strict);
     result.outcome = evaluated.outcome;
     result.failures = std::move(evaluated.failures);
 
