@@ -44,9 +44,15 @@ bool touches(const Polygons& polygons, const Box& box) {
     return !polygons.empty() && box_of(polygons).overlaps(box);
 }
 
-/// The members' lines; nothing if one is missing and the rest doesn't close.
-std::vector<const MapWay*> member_ways(const Map& map, const MapRelation& relation, bool& complete) {
-    std::vector<const MapWay*> ways;
+/// The members that bound an area, each once.
+struct MemberWays {
+    std::vector<const MapWay*> outer;
+    std::vector<const MapWay*> inner;
+    bool complete = true;  ///< the file has them all
+};
+
+MemberWays member_ways(const Map& map, const MapRelation& relation) {
+    MemberWays ways;
     std::set<std::int64_t> known;
     for (const Member& member : relation.members) {
         if (member.element.kind != ElementKind::way ||
@@ -55,12 +61,29 @@ std::vector<const MapWay*> member_ways(const Map& map, const MapRelation& relati
         }
         const MapWay* way = map.way(member.element.number);
         if (way == nullptr || !way->complete) {
-            complete = false;
+            ways.complete = false;
         } else if (known.insert(way->id).second) {
-            ways.push_back(way);
+            (member.role == "inner" ? ways.inner : ways.outer).push_back(way);
         }
     }
     return ways;
+}
+
+Polygons enclosed_by(const std::vector<const MapWay*>& ways, const PlanGeometry& geometry) {
+    std::vector<std::vector<Point>> lines;
+    lines.reserve(ways.size());
+    for (const MapWay* way : ways) {
+        lines.push_back(way->points);
+    }
+    const Polygons areas = lines.empty() ? Polygons() : geometry.areas_of_lines(lines);
+    return areas.size() > 1 ? geometry.united({&areas}) : areas;
+}
+
+/// What the outer rings enclose and the inner ones don't, and the islands in courts, which both do. Inner
+/// rings that share edges, with each other or with an outer ring, are one court.
+Polygons area_of_members(const MemberWays& ways, const PlanGeometry& geometry) {
+    return geometry.symmetric_difference(enclosed_by(ways.outer, geometry),
+                                         enclosed_by(ways.inner, geometry));
 }
 
 using TagsOfBuildings = std::map<std::pair<ElementKind, std::int64_t>, Tags>;
@@ -135,23 +158,20 @@ std::vector<MapArea> areas_of(const Map& map, const PlanGeometry& geometry, cons
         if (!relation.tags.is("type", "multipolygon")) {
             continue;
         }
-        bool complete = true;
-        const std::vector<const MapWay*> ways = member_ways(map, relation, complete);
+        const MemberWays members = member_ways(map, relation);
+        std::vector<const MapWay*> ways = members.outer;
+        ways.insert(ways.end(), members.inner.begin(), members.inner.end());
         const Tags tags =
             with_building(tags_of_area(map, relation), {ElementKind::relation, relation.id}, buildings);
         if (ways.empty() || (!stands_for_area(tags) && !affirmed(tags, "highway"))) {
             continue;
         }
-        std::vector<std::vector<Point>> lines;
-        lines.reserve(ways.size());
-        for (const MapWay* way : ways) {
-            lines.push_back(way->points);
-        }
-        MapArea area{{ElementKind::relation, relation.id}, tags, geometry.areas_of_lines(lines), ways};
+        MapArea area{{ElementKind::relation, relation.id}, tags, area_of_members(members, geometry), ways};
         if (area.polygons.empty()) {
             warnings.warning(mark, "open-ring",
                              "relation " + std::to_string(relation.id) + " encloses no area" +
-                                 (complete ? "" : ": the file lacks some of its ways") + "; left out");
+                                 (members.complete ? "" : ": the file lacks some of its ways") +
+                                 "; left out");
         } else if (touches(area.polygons, map.box)) {
             note_outer_ways(map, relation, tags, replaced);
             of_relations.push_back(std::move(area));

@@ -177,6 +177,17 @@ Polygons PlanGeometry::intersection(const Polygons& a, const Polygons& b) const 
         geos_->own(GEOSIntersectionPrec_r(geos_->handle(), first.get(), second.get(), kGrid)));
 }
 
+Polygons PlanGeometry::symmetric_difference(const Polygons& a, const Polygons& b) const {
+    if (a.empty() || b.empty()) {
+        return a.empty() ? b : a;
+    }
+    geos_->spend_on_areas({&a, &b});
+    const GeosContext::Geometry first = geos_->geometry(a);
+    const GeosContext::Geometry second = geos_->geometry(b);
+    return geos_->polygons_of(
+        geos_->own(GEOSSymDifferencePrec_r(geos_->handle(), first.get(), second.get(), kGrid)));
+}
+
 Polygons PlanGeometry::united(const std::vector<const Polygons*>& all) const {
     geos_->spend_on_union(all);
     const GeosContext::Geometry collection = geos_->collection(all);

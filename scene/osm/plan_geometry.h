@@ -47,6 +47,8 @@ public:
     bool intersects(const Polygons& a, const Polygons& b) const;
     Polygons difference(const Polygons& a, const Polygons& b) const;
     Polygons intersection(const Polygons& a, const Polygons& b) const;
+    /// What is in one of them and not in both.
+    Polygons symmetric_difference(const Polygons& a, const Polygons& b) const;
     Polygons united(const std::vector<const Polygons*>& all) const;
     Triangulation triangulated(const Polygon& polygon) const;
     /// How often GEOS failed: something is missing, or there twice.

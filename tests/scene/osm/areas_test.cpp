@@ -1,5 +1,10 @@
 #include "scene/osm/areas.h"
 
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "tests/scene/osm/imported_map.h"
@@ -45,6 +50,86 @@ TEST_F(ImportMap, GivesNamedPartsAPopUp) {
     ASSERT_NE(trigger, imported.draft.triggers.end());
     EXPECT_NEAR(trigger->center.x(), -10.0, 0.01);
     EXPECT_NEAR(trigger->size.x() * trigger->size.z(), 23.0 * 23.0, 0.5);
+}
+
+/// A building of 40 m by 40 m with courts, whose roof has what area?
+class Courts : public ImportMap {
+protected:
+    using Ring = MapText::Points;
+
+    double roof_area(const std::vector<Ring>& inner, const Ring& outer = kSquare) {
+        MapText map;
+        std::map<std::pair<double, double>, std::int64_t> nodes;  // rings that touch share them
+        const auto way_of = [&](const Ring& ring) {
+            std::vector<std::int64_t> refs;
+            for (const auto& at : ring) {
+                const auto [known, is_new] = nodes.try_emplace(at, 0);
+                known->second = is_new ? map.node(at.first, at.second) : known->second;
+                refs.push_back(known->second);
+            }
+            refs.push_back(refs.front());
+            return map.way_of(refs);
+        };
+        std::vector<std::pair<std::int64_t, std::string>> members = {{way_of(outer), "outer"}};
+        for (const Ring& ring : inner) {
+            members.emplace_back(way_of(ring), "inner");
+        }
+        const auto id = map.relation(members, {{"type", "multipolygon"}, {"building", "yes"}});
+        const Model model = import(map.xml()).model;
+        return plan_area(model, *find(model, "building/relation-" + std::to_string(id)));
+    }
+    static Ring box(double west, double south, double east, double north) {
+        return {{west, south}, {east, south}, {east, north}, {west, north}};
+    }
+
+    inline static const Ring kSquare = {{0, 0}, {40, 0}, {40, 40}, {0, 40}};
+};
+
+TEST_F(Courts, ThatTouchAlongAnEdgeAreOne) {
+    EXPECT_NEAR(roof_area({box(10, 10, 20, 30), box(20, 10, 30, 30)}), 1200, 1) << "a whole edge";
+    EXPECT_NEAR(roof_area({box(5, 10, 15, 30), box(15, 10, 25, 30), box(25, 10, 35, 30)}), 1000, 1);
+    EXPECT_NEAR(
+        roof_area({{{10, 10}, {20, 10}, {20, 15}, {20, 25}, {20, 30}, {10, 30}}, box(20, 15, 30, 25)}), 1300,
+        1)
+        << "a part of one";
+    EXPECT_NEAR(roof_area({box(10, 10, 20, 30), box(20, 15, 30, 25)}), 1300, 1) << "without common nodes";
+}
+
+TEST_F(Courts, ThatTouchTheOuterRingAreOpenToOutside) {
+    const Ring outer = {{0, 0}, {40, 0}, {40, 40}, {0, 40}, {0, 30}, {0, 10}};
+    EXPECT_NEAR(roof_area({box(0, 10, 10, 30)}, outer), 1400, 1);
+}
+
+TEST_F(Courts, ThatTouchInAPointOrNotAtAllStaySeparate) {
+    EXPECT_NEAR(roof_area({box(10, 10, 20, 20), box(20, 20, 30, 30)}), 1400, 1);
+    EXPECT_NEAR(roof_area({box(10, 10, 19, 30), box(21, 10, 30, 30)}), 1240, 1);
+}
+
+TEST_F(ImportMap, BuildsIslandsInCourtsAndOuterRingsThatTouch) {
+    MapText map;
+    const auto outer = map.rectangle(0, 0, 40, 40);
+    const auto inner = map.rectangle(10, 10, 30, 30);
+    const auto island = map.rectangle(15, 15, 25, 25);
+    const auto beside = map.rectangle(40, 0, 60, 40);
+    const auto id = map.relation({{outer, "outer"}, {inner, "inner"}, {island, "outer"}, {beside, "outer"}},
+                                 {{"type", "multipolygon"}, {"building", "yes"}});
+    const Model model = import(map.xml()).model;
+    EXPECT_NEAR(plan_area(model, *find(model, "building/relation-" + std::to_string(id))),
+                1600.0 - 400.0 + 100.0 + 800.0, 2.0);
+}
+
+TEST_F(ImportMap, TakesTheMiddleOfCourtsWhoseRingsAreCutIntoWays) {
+    MapText map;
+    const auto outer = map.rectangle(0, 0, 40, 40);
+    const auto a = map.node(20, 10);
+    const auto b = map.node(20, 30);
+    const auto west = map.way_of({a, map.node(10, 10), map.node(10, 30), b});
+    const auto east = map.way_of({b, map.node(30, 30), map.node(30, 10), a});
+    const auto between = map.way_of({a, b});
+    const auto id = map.relation({{outer, "outer"}, {west, "inner"}, {east, "inner"}, {between, "inner"}},
+                                 {{"type", "multipolygon"}, {"building", "yes"}});
+    const Model model = import(map.xml()).model;
+    EXPECT_NEAR(plan_area(model, *find(model, "building/relation-" + std::to_string(id))), 1200.0, 1.0);
 }
 
 }  // namespace
