@@ -119,11 +119,26 @@ void set_roof(const PlanGeometry& geometry, const SourceMark& mark, Volume& volu
     }
 }
 
-bool is_open(const Tags& tags) {
-    const std::string_view kind = building_kind(tags);
-    const std::string_view wall = tags.get("wall");
-    return kind == "roof" || kind == "carport" || kind == "canopy" || wall == "no" ||
-           (tags.is("amenity", "shelter") && kind.empty());
+/// " (Elm Hall)", for messages.
+std::string name_in_parentheses(const Tags& tags) {
+    return tags.has("name") ? " (" + std::string(tags.get("name")) + ")" : "";
+}
+
+/// Whether tags put a building, or a part of one, below the ground. A layer only orders what is above what:
+/// below 0 it counts where neither a height nor storeys are tagged.
+bool is_underground(const Tags& tags) {
+    if (tags.is("location", "underground")) {
+        return true;
+    }
+    const double levels = levels_of(tags, "building:levels").value_or(0.0);
+    if (levels > 0.0 || levels_of(tags, "roof:levels").value_or(0.0) > 0.0 ||
+        length_of(tags, "height").value_or(0.0) > 0.0) {
+        return false;
+    }
+    return tags.is("parking", "underground") || number_of(tags, "layer").value_or(0.0) <= -1.0 ||
+           number_of(tags, "level").value_or(0.0) < 0.0 ||
+           (tags.has("building:levels") &&
+            levels_of(tags, "building:levels:underground").value_or(0.0) > 0.0);
 }
 
 /// Whether a part is on the roof of its outline, rather than instead of it.
@@ -145,9 +160,15 @@ std::string_view building_kind(const Tags& tags) {
     return kind.empty() ? part : kind;
 }
 
+bool is_roof_on_posts(const Tags& tags) {
+    const std::string_view kind = building_kind(tags);
+    const std::string_view wall = tags.get("wall");
+    return kind == "roof" || kind == "carport" || kind == "canopy" || wall == "no" ||
+           (tags.is("amenity", "shelter") && kind.empty());
+}
+
 bool is_building(const Tags& tags) {
-    return affirmed(tags, "building") && !tags.is("location", "underground") &&
-           number_of(tags, "layer").value_or(0.0) > -1.0;
+    return affirmed(tags, "building") && !is_underground(tags);
 }
 
 std::vector<Volume> volumes_of(const std::vector<MapArea>& areas, const PlanGeometry& geometry,
@@ -163,7 +184,7 @@ std::vector<Volume> volumes_of(const std::vector<MapArea>& areas, const PlanGeom
     for (std::size_t i = 0; i < areas.size(); ++i) {
         owner[i] = i;
         const Tags& tags = areas[i].tags;
-        if (!affirmed(tags, "building:part") || affirmed(tags, "building")) {
+        if (!affirmed(tags, "building:part") || affirmed(tags, "building") || is_underground(tags)) {
             continue;
         }
         double best = 0.0;
@@ -184,7 +205,14 @@ std::vector<Volume> volumes_of(const std::vector<MapArea>& areas, const PlanGeom
     for (std::size_t i = 0; i < areas.size(); ++i) {
         const MapArea& area = areas[i];
         const bool part = affirmed(area.tags, "building:part") && !affirmed(area.tags, "building");
-        if (!part && !is_building(area.tags)) {
+        if (!part && !affirmed(area.tags, "building")) {
+            continue;
+        }
+        if (is_underground(area.tags)) {
+            warnings.warning(mark, "underground-building",
+                             area.id.text() + name_in_parentheses(area.tags) +
+                                 " is a building below the ground by its tags; it isn't built. Tag its "
+                                 "height or building:levels if it stands above");
             continue;
         }
         Volume volume;
@@ -193,7 +221,7 @@ std::vector<Volume> volumes_of(const std::vector<MapArea>& areas, const PlanGeom
         volume.node = "building/" + areas[owner[i]].id.text() + (owner[i] == i ? "" : "/" + area.id.text());
         volume.tags = area.tags;
         volume.footprint = area.polygons;
-        volume.open = is_open(area.tags);
+        volume.open = is_roof_on_posts(area.tags);
         if (const auto found = parts.find(i); found != parts.end()) {
             constexpr double kSliver = 0.05;  // of the outline, where parts were drawn imprecisely
             std::vector<const Polygons*> covered;

@@ -32,8 +32,11 @@ struct Volume {
 std::vector<Volume> volumes_of(const std::vector<MapArea>& areas, const PlanGeometry& geometry,
                                const Terrain& terrain, const SourceMark& mark, DiagnosticList& warnings);
 
-/// Whether an area is a building with walls or a roof.
+/// Whether an area is a building with walls or a roof above the ground.
 bool is_building(const Tags& tags);
+
+/// Whether tags are those of a roof without walls.
+bool is_roof_on_posts(const Tags& tags);
 
 /// The value of "building", or else of "building:part".
 std::string_view building_kind(const Tags& tags);
