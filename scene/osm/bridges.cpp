@@ -203,20 +203,32 @@ private:
     BridgePlan plan_;
 };
 
-/// Says what is below the ground.
-void warn_of_depths(const Map& map, const std::vector<Path>& paths, const SourceMark& mark,
-                    DiagnosticList& warnings) {
+/// Says what is below the ground, and how much is on floors of buildings.
+void warn_of_unbuilt(const Map& map, const std::vector<Path>& paths, const SourceMark& mark,
+                     DiagnosticList& warnings) {
+    std::vector<std::int64_t> indoors;
     for (const Path& path : paths) {
         if (!box_of(path.way->points).overlaps(map.box)) {
             continue;
         }
         const std::string way = "way " + std::to_string(path.way->id);
-        if (path.unbuilt) {
+        if (path.indoors) {
+            indoors.push_back(path.way->id);
+        } else if (path.unbuilt) {
             warnings.warning(mark, "underground",
                              way + " runs below the ground, or indoors on another floor; it isn't built");
         } else if (layer_of(path.way->tags) < 0.0 && !affirmed(path.way->tags, "tunnel")) {
             warnings.warning(mark, "underground", way + " has a layer below 0; it is at the ground");
         }
+    }
+    if (!indoors.empty()) {
+        const bool one = indoors.size() == 1;
+        warnings.warning(
+            mark, "indoor-ways",
+            std::to_string(indoors.size()) + (one ? " way (" : " ways (the first: ") + "way " +
+                std::to_string(indoors.front()) + (one ? ") is" : ") are") +
+                " on floors inside of buildings; left out, as buildings are closed blocks. Tag a "
+                "passage at the ground with tunnel=building_passage");
     }
 }
 
@@ -252,7 +264,7 @@ BridgePlan plan_bridges(const Map& map, const std::vector<MapArea>& areas, const
         path.first_height.reset();
         path.last_height.reset();
     }
-    warn_of_depths(map, paths, mark, warnings);
+    warn_of_unbuilt(map, paths, mark, warnings);
     return Planner(map, areas, base, mark, paths, warnings).plan();
 }
 

@@ -92,7 +92,7 @@ FlightShape shape_of(const Path& path, const Terrain& terrain) {
 
 bool has_treads(const Path& path, const Terrain& terrain) {
     const auto [first, last] = end_heights(path, terrain);
-    return path.steps && !path.unbuilt && std::abs(last - first) >= kLeastRise;
+    return path.steps && !path.unbuilt && !path.leaves_ground && std::abs(last - first) >= kLeastRise;
 }
 
 Ring outline_of_steps(const Path& path) {

@@ -28,7 +28,7 @@ struct FlightShape {
 /// From the ground, or the bridge, at its lower end to that at its higher.
 FlightShape shape_of(const Path& path, const Terrain& terrain);
 
-/// Whether a flight rises enough on this terrain to have treads.
+/// Whether a flight rises enough on this terrain to have treads, and doesn't leave the ground.
 bool has_treads(const Path& path, const Terrain& terrain);
 
 /// The area of a flight in the plan.

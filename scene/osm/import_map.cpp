@@ -157,8 +157,8 @@ ImportedMap imported_map(const MapRequest& request) {
     const Map map = read_map(request.file, request.mark, request.section, warnings);
     const PlanGeometry geometry(OverlayBudget::for_map(map.nodes_read));
     std::vector<MapArea> areas = areas_of(map, geometry, request.mark, warnings);
-    std::vector<Path> paths = paths_of(map, geometry);
     const Box box = ground_box(map, areas);
+    std::vector<Path> paths = paths_of(map, areas, box, geometry);
     const Terrain base = base_terrain(request, map, areas, box, paths);
     const BridgePlan bridges = plan_bridges(map, areas, base, request.mark, paths, warnings);
     const Terrain terrain = with_mounds(base, box, bridges.mounds, bridges.cuttings);

@@ -6,7 +6,9 @@
 #include <string>
 #include <unordered_set>
 
+#include "scene/osm/box_index.h"
 #include "scene/osm/flight_shape.h"
+#include "scene/osm/relief.h"
 #include "scene/osm/tag_values.h"
 
 namespace campuswalk::scene::osm {
@@ -79,7 +81,58 @@ bool is_entrance(const Tags& tags) {
            tags.is("railway", "subway_entrance");
 }
 
-std::vector<Path> paths_of(const Map& map, const PlanGeometry& geometry) {
+namespace {
+
+/// Tells the floors of buildings from paths on the ground.
+class Indoors {
+public:
+    explicit Indoors(const std::vector<MapArea>& areas) : areas_(areas) {
+        for (std::size_t i = 0; i < areas.size(); ++i) {
+            if (is_building(areas[i].tags) && !is_roof_on_posts(areas[i].tags)) {
+                buildings_.add(i, box_of(areas[i].polygons));
+            }
+        }
+    }
+
+    /// Tagged as indoors or on another layer or level, and for the most part inside of a building. What leads
+    /// through one at the ground, from outside to outside, is a passage, and what is tagged as one.
+    bool has(const MapWay& way) const {
+        const Tags& tags = way.tags;
+        const double level = number_of(tags, "level").value_or(0.0);
+        const double layer = number_of(tags, "layer").value_or(0.0);
+        const bool indoor = affirmed(tags, "indoor") || tags.is("highway", "corridor");
+        if ((!indoor && level == 0.0 && layer == 0.0) || affirmed(tags, "bridge") ||
+            tags.is("tunnel", "building_passage")) {
+            return false;
+        }
+        const bool above = level > 0.0 || layer > 0.0;
+        for (const std::size_t i : buildings_.near(box_of(way.points))) {
+            const Polygons& outline = areas_[i].polygons;
+            if (2.0 * length_inside(way.points, outline) > length_of(way.points) &&
+                (above || is_deep_in(outline, way.points.front()) ||
+                 is_deep_in(outline, way.points.back()))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+private:
+    /// Inside and not at the wall.
+    static bool is_deep_in(const Polygons& outline, const Point& p) {
+        constexpr double kAtWall = 0.5;  // metres
+        return contains(outline, p) && nearest_on(outline, p).distance > kAtWall;
+    }
+
+    const std::vector<MapArea>& areas_;
+    BoxIndex buildings_;
+};
+
+}  // namespace
+
+std::vector<Path> paths_of(const Map& map, const std::vector<MapArea>& areas, const Box& ground,
+                           const PlanGeometry& geometry) {
+    const Indoors indoors(areas);
     std::unordered_set<std::int64_t> entrances;
     for (const MapNode& node : map.nodes) {
         if (is_entrance(node.tags)) {
@@ -101,8 +154,11 @@ std::vector<Path> paths_of(const Map& map, const PlanGeometry& geometry) {
         path.for_walkers = open_to_walkers(way.tags);
         path.priority = highway->priority;
         path.crossing = is_crossing(way.tags);
-        path.unbuilt = is_unbuilt(way.tags);
+        path.indoors = indoors.has(way);
+        path.unbuilt = path.indoors || is_unbuilt(way.tags);
         path.steps = highway->value == "steps";
+        path.leaves_ground =
+            path.steps && !(ground.contains(way.points.front()) && ground.contains(way.points.back()));
         path.from_entrance =
             path.steps && entrances.contains(way.nodes.front()) && !entrances.contains(way.nodes.back());
         if (!path.unbuilt) {

@@ -32,8 +32,10 @@ struct Path {
     bool carriageway = false;  ///< between kerbs
     bool crossing = false;     ///< of a carriageway
     bool for_walkers = true;   ///< its tags let walkers in
-    bool unbuilt = false;      ///< in a tunnel, or indoors at another level than the ground's
+    bool unbuilt = false;      ///< in a tunnel, or indoors
+    bool indoors = false;      ///< on a floor of a building
     bool steps = false;
+    bool leaves_ground = false;  ///< steps with an end where the map has no ground
     bool from_entrance = false;  ///< steps that begin at an entrance and don't end at one
     Polygons area;               ///< its ribbon in the plan; empty if unbuilt
     std::vector<double> deck;  ///< its height at each of its points, where it is above the ground; else empty
@@ -47,8 +49,10 @@ struct Path {
     bool on_ground() const { return !unbuilt && !is_above(); }
 };
 
-/// The highways of a map in its box, in order.
-std::vector<Path> paths_of(const Map& map, const PlanGeometry& geometry);
+/// The highways of a map in its box, in order. The areas say which are indoors, the box of the ground which
+/// steps leave it.
+std::vector<Path> paths_of(const Map& map, const std::vector<MapArea>& areas, const Box& ground,
+                           const PlanGeometry& geometry);
 
 /// Whether the tags say that something is in a tunnel, or indoors at another level than the ground's.
 bool is_unbuilt(const Tags& tags);

@@ -39,6 +39,77 @@ protected:
 
 constexpr double kWhole = 1600.0 * 9.0;
 
+TEST_F(Floors, AreLeftOutWithACount) {
+    const MapText::Points inside = {{-15, -5}, {15, -5}};
+    const std::vector<MapText::Tags> floors = {{{"highway", "footway"}, {"layer", "3"}},
+                                               {{"highway", "footway"}, {"level", "2"}},
+                                               {{"highway", "footway"}, {"indoor", "yes"}},
+                                               {{"highway", "footway"}, {"indoor", "yes"}, {"level", "0"}},
+                                               {{"highway", "footway"}, {"layer", "-1"}},
+                                               {{"highway", "corridor"}},
+                                               {{"highway", "corridor"}, {"level", "1;2"}},
+                                               {{"highway", "steps"}, {"indoor", "yes"}, {"level", "0;1"}}};
+    for (const MapText::Tags& tags : floors) {
+        const ImportedMap imported = with_way(inside, tags);
+        const std::string tag = tags.back().first + "=" + tags.back().second;
+        EXPECT_NEAR(volume_of(imported.model, hall_), kWhole, 5.0) << tag;
+        EXPECT_TRUE(
+            message_of(imported, "indoor-ways").starts_with("1 way (way " + std::to_string(way_) + ") "))
+            << tag;
+        for (const Node& node : imported.model.nodes) {
+            EXPECT_FALSE(node.name.ends_with("/way-" + std::to_string(way_))) << node.name;
+        }
+    }
+}
+
+TEST_F(Floors, FromWallToWallAreLeftOutAboveTheGroundOnly) {
+    const MapText::Points through = {{0, -20}, {0, 20}};
+    EXPECT_NEAR(volume_of(with_way(through, {{"highway", "footway"}, {"layer", "1"}}).model, hall_), kWhole,
+                5.0);
+    const ImportedMap passage = with_way(through, {{"highway", "footway"}, {"indoor", "yes"}});
+    EXPECT_LT(volume_of(passage.model, hall_), kWhole - 200.0) << "one walks through";
+    EXPECT_EQ(message_of(passage, "indoor-ways"), "");
+}
+
+TEST_F(Floors, AreNotWhatLiesOutside) {
+    for (const MapText::Points& line : {MapText::Points{{15, 0}, {60, 0}}, {{30, -5}, {30, 5}}}) {
+        for (const MapText::Tags& tags : {MapText::Tags{{"highway", "footway"}, {"layer", "1"}},
+                                          {{"highway", "footway"}, {"level", "1"}}}) {
+            EXPECT_EQ(message_of(with_way(line, tags), "indoor-ways"), "");
+        }
+    }
+    const MapText::Tags tagged = {{"highway", "footway"}, {"layer", "1"}, {"tunnel", "building_passage"}};
+    EXPECT_EQ(message_of(with_way({{0, -15}, {0, 30}}, tagged), "indoor-ways"), "");
+    EXPECT_EQ(message_of(with_way({{-15, 0}, {15, 0}}, {{"highway", "footway"}, {"level", "1"}},
+                                  {{"building", "roof"}}),
+                         "indoor-ways"),
+              "")
+        << "below a roof on posts one is outside";
+}
+
+TEST_F(Floors, OfManyLayersLeaveTheBuildingWhole) {
+    MapText map;
+    const auto hall = map.rectangle(-40, -40, 40, 40, {{"building", "yes"}, {"height", "36"}});
+    std::int64_t first = 0;
+    for (int i = 0; i < 288; ++i) {
+        const double at = -36.0 + 6.0 * (i % 12);
+        const bool east = i % 24 < 12;
+        const auto id =
+            map.way({{east ? -36.0 : at, east ? at : -36.0}, {east ? 36.0 : at, east ? at : 36.0}},
+                    {{"highway", "footway"}, {"layer", std::to_string(1 + i / 24)}});
+        first = first == 0 ? id : first;
+    }
+    const ImportedMap imported = import(map.xml());
+    EXPECT_TRUE(message_of(imported, "indoor-ways")
+                    .starts_with("288 ways (the first: way " + std::to_string(first) + ") are"));
+    EXPECT_NEAR(volume_of(imported.model, "building/way-" + std::to_string(hall)), 6400.0 * 36.0, 50.0);
+    std::size_t triangles = 0;
+    for (const Mesh& mesh : imported.model.meshes) {
+        triangles += mesh.triangles.size();
+    }
+    EXPECT_LT(triangles, 20'000U);
+}
+
 TEST_F(ImportMap, BuildsBuildingsOnNegativeLayersThatStandAboveTheGround) {
     for (const char* key : {"height", "building:levels", "building"}) {
         MapText map;
