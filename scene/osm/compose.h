@@ -12,6 +12,7 @@ struct Composition {
     const SourceMark& mark;  ///< of warnings
     const PlanGeometry& geometry;
     const Terrain& terrain;
+    const Box& ground;  ///< where the ground is: everything on it ends there
     DiagnosticList& warnings;
     ModelBuilder model = {};
     CampusDraft draft = {};

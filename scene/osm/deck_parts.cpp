@@ -148,6 +148,10 @@ Deck deck_of(const Bridge& bridge, Composition& composition) {
         const double trim = length_from_start_inside(line_from(path, stairs.place, stairs.place == 0), all);
         (stairs.place == 0 ? path.first_trim : path.last_trim) = trim;
     }
+    for (DeckPart& part : parts) {
+        part.area = geometry.clipped(part.area, composition.ground);
+    }
+    std::erase_if(parts, [](const DeckPart& part) { return part.area.empty(); });
     return {&bridge, std::move(parts)};
 }
 

@@ -25,8 +25,8 @@ struct Deck {
 };
 
 /// The parts of a bridge: its paths, from its open ends, where the ground couldn't rise enough, the paths
-/// that lead on, down to the ground, and what its outlines have beside them. Sets how much of steps is below
-/// it.
+/// that lead on, down to the ground, and what its outlines have beside them; all of it only where the map has
+/// ground. Sets how much of steps is below it.
 Deck deck_of(const Bridge& bridge, Composition& composition);
 
 }  // namespace campuswalk::scene::osm

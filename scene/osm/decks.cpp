@@ -35,7 +35,9 @@ public:
               "bridge/" +
               ElementId{ElementKind::way, composition.paths[bridge_.paths.front()].way->id}.text())) {
         for (const PathAtBridge& stairs : bridge_.stairs) {
-            stairs_.push_back(&composition.paths[stairs.path]);
+            if (!composition.paths[stairs.path].leaves_ground) {
+                stairs_.push_back(&composition.paths[stairs.path]);
+            }
         }
     }
 

@@ -162,7 +162,7 @@ ImportedMap imported_map(const MapRequest& request) {
     const Terrain base = base_terrain(request, map, areas, box, paths);
     const BridgePlan bridges = plan_bridges(map, areas, base, request.mark, paths, warnings);
     const Terrain terrain = with_mounds(base, box, bridges.mounds, bridges.cuttings);
-    Composition composition{map, request.mark, geometry, terrain, warnings};
+    Composition composition{map, request.mark, geometry, terrain, box, warnings};
     composition.draft.latitude_deg = 0.5 * (map.geographic.south + map.geographic.north);
     composition.draft.longitude_deg = 0.5 * (map.geographic.west + map.geographic.east);
     composition.areas = std::move(areas);

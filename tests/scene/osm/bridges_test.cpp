@@ -230,5 +230,26 @@ TEST_F(Bridges, AreReportedWhereNothingPassesBelow) {
     EXPECT_NEAR(top_at(imported.model, 0.1, 0.1, "footway/way-" + std::to_string(bridge)), 0.0, 1e-6);
 }
 
+TEST_F(Bridges, EndWhereTheGroundEnds) {
+    MapText map;
+    const auto bridge = map.way({{50, 30}, {450, 30}},
+                                {{"highway", "primary"}, {"bridge", "yes"}, {"layer", "1"}, {"width", "8"}});
+    map.way({{60, -50}, {60, 90}}, {{"highway", "residential"}});
+    map.rectangle(90, -10, 130, 10, {{"building", "yes"}, {"height", "6"}});
+    const auto steps = map.way({{0, 90}, {0, 130}}, {{"highway", "steps"}, {"step_count", "50"}});
+    const Model model = import(map.xml()).model;
+    const Bounds ground = bounds_of(model, "ground");
+    EXPECT_NEAR(ground.max.x(), 135.0, 1.01) << "5 m beyond the building that begins in the map";
+    const Bounds deck = bounds_of(model, "bridge/way-" + std::to_string(bridge));
+    EXPECT_NEAR(deck.max.x(), ground.max.x(), 0.1) << "parapets have a breadth";
+    EXPECT_GT(top_at(model, ground.max.x() - 0.5, 30, "bridge/"), 4.0);
+    EXPECT_EQ(find(model, "steps/way-" + std::to_string(steps) + "/treads"), nullptr);
+    for (const Node& node : model.nodes) {
+        const Bounds bounds = bounds_of(model, node.name);
+        EXPECT_LT(bounds.max.x(), ground.max.x() + 0.1) << node.name;
+        EXPECT_GT(bounds.min.z(), ground.min.z() - 0.1) << node.name;
+    }
+}
+
 }  // namespace
 }  // namespace campuswalk::scene::osm
