@@ -87,15 +87,24 @@ std::vector<Point> gate_opening(const MapNode& node, const PathNode& path) {
     return {node.at - half * across, node.at + half * across};
 }
 
-void add_gate(const MapNode& node, const std::vector<Point>& opening, Composition& composition) {
+std::vector<Point> gate_opening(const MapWay& gate) {
+    if (!gate.closed()) {
+        return gate.points;
+    }
+    const Point& from = gate.points.front();
+    return {from, *std::ranges::max_element(gate.points, {}, [&](const Point& p) { return norm(p - from); })};
+}
+
+void add_gate(const ElementId& id, const Tags& tags, const std::vector<Point>& opening,
+              Composition& composition) {
     constexpr double kPostHalf = 0.08;
     if (opening.size() < 2) {
         return;
     }
-    ObjectMesh& mesh = composition.model.object("gate/" + ElementId{ElementKind::node, node.id}.text());
+    ObjectMesh& mesh = composition.model.object("gate/" + id.text());
     const Point first = unit(opening[1] - opening[0]);
     const Point last = unit(opening.back() - opening[opening.size() - 2]);
-    const double ground = composition.terrain.height(node.at);
+    const double ground = composition.terrain.height(opening.front());
     for (const auto& [at, along] :
          {std::pair<Point, Point>{opening.front(), -first}, {opening.back(), last}}) {
         const Point post = at + kPostHalf * along;
@@ -103,11 +112,11 @@ void add_gate(const MapNode& node, const std::vector<Point>& opening, Compositio
         mesh.box(kGatePost, post, along, Point(kPostHalf, kPostHalf), foot - 0.2, foot + 1.4);
         composition.add_obstacle(post, kPostHalf);
     }
-    const std::string_view barrier = node.tags.get("barrier");
+    const std::string_view barrier = tags.get("barrier");
     if (barrier == "entrance") {
         return;
     }
-    if (is_closed(node.tags)) {
+    if (is_closed(tags)) {
         for (std::size_t i = 1; i < opening.size(); ++i) {
             const Point d = opening[i] - opening[i - 1];
             const double half = 0.5 * norm(d);

@@ -7,7 +7,7 @@
 
 namespace campuswalk::scene::osm {
 
-/// Whether a node is a gate or another opening in a barrier.
+/// Whether a node or a way is a gate or another opening in a barrier.
 bool is_gate(const Tags& tags);
 
 /// Whether a gate lets no walkers through.
@@ -21,7 +21,11 @@ std::vector<Point> gate_opening(const MapWay& barrier, std::size_t place, const 
 /// The same of a gate on no barrier: across the path.
 std::vector<Point> gate_opening(const MapNode& node, const PathNode& path);
 
+/// The same of a gate that is drawn as a way: its line; of one drawn around, from end to end.
+std::vector<Point> gate_opening(const MapWay& gate);
+
 /// Its posts, and its leaf: across the opening if the gate is closed to walkers, else turned aside.
-void add_gate(const MapNode& node, const std::vector<Point>& opening, Composition& composition);
+void add_gate(const ElementId& id, const Tags& tags, const std::vector<Point>& opening,
+              Composition& composition);
 
 }  // namespace campuswalk::scene::osm

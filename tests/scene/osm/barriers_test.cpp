@@ -97,5 +97,62 @@ TEST_F(Barriers, LeaveRoomToStart) {
     EXPECT_GT(std::max(std::abs(at.x()), std::abs(at.z())), 15.5) << "outside, though there is no path";
 }
 
+TEST_F(Barriers, HaveGatesThatAreWays) {
+    const std::vector<std::pair<MapText::Tags, bool>> gates = {
+        {{{"barrier", "gate"}}, true},
+        {{{"barrier", "lift_gate"}}, true},
+        {{{"barrier", "gate"}, {"locked", "yes"}}, false},
+        {{{"barrier", "gate"}, {"access", "no"}}, false}};
+    for (const bool fence_goes_on : {false, true}) {
+        for (const auto& [tags, open] : gates) {
+            MapText map;
+            const auto west = map.node(-2, 0);
+            const auto east = map.node(2, 0);
+            const auto gate = map.way_of({west, east}, tags);
+            if (fence_goes_on) {
+                map.way_of({map.node(-30, 0), west, east, map.node(30, 0)}, {{"barrier", "fence"}});
+            } else {
+                map.way_of({map.node(-30, 0), west}, {{"barrier", "fence"}});
+                map.way_of({east, map.node(30, 0)}, {{"barrier", "fence"}});
+            }
+            map.way({{0, -40}, {0, 40}}, {{"highway", "service"}});
+            const ImportedMap imported = import(map.xml());
+            EXPECT_NE(find(imported.model, "gate/way-" + std::to_string(gate)), nullptr);
+            EXPECT_NEAR(free_length(imported.model), open ? 4.0 : 0.0, 0.3)
+                << tags.back().first << (fence_goes_on ? " in a fence that goes on" : "");
+        }
+    }
+}
+
+TEST_F(Barriers, HaveRowsOfBollardsAndBlocks) {
+    for (const char* kind : {"bollard", "block"}) {
+        MapText map;
+        const auto row = map.way({{-6, 0}, {6, 0}}, {{"barrier", kind}});
+        const auto one = map.rectangle(20, 20, 20.8, 20.8, {{"barrier", kind}});
+        map.way({{-80, -80}, {80, -80}}, {{"highway", "footway"}});
+        const Model model = import(map.xml()).model;
+        const std::string name = std::string(kind) + "/way-" + std::to_string(row);
+        ASSERT_NE(find(model, name), nullptr);
+        for (int i = 0; i <= 8; ++i) {
+            EXPECT_GT(top_at(model, -6.0 + 1.5 * i, 0.01, name), 0.6) << i;
+            EXPECT_TRUE(i == 8 || std::isnan(top_at(model, -5.25 + 1.5 * i, 0.01, name))) << i;
+        }
+        EXPECT_GT(top_at(model, 20.4, 20.41, std::string(kind) + "/way-" + std::to_string(one)), 0.6);
+    }
+}
+
+TEST_F(Barriers, OfUnknownKindsAreCounted) {
+    MapText map;
+    const auto first = map.way({{-6, 0}, {6, 0}}, {{"barrier", "ditch"}});
+    map.way({{-6, 9}, {6, 9}}, {{"barrier", "ditch"}});
+    map.way({{-6, 19}, {6, 19}}, {{"barrier", "chain"}});
+    map.way({{-80, -80}, {80, -80}}, {{"highway", "footway"}});
+    const ImportedMap imported = import(map.xml());
+    const auto warning = std::ranges::find(imported.warnings, "unknown-barrier", &Diagnostic::code);
+    ASSERT_NE(warning, imported.warnings.end());
+    EXPECT_TRUE(warning->message.starts_with("2 ways (the first: way " + std::to_string(first) +
+                                             ", barrier=ditch) are barriers"));
+}
+
 }  // namespace
 }  // namespace campuswalk::scene::osm
