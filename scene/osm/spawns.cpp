@@ -6,8 +6,10 @@
 #include <string>
 #include <utility>
 
+#include "collision/geometry/trigonometry.h"
 #include "scene/osm/gates.h"
 #include "scene/osm/path_nodes.h"
+#include "scene/osm/tag_values.h"
 
 namespace campuswalk::scene::osm {
 namespace {
@@ -84,6 +86,52 @@ void add_start(Composition& composition, const FreeGround& free) {
     add_spawn(composition, "start", best.at, best.towards);
 }
 
+/// From a stop: the nearest door of a building with a name that is seen from there, or else where the view
+/// is free the farthest.
+Point view_from(const Composition& composition, const FreeGround& free, const Point& at) {
+    constexpr double kFarthest = 80.0;  // metres
+    constexpr double kBeforeDoor = 3.0;
+    constexpr int kTitled = 4;  // the least importance of places at buildings with a name
+    Point best(0, 1);
+    double nearest = kFarthest;
+    for (const DraftPlace& place : composition.draft.places) {
+        const Point door = Point(place.at.x(), -place.at.z()) - at;
+        const double distance = norm(door);
+        if (place.importance >= kTitled && distance < nearest &&
+            free.sight(at, unit(door), distance) >= distance - kBeforeDoor) {
+            nearest = distance;
+            best = unit(door);
+        }
+    }
+    if (nearest < kFarthest) {
+        return best;
+    }
+    constexpr int kDirections = 16;
+    double farthest = 0.0;
+    for (int i = 0; i < kDirections; ++i) {
+        const collision::SinCos angle = collision::sin_cos(i * (360.0 / kDirections) * kDegree);
+        const Point direction(angle.sin, angle.cos);
+        if (const double sight = free.sight(at, direction, kFarthest); sight > farthest) {
+            farthest = sight;
+            best = direction;
+        }
+    }
+    return best;
+}
+
+/// A step before or behind a gate, facing it, or a stop, with a view.
+void add_beside(Composition& composition, const FreeGround& free, const ElementId& id, bool gate,
+                const Point& of, const Point& towards) {
+    constexpr double kStep = 2.0;
+    for (const Point& at : {Point(of - kStep * towards), Point(of + kStep * towards)}) {
+        if (free.is_start(at) && composition.map.box.contains(at)) {
+            add_spawn(composition, draft_id(gate ? "gate" : "stop", id), at,
+                      gate ? Point(of - at) : view_from(composition, free, at));
+            return;
+        }
+    }
+}
+
 /// At gates a step away along the path, at stops beside them.
 void add_gates_and_stops(Composition& composition, const FreeGround& free) {
     std::map<std::int64_t, std::pair<const MapWay*, std::size_t>> on_path;  // by node
@@ -92,7 +140,6 @@ void add_gates_and_stops(Composition& composition, const FreeGround& free) {
             on_path.try_emplace(path.way->nodes[i], path.way, i);
         }
     }
-    constexpr double kStep = 2.0;
     for (const MapNode& node : composition.map.nodes) {
         const bool gate = is_gate(node.tags);
         if (!composition.map.box.grown(-1.0).contains(node.at) || (!gate && !is_stop(node.tags))) {
@@ -102,11 +149,15 @@ void add_gates_and_stops(Composition& composition, const FreeGround& free) {
         if (const auto found = on_path.find(node.id); found != on_path.end()) {
             towards = direction_at(found->second.first->points, found->second.second);
         }
-        for (const Point& at : {Point(node.at - kStep * towards), Point(node.at + kStep * towards)}) {
-            if (free.is_start(at) && composition.map.box.contains(at)) {
-                add_spawn(composition, draft_id(gate ? "gate" : "stop", {ElementKind::node, node.id}), at,
-                          node.at - at);
-                break;
+        add_beside(composition, free, {ElementKind::node, node.id}, gate, node.at, towards);
+    }
+    for (const MapWay& way : composition.map.ways) {
+        if (is_gate(way.tags) && way.points.size() > 1) {
+            const std::vector<Point> opening = gate_opening(way);
+            const Point middle = 0.5 * (opening.front() + opening.back());
+            if (composition.map.box.grown(-1.0).contains(middle)) {
+                add_beside(composition, free, {ElementKind::way, way.id}, true, middle,
+                           left_of(unit(opening.back() - opening.front())));
             }
         }
     }

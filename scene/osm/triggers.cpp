@@ -76,6 +76,27 @@ bool FreeGround::is_start(const Point& p) const {
            });
 }
 
+double FreeGround::sight(const Point& p, const Point& direction, double farthest) const {
+    constexpr double kStep = 0.25;
+    constexpr double kNear = 6.0;  // farther away one sees past poles, hedges and the like
+    const auto has = [](const Polygons& area, const Point& at) { return contains(area, at); };
+    for (int i = 1; i * kStep < farthest; ++i) {
+        const double distance = i * kStep;
+        const Point at = p + distance * direction;
+        const bool hidden =
+            !composition_.map.box.contains(at) ||
+            std::ranges::any_of(volumes_.at(at),
+                                [&](std::size_t k) { return has(composition_.volumes[k].footprint, at); }) ||
+            (distance < kNear && std::ranges::any_of(obstacles_.at(at), [&](std::size_t k) {
+                 return has(composition_.obstacles[k], at);
+             }));
+        if (hidden) {
+            return distance;
+        }
+    }
+    return farthest;
+}
+
 bool FreeGround::is_clear_of(const Polygons& area, const Point& p) const {
     return !contains(area, p) && nearest_on(area, p).distance >= kRoom;
 }

@@ -17,6 +17,9 @@ public:
     bool at(const Point& p) const;
     /// And stands on no flight of steps.
     bool is_start(const Point& p) const;
+    /// How far a visitor at `p` looks in a unit direction before a building, something near or the map's edge
+    /// is in the way, metres.
+    double sight(const Point& p, const Point& direction, double farthest) const;
 
 private:
     bool is_clear_of(const Polygons& area, const Point& p) const;

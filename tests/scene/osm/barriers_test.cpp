@@ -120,6 +120,10 @@ TEST_F(Barriers, HaveGatesThatAreWays) {
             EXPECT_NE(find(imported.model, "gate/way-" + std::to_string(gate)), nullptr);
             EXPECT_NEAR(free_length(imported.model), open ? 4.0 : 0.0, 0.3)
                 << tags.back().first << (fence_goes_on ? " in a fence that goes on" : "");
+            const auto spawn =
+                std::ranges::find(imported.draft.spawns, "gate-" + std::to_string(gate), &DraftSpawn::name);
+            ASSERT_NE(spawn, imported.draft.spawns.end());
+            EXPECT_NEAR(std::abs(spawn->at.z()), 2.0, 0.01);
         }
     }
 }
