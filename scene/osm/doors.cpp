@@ -68,6 +68,14 @@ public:
         for (std::size_t i = 0; i < composition.openings.size(); ++i) {
             openings_.add(i, box_of(composition.openings[i]));
         }
+        for (const Path& path : composition.paths) {
+            for (const std::size_t i : ends_for_visitors(path)) {
+                const bool is_new = led_to_.try_emplace(path.way->nodes[i], height_at(path, i)).second;
+                if (!is_new && !path.is_above()) {  // rather on the ground than on a bridge
+                    led_to_[path.way->nodes[i]].reset();
+                }
+            }
+        }
         for (std::size_t i = 0; i < composition.areas.size(); ++i) {
             for (const MapWay* way : composition.areas[i].outlines) {
                 for (std::size_t k = 0; walled_.contains(i) && k < way->nodes.size(); ++k) {
@@ -78,27 +86,43 @@ public:
     }
 
     void add_tagged() {
+        std::vector<const MapNode*> on_other_floors;
         for (const MapNode& node : composition_.map.nodes) {
-            if (!is_entrance(node.tags) || number_of(node.tags, "level").value_or(0.0) != 0.0) {
-                continue;  // of other floors
+            if (!is_entrance(node.tags)) {
+                continue;
             }
-            if (const auto wall = on_wall_.find(node.id); wall != on_wall_.end()) {
-                add({node.id, node.at, wall->second, &node.tags, false});
+            const auto wall = on_wall_.find(node.id);
+            const auto led_to = led_to_.find(node.id);
+            const bool is_led_to = wall != on_wall_.end() && led_to != led_to_.end();
+            if (number_of(node.tags, "level").value_or(0.0) != 0.0 && !is_led_to) {
+                if (composition_.map.box.contains(node.at)) {
+                    on_other_floors.push_back(&node);
+                }
+            } else if (wall != on_wall_.end()) {
+                add({node.id, node.at, wall->second, &node.tags, false,
+                     is_led_to ? led_to->second : std::nullopt});
             } else if (affirmed(node.tags, "entrance")) {
                 add_beside(node);
             }
+        }
+        if (!on_other_floors.empty()) {
+            const bool one = on_other_floors.size() == 1;
+            composition_.warn(
+                "entrance-on-floor",
+                std::to_string(on_other_floors.size()) + (one ? " entrance (" : " entrances (the first: ") +
+                    "node " + std::to_string(on_other_floors.front()->id) + ", level=" +
+                    std::string(on_other_floors.front()->tags.get("level")) + (one ? ") is" : ") are") +
+                    " on another floor than the ground floor, with no way that leads there; left "
+                    "out");
         }
     }
 
     void add_untagged() {
         for (const Path& path : composition_.paths) {
-            if (!path.for_walkers || path.unbuilt || path.highway == "service" || path.width > 4.5) {
-                continue;
-            }
-            for (const std::size_t i : {std::size_t{0}, path.way->nodes.size() - 1}) {
+            for (const std::size_t i : ends_for_visitors(path)) {
                 if (const auto wall = on_wall_.find(path.way->nodes[i]); wall != on_wall_.end()) {
-                    const auto height = path.is_above() ? std::optional(path.deck[i]) : std::nullopt;
-                    add({path.way->nodes[i], path.way->points[i], wall->second, nullptr, false, height});
+                    add({path.way->nodes[i], path.way->points[i], wall->second, nullptr, false,
+                         height_at(path, i)});
                 }
             }
         }
@@ -120,6 +144,19 @@ public:
     }
 
 private:
+    /// Where a path may lead to doors.
+    static std::vector<std::size_t> ends_for_visitors(const Path& path) {
+        if (!path.for_walkers || path.unbuilt || path.highway == "service" || path.width > 4.5) {
+            return {};
+        }
+        return {0, path.way->nodes.size() - 1};
+    }
+
+    /// Of a bridge; none on the ground.
+    static std::optional<double> height_at(const Path& path, std::size_t place) {
+        return path.is_above() ? std::optional(path.deck[place]) : std::nullopt;
+    }
+
     /// The middle of the ring's side that is nearest to a path and has room in front.
     std::optional<Point> wall_nearest_to(const PathSegments& segments, const Ring& ring) const {
         constexpr double kLeastDoorWall = 2.0;
@@ -241,6 +278,8 @@ private:
     BoxIndex outlines_;                                      ///< of areas with walls
     BoxIndex volumes_;                                       ///< that stand on the ground
     std::unordered_map<std::int64_t, std::size_t> on_wall_;  ///< areas by node
+    /// By node where a path ends: the height of the bridge if only one leads there.
+    std::unordered_map<std::int64_t, std::optional<double>> led_to_;
     std::set<std::int64_t> done_;
     std::set<std::size_t> with_door_;
 };

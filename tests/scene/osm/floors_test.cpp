@@ -147,5 +147,42 @@ TEST_F(ImportMap, NamesBuildingsAndPartsBelowTheGround) {
     }
 }
 
+TEST_F(ImportMap, PutsEntrancesOfFloorsWhereAWayLeadsToThem) {
+    MapText map;
+    const auto led_to = map.node(5, 0, {{"entrance", "main"}, {"level", "1"}});
+    const auto bridged = map.node(20, 5, {{"entrance", "yes"}, {"level", "2"}});
+    const auto lost = map.node(12, 0, {{"entrance", "yes"}, {"level", "3"}});
+    map.way_of({map.node(0, 0), led_to, lost, map.node(20, 0), bridged, map.node(20, 10), map.node(0, 10), 4},
+               {{"building", "yes"}, {"name", "Hall"}, {"height", "15"}});
+    map.way_of({led_to, map.node(5, -30)}, {{"highway", "footway"}});
+    map.way_of({bridged, map.node(60, 5)}, {{"highway", "footway"}, {"bridge", "yes"}, {"layer", "1"}});
+    map.way({{40, -50}, {40, 50}}, {{"highway", "residential"}});
+    const ImportedMap imported = import(map.xml());
+    const auto door = [&](std::int64_t node) { return "door/node-" + std::to_string(node); };
+    ASSERT_NE(find(imported.model, door(led_to)), nullptr);
+    EXPECT_NEAR(bounds_of(imported.model, door(led_to)).min.y(), -0.05, 0.01);
+    EXPECT_NEAR(
+        bounds_of(imported.model, door(led_to)).max.x() - bounds_of(imported.model, door(led_to)).min.x(),
+        1.8, 0.01)
+        << "it is the main one";
+    ASSERT_NE(find(imported.model, door(bridged)), nullptr);
+    EXPECT_GT(bounds_of(imported.model, door(bridged)).min.y(), 4.0) << "on the bridge";
+    EXPECT_EQ(find(imported.model, door(lost)), nullptr);
+    const auto warning = std::ranges::find(imported.warnings, "entrance-on-floor", &Diagnostic::code);
+    ASSERT_NE(warning, imported.warnings.end());
+    EXPECT_TRUE(warning->message.starts_with("1 entrance (node " + std::to_string(lost) + ", level=3) is"));
+}
+
+TEST_F(ImportMap, PutsAnEntranceToWhichOnlyABridgeLeadsOnTheBridge) {
+    MapText map;
+    const auto bridged = map.node(20, 5, {{"entrance", "main"}});
+    map.way_of({map.node(0, 0), map.node(20, 0), bridged, map.node(20, 10), map.node(0, 10), 2},
+               {{"building", "yes"}, {"name", "Hall"}, {"height", "15"}});
+    map.way_of({bridged, map.node(60, 5)}, {{"highway", "footway"}, {"bridge", "yes"}, {"layer", "1"}});
+    map.way({{40, -50}, {40, 50}}, {{"highway", "residential"}});
+    const ImportedMap imported = import(map.xml());
+    EXPECT_GT(bounds_of(imported.model, "door/node-" + std::to_string(bridged)).min.y(), 4.0);
+}
+
 }  // namespace
 }  // namespace campuswalk::scene::osm
