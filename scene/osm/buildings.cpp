@@ -86,7 +86,7 @@ void add_volume(const Volume& volume, const std::vector<const Passage*>& passage
         return;
     }
     const Look wall = wall_look(volume);
-    const Facade facade(volume, wall, mesh);
+    const Facade facade(volume, wall, terrain, mesh);
     const double eaves = volume.base + volume.eaves;
     const double bottom = volume.base + volume.bottom;
     const std::vector<Opening> openings = openings_of(volume, passages, geometry, terrain);

@@ -19,8 +19,8 @@ constexpr double kLeastWall = 2.4;  // of a wall with windows
 
 }  // namespace
 
-Facade::Facade(const Volume& volume, const Look& wall, ObjectMesh& mesh)
-    : volume_(volume), wall_(wall), mesh_(mesh), windows_(has_windows(volume)) {}
+Facade::Facade(const Volume& volume, const Look& wall, const Terrain& terrain, ObjectMesh& mesh)
+    : volume_(volume), wall_(wall), terrain_(terrain), mesh_(mesh), windows_(has_windows(volume)) {}
 
 void Facade::add(const Polygons& polygons, double bottom, double top) const {
     for (const Polygon& polygon : polygons) {
@@ -68,11 +68,19 @@ void Facade::add_windows(const Point& a, const Point& b, double length, double l
     for (int i = 0; i < count; ++i) {
         const Point left = a + (kPier + i * bay) * along;
         const Point right = a + (i + 1) * bay * along;
+        if (is_buried(left, right, low)) {
+            continue;
+        }
         mesh_.wall(wall_, done, left, low, high);
         mesh_.wall(kGlass, left, right, low, high);
         done = right;
     }
     mesh_.wall(wall_, done, b, low, high);
+}
+
+bool Facade::is_buried(const Point& a, const Point& b, double sill) const {
+    return std::ranges::any_of(terrain_.split(a, b),
+                               [&](const Point& p) { return terrain_.height(p) > sill; });
 }
 
 double Facade::first_floor() const {

@@ -1,14 +1,15 @@
 #pragma once
 
 #include "scene/osm/model_builder.h"
+#include "scene/osm/terrain.h"
 #include "scene/osm/volumes.h"
 
 namespace campuswalk::scene::osm {
 
-/// The walls of a volume, with a row of windows for each level.
+/// The walls of a volume, with a row of windows for each level; none where the ground covers them.
 class Facade {
 public:
-    Facade(const Volume& volume, const Look& wall, ObjectMesh& mesh);
+    Facade(const Volume& volume, const Look& wall, const Terrain& terrain, ObjectMesh& mesh);
 
     /// An upright strip of it around polygons, between two heights.
     void add(const Polygons& polygons, double bottom, double top) const;
@@ -18,11 +19,14 @@ private:
     void add_wall(const Point& a, const Point& b, double bottom, double top) const;
     /// Windows of equal width between piers.
     void add_windows(const Point& a, const Point& b, double length, double low, double high) const;
+    /// Whether the ground between two points of a wall is higher than a sill.
+    bool is_buried(const Point& a, const Point& b, double sill) const;
     /// Of parts above others, their own lowest level.
     double first_floor() const;
 
     const Volume& volume_;
     Look wall_;
+    const Terrain& terrain_;
     ObjectMesh& mesh_;
     bool windows_;
 };

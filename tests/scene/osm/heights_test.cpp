@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/scene/model_files.h"
+#include "tests/scene/osm/imported_map.h"
 #include "tests/support/temporary_folder.h"
 
 namespace campuswalk::scene::osm {
@@ -89,6 +90,38 @@ TEST_F(Heights, TakeTheirFormFromTheGivenName) {
     EXPECT_EQ(
         test::errors_of([&] { read_heights(folder_.path() / "link-target", mark, map, map.box); })[0].code,
         "bad-heights");
+}
+
+TEST_F(ImportMap, HasNoWindowsBelowTheGround) {
+    for (const bool uphill : {false, true}) {
+        MapText map;
+        const auto hall =
+            map.rectangle(-10, 0, 10, 10, {{"building", "university"}, {"building:levels", "3"}});
+        if (uphill) {  // the ground rises by 4 m to the south of the building
+            map.way({{0, -12}, {0, -2}}, {{"highway", "steps"}, {"step_count", "25"}, {"incline", "up"}});
+        }
+        map.way({{-60, -40}, {60, -40}}, {{"highway", "footway"}});
+        const Model model = import(map.xml()).model;
+        const std::string name = "building/way-" + std::to_string(hall);
+        std::size_t windows = 0;
+        const Node& node = *find(model, name);
+        for (const MeshIndex index : node.meshes) {
+            const Mesh& mesh = model.meshes[index_of(index)];
+            const Material& material = model.materials[index_of(mesh.material)];
+            for (const auto& [a, b, c] : mesh.triangles) {
+                const Eigen::Vector3d middle = (vertex(mesh, a) + vertex(mesh, b) + vertex(mesh, c)) / 3.0;
+                const bool window = material.base_color[2] > 1.2F * material.base_color[0];
+                if (window) {
+                    ++windows;
+                    const Eigen::Vector3d low =
+                        vertex(mesh, a).cwiseMin(vertex(mesh, b)).cwiseMin(vertex(mesh, c));
+                    EXPECT_GT(low.y() + 0.01, top_at(model, middle.x(), -middle.z(), "ground"))
+                        << middle.transpose();
+                }
+            }
+        }
+        EXPECT_GT(windows, 20U);
+    }
 }
 
 }  // namespace
