@@ -28,9 +28,11 @@ struct Grid {
 
     /// NaN outside, or where one of the four points around is unknown.
     double at(double latitude, double longitude) const {
-        const double x = (longitude - west) / step;
-        const double y = static_cast<double>(rows - 1) - (latitude - south) / step;
         constexpr double kSlack = 1e-6;
+        const double first = west - kSlack * step;
+        const double turn = longitude < first ? 360.0 : longitude >= first + 360.0 ? -360.0 : 0.0;
+        const double x = (longitude + turn - west) / step;
+        const double y = static_cast<double>(rows - 1) - (latitude - south) / step;
         if (!(x >= -kSlack && y >= -kSlack && x <= static_cast<double>(columns - 1) + kSlack &&
               y <= static_cast<double>(rows - 1) + kSlack)) {
             return kNone;

@@ -164,7 +164,8 @@ ImportedMap imported_map(const MapRequest& request) {
     const Terrain terrain = with_mounds(base, box, bridges.mounds, bridges.cuttings);
     Composition composition{map, request.mark, geometry, terrain, box, warnings};
     composition.draft.latitude_deg = 0.5 * (map.geographic.south + map.geographic.north);
-    composition.draft.longitude_deg = 0.5 * (map.geographic.west + map.geographic.east);
+    const double longitude = 0.5 * (map.geographic.west + map.geographic.east);
+    composition.draft.longitude_deg = longitude > 180.0 ? longitude - 360.0 : longitude;
     composition.areas = std::move(areas);
     composition.paths = std::move(paths);
     composition.volumes = volumes_of(composition.areas, geometry, terrain, request.mark, warnings);

@@ -100,13 +100,32 @@ struct Box {
 /// The smallest box of some points; at least one.
 Box box_of(const std::vector<Point>& points);
 
-/// Degrees, WGS 84.
+/// Degrees, WGS 84. Across the antimeridian `east` is above 180.
 struct GeographicBox {
     double south = 0.0;
     double west = 0.0;
     double north = 0.0;
     double east = 0.0;
+
+    bool contains(double latitude, double longitude) const {
+        const double on_turn = longitude_near(longitude);
+        return latitude >= south && latitude <= north && on_turn >= west && on_turn <= east;
+    }
+    /// The same meridian, within half a turn of the box's middle.
+    double longitude_near(double longitude) const {
+        const double middle = 0.5 * (west + east);
+        return longitude < middle - 180.0   ? longitude + 360.0
+               : longitude > middle + 180.0 ? longitude - 360.0
+                                            : longitude;
+    }
 };
+
+/// The shorter way around the Earth between two meridians: what is more than half a turn wide crosses the
+/// antimeridian.
+inline GeographicBox shorter_way(const GeographicBox& box) {
+    return box.east - box.west > 180.0 ? GeographicBox{box.south, box.east, box.north, box.west + 360.0}
+                                       : box;
+}
 
 struct Map {
     GeographicBox geographic;

@@ -22,8 +22,8 @@ osmium::io::File file_of(const std::filesystem::path& file, const SourceMark& ma
 
 std::optional<GeographicBox> bounds_of(const osmium::io::Header& header) {
     const osmium::Box box = header.joined_boxes();
-    return box.valid() ? std::optional(GeographicBox{box.bottom_left().lat(), box.bottom_left().lon(),
-                                                     box.top_right().lat(), box.top_right().lon()})
+    return box.valid() ? std::optional(shorter_way({box.bottom_left().lat(), box.bottom_left().lon(),
+                                                    box.top_right().lat(), box.top_right().lon()}))
                        : std::nullopt;
 }
 

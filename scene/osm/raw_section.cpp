@@ -24,8 +24,7 @@ private:
 };
 
 bool is_in(const osmium::Location& at, const GeographicBox& box) {
-    return at.valid() && at.lat() >= box.south && at.lat() <= box.north && at.lon() >= box.west &&
-           at.lon() <= box.east;
+    return at.valid() && box.contains(at.lat(), at.lon());
 }
 
 GeographicBox grown(const GeographicBox& box, double degrees) {
@@ -88,13 +87,13 @@ private:
     static constexpr double kAround = 0.15;
 
     bool overlaps_box(const osmium::Way& way) const {
-        GeographicBox extent{90.0, 180.0, -90.0, -180.0};
+        GeographicBox extent{90.0, 540.0, -90.0, -540.0};
         for (const osmium::NodeRef& node : way.nodes()) {
             const auto found = std::ranges::lower_bound(nodes_, node.ref(), {}, &NodeLocation::id);
             if (found != nodes_.end() && found->id == node.ref()) {
-                extent = {
-                    std::min(extent.south, found->latitude()), std::min(extent.west, found->longitude()),
-                    std::max(extent.north, found->latitude()), std::max(extent.east, found->longitude())};
+                const double longitude = box_.longitude_near(found->longitude());
+                extent = {std::min(extent.south, found->latitude()), std::min(extent.west, longitude),
+                          std::max(extent.north, found->latitude()), std::max(extent.east, longitude)};
             }
         }
         return extent.south <= box_.north && extent.north >= box_.south && extent.west <= box_.east &&

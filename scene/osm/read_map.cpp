@@ -22,16 +22,23 @@ GeographicBox square_about(double latitude, double longitude, double radius) {
     const Projection here(latitude, longitude);
     const double metres_east = here.project(latitude, longitude + 0.001).x() / 0.001;
     const double east = metres_east > 1.0 ? radius / metres_east : 0.0;
-    return {latitude - north, longitude - east, latitude + north, longitude + east};
+    const double turn = longitude - east < -180.0 ? 360.0 : 0.0;
+    return {latitude - north, longitude - east + turn, latitude + north, longitude + east + turn};
 }
 
+/// Around all nodes. If that is more than half of the Earth, they lie on both sides of the antimeridian.
 GeographicBox box_of_all(const RawMap& raw) {
-    GeographicBox box{90.0, 180.0, -90.0, -180.0};
-    for (const NodeLocation& at : raw.locations) {
-        box = {std::min(box.south, at.latitude()), std::min(box.west, at.longitude()),
-               std::max(box.north, at.latitude()), std::max(box.east, at.longitude())};
-    }
-    return box;
+    const auto box_from = [&](double first_meridian) {
+        GeographicBox box{90.0, 540.0, -90.0, -540.0};
+        for (const NodeLocation& at : raw.locations) {
+            const double longitude = at.longitude() + (at.longitude() < first_meridian ? 360.0 : 0.0);
+            box = {std::min(box.south, at.latitude()), std::min(box.west, longitude),
+                   std::max(box.north, at.latitude()), std::max(box.east, longitude)};
+        }
+        return box;
+    };
+    const GeographicBox box = box_from(-180.0);
+    return box.east - box.west > 180.0 ? box_from(0.0) : box;
 }
 
 /// The box, and all that is within the margin around it.

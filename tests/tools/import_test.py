@@ -96,6 +96,26 @@ class ImportTest(ProgramCase):
             self.assertEqual(self.import_map(*bad, folder="none").code, 2, bad)
             self.assertFalse(os.path.exists(self.path("none/campus.glb")), bad)
 
+    def test_takes_maps_across_the_antimeridian(self):
+        def turned(match):
+            longitude = float(match[2]) + 180.0
+            return '%s="%.9f"' % (match[1], longitude - 360.0 if longitude > 180.0 else longitude)
+        text = re.sub(r'\b(lon|minlon|maxlon)="([^"]*)"', turned, map_xml())
+        self.write("a.osm", text)
+        self.write("b.osm.pbf", map_pbf.pbf_of(text))
+        rows = "\n".join(" ".join("%.2f" % (0.5 * x) for x in range(41)) for _ in range(41))
+        self.write("a.asc", "ncols 41\nnrows 41\nxllcenter 179.996\nyllcenter -0.004\ncellsize 0.0002\n" + rows)
+        whole = ("--bbox", "-0.0008,179.9992,0.0008,-179.9992")
+        for folder, name, arguments in (("xml", "a.osm", ()), ("pbf", "b.osm.pbf", ()), ("box", "a.osm", whole),
+                                        ("square", "b.osm.pbf", ("--center", "0,-180", "--radius", "88")),
+                                        ("high", "a.osm", ("--heights", self.path("a.asc")))):
+            outcome = self.import_map(*arguments, name=name, folder=folder)
+            self.assertEqual(outcome.code, 0, outcome.err)
+            self.assertIn("1 building with a name", outcome.out, folder)
+            self.assertIn("1 visit, played", outcome.out, folder)
+        self.assertEqual(self.read("xml/campus.glb"), self.read("pbf/campus.glb"))
+        self.assertEqual(self.read("xml/campus.glb"), self.read("box/campus.glb"))
+
     def test_lays_the_ground_on_heights(self):
         self.write("a.osm", map_xml())
         rows = "\n".join(" ".join("%.2f" % (0.5 * x) for x in range(41)) for _ in range(41))

@@ -5,6 +5,14 @@
 #include <numbers>
 
 namespace campuswalk::scene::test {
+namespace {
+
+/// From -180 to 180, as the database has them.
+double meridian(double longitude) {
+    return longitude > 180.0 ? longitude - 360.0 : longitude < -180.0 ? longitude + 360.0 : longitude;
+}
+
+}  // namespace
 
 MapText::MapText(double half_size, double latitude, double longitude)
     : half_size_(half_size), latitude_(latitude), longitude_(longitude) {
@@ -29,7 +37,7 @@ std::string MapText::tags_xml(const Tags& tags) const {
 std::int64_t MapText::node(double east, double north, const Tags& tags) {
     char at[128];
     std::snprintf(at, sizeof at, "lat=\"%.9f\" lon=\"%.9f\"", latitude_ + north * degrees_north_,
-                  longitude_ + east * degrees_east_);
+                  meridian(longitude_ + east * degrees_east_));
     nodes_ += " <node id=\"" + std::to_string(++last_) + "\" " + at + ">\n" + tags_xml(tags) + " </node>\n";
     return last_;
 }
@@ -78,8 +86,8 @@ std::string MapText::xml() const {
     char bounds[200];
     std::snprintf(bounds, sizeof bounds,
                   " <bounds minlat=\"%.9f\" minlon=\"%.9f\" maxlat=\"%.9f\" maxlon=\"%.9f\"/>\n",
-                  latitude_ - half_size_ * degrees_north_, longitude_ - half_size_ * degrees_east_,
-                  latitude_ + half_size_ * degrees_north_, longitude_ + half_size_ * degrees_east_);
+                  latitude_ - half_size_ * degrees_north_, meridian(longitude_ - half_size_ * degrees_east_),
+                  latitude_ + half_size_ * degrees_north_, meridian(longitude_ + half_size_ * degrees_east_));
     return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<osm version=\"0.6\">\n" + std::string(bounds) +
            nodes_ + ways_ + relations_ + "</osm>\n";
 }

@@ -116,6 +116,44 @@ TEST_F(ReadMap, TakesTheFormatFromTheGivenName) {
     EXPECT_EQ(errors[0].code, "bad-map");
 }
 
+/// A map of Taveuni, which the antimeridian divides.
+MapText across_the_antimeridian() {
+    MapText map(100.0, -16.8, 180.0);
+    map.way({{-80, 0}, {80, 0}}, {{"highway", "footway"}});
+    map.rectangle(-20, 10, 30, 30, {{"building", "yes"}, {"name", "Meridian Hall"}});
+    map.node(50, -10, {{"natural", "tree"}});
+    return map;
+}
+
+TEST_F(ReadMap, TakesMapsAcrossTheAntimeridian) {
+    const std::string xml = across_the_antimeridian().xml();
+    const auto bounds = xml.find(" <bounds");
+    std::string unbounded = xml;
+    unbounded.erase(bounds, xml.find('\n', bounds) - bounds);
+    MapSection box;
+    box.box = GeographicBox{-16.801, 179.999, -16.799, 180.001};
+    MapSection square;
+    square.center = {-16.8, -180.0};
+    square.radius = 100.0;
+    for (const auto& [text, section] :
+         {std::pair{xml, MapSection()}, {unbounded, MapSection()}, {xml, box}, {xml, square}}) {
+        const Map map = read(text, section);
+        EXPECT_LT(map.box.size().x(), 215.0);
+        ASSERT_EQ(map.ways.size(), 2U);
+        EXPECT_NEAR(map.ways[0].points[1].x() - map.ways[0].points[0].x(), 160.0, 0.1);
+        EXPECT_EQ(map.nodes.size(), 1U);
+    }
+    EXPECT_TRUE(warnings_.all().empty());
+}
+
+TEST_F(ImportMap, IsTheSameAcrossTheAntimeridianAsElsewhere) {
+    const ImportedMap across = import(across_the_antimeridian().xml());
+    EXPECT_NEAR(std::abs(across.draft.longitude_deg), 180.0, 1e-6);
+    EXPECT_NEAR(plan_area(across.model, across.model.nodes[0]), 200.0 * 200.0, 500.0);
+    ASSERT_EQ(across.draft.buildings.size(), 1U);
+    EXPECT_FALSE(across.draft.places.empty());
+}
+
 TEST_F(ReadMap, RefusesALargeMapBeforeItIsRead) {
     std::string xml =
         "<osm version=\"0.6\"><bounds minlat=\"47\" minlon=\"10\" maxlat=\"48\" maxlon=\"11\"/>";

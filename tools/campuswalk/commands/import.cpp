@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -72,9 +73,10 @@ scene::osm::MapSection section_of(const ImportOptions& options) {
     scene::osm::MapSection section;
     if (options.box) {
         const std::vector<double> edges = numbers_in(*options.box, 4, "--bbox");
-        section.box = scene::osm::GeographicBox{edges[0], edges[1], edges[2], edges[3]};
-        if (!(edges[0] < edges[2] && edges[1] < edges[3] && edges[0] >= -89.0 && edges[2] <= 89.0 &&
-              edges[1] >= -180.0 && edges[3] <= 180.0)) {
+        const double turn = edges[1] > edges[3] ? 360.0 : 0.0;  // across the antimeridian
+        section.box = scene::osm::GeographicBox{edges[0], edges[1], edges[2], edges[3] + turn};
+        if (!(edges[0] < edges[2] && edges[1] != edges[3] && edges[0] >= -89.0 && edges[2] <= 89.0 &&
+              std::abs(edges[1]) <= 180.0 && std::abs(edges[3]) <= 180.0)) {
             throw error_about("--bbox", "bad-value",
                               "'" + *options.box + "' is no box; write SOUTH,WEST,NORTH,EAST in degrees");
         }
@@ -85,7 +87,7 @@ scene::osm::MapSection section_of(const ImportOptions& options) {
     }
     if (options.center) {
         const std::vector<double> at = numbers_in(*options.center, 2, "--center");
-        if (!(at[0] >= -88.0 && at[0] <= 88.0 && at[1] >= -179.0 && at[1] <= 179.0)) {
+        if (!(at[0] >= -88.0 && at[0] <= 88.0 && at[1] >= -180.0 && at[1] <= 180.0)) {
             throw error_about("--center", "bad-value",
                               "'" + *options.center + "' is no place; write LATITUDE,LONGITUDE in degrees");
         }
