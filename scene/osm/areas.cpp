@@ -166,6 +166,7 @@ std::vector<MapArea> areas_of(const Map& map, const PlanGeometry& geometry, cons
         if (ways.empty() || (!stands_for_area(tags) && !affirmed(tags, "highway"))) {
             continue;
         }
+        geometry.charge_to(ElementId{ElementKind::relation, relation.id}.text());
         MapArea area{{ElementKind::relation, relation.id}, tags, area_of_members(members, geometry), ways};
         if (area.polygons.empty()) {
             warnings.warning(mark, "open-ring",
@@ -193,6 +194,7 @@ std::vector<MapArea> areas_of(const Map& map, const PlanGeometry& geometry, cons
             }
             continue;
         }
+        geometry.charge_to(id.text());
         MapArea area{id, tags, geometry.polygon(ring_of(way)), {&way}};
         if (area.polygons.empty()) {
             warnings.warning(

@@ -206,6 +206,7 @@ private:
 
     void add_line(const MapWay& way, const LineKind& kind) {
         const PlanGeometry& geometry = composition_.geometry;
+        geometry.charge_to(ElementId{ElementKind::way, way.id}.text());
         const double height = std::clamp(length_of(way.tags, "height").value_or(kind.height), 0.1, 30.0);
         const double thickness =
             std::clamp(length_of(way.tags, "width").value_or(kind.thickness), 0.04, 10.0);

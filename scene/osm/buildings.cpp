@@ -80,6 +80,7 @@ Polygons open_area(const std::vector<Opening>& openings, double low, double high
 
 void add_volume(const Volume& volume, const std::vector<const Passage*>& passages,
                 const PlanGeometry& geometry, const Terrain& terrain, ModelBuilder& model) {
+    geometry.charge_to(volume.node);
     ObjectMesh& mesh = model.object(volume.node);
     if (volume.open) {
         add_open_roof(volume, geometry, terrain, mesh);

@@ -127,6 +127,7 @@ DeckPart rest_of_outline(const MapArea& outline, const Bridge& bridge, const Pol
 
 Deck deck_of(const Bridge& bridge, Composition& composition) {
     const PlanGeometry& geometry = composition.geometry;
+    geometry.charge_to(ElementId{ElementKind::way, composition.paths[bridge.paths.front()].way->id}.text());
     std::vector<DeckPart> parts;
     for (const std::size_t number : bridge.paths) {
         const Path& path = composition.paths[number];

@@ -40,6 +40,7 @@ public:
                 break;
             }
             const Surface& surface = surfaces_[i];
+            geometry_.charge_to(surface.name);
             if (!geometry_.intersects(surface.area, rest)) {
                 continue;  // far cheaper than an overlay
             }
@@ -60,6 +61,7 @@ public:
             }
             pieces.push_back({&surface, std::move(piece)});
         }
+        geometry_.charge_to("ground");
         emit(rest, kEarth, {}, model_.object("ground"));
         add_faces(pieces, tile, terrain_, model_);
     }
@@ -104,6 +106,7 @@ private:
         std::vector<std::size_t> found;
         for (const std::size_t i : candidates) {
             const Box extent = box_of(surfaces_[i].area);
+            geometry_.charge_to(surfaces_[i].name);
             const bool small = extent.size().maxCoeff() < block.edge;
             if (extent.overlaps(box) && (small || geometry_.intersects(surfaces_[i].area, square))) {
                 found.push_back(i);

@@ -152,9 +152,34 @@ std::vector<std::string> layers_of(const CampusDraft& draft) {
     return {layers.begin(), layers.end()};
 }
 
-ImportedMap imported_map(const MapRequest& request) {
-    DiagnosticList warnings;
-    const Map map = read_map(request.file, request.mark, request.section, warnings);
+/// The middle of the map with half its edges, as an example for messages.
+std::string smaller_part(const Map& map) {
+    const GeographicBox& box = map.geographic;
+    const double longitude = 0.5 * (box.west + box.east);
+    return "--center " + std::to_string(0.5 * (box.south + box.north)) + "," +
+           std::to_string(longitude > 180.0 ? longitude - 360.0 : longitude) + " --radius " +
+           std::to_string(static_cast<int>(std::ceil(0.25 * map.box.size().maxCoeff())));
+}
+
+void build(const BridgePlan& bridges, Composition& composition) {
+    add_bridges(bridges, composition);
+    const std::vector<Surface> surfaces = surfaces_of(composition.map, composition.paths, composition.areas,
+                                                      composition.geometry, composition.terrain);
+    add_ground(surfaces, composition.ground, composition.geometry, composition.terrain, composition.model);
+    for (const Surface& surface : surfaces) {
+        if (surface.water) {
+            composition.obstacles.push_back(surface.area);
+        }
+    }
+    composition.draft.solids.push_back({"ground", ground_globs(surfaces), "", "ground", false});
+    add_steps(composition);
+    add_buildings(composition);
+    add_barriers(composition);
+    add_furniture(composition);
+    add_meaning(composition);
+}
+
+ImportedMap imported_map(const MapRequest& request, const Map& map, DiagnosticList& warnings) {
     const PlanGeometry geometry(OverlayBudget::for_map(map.nodes_read));
     std::vector<MapArea> areas = areas_of(map, geometry, request.mark, warnings);
     const Box box = ground_box(map, areas);
@@ -169,21 +194,17 @@ ImportedMap imported_map(const MapRequest& request) {
     composition.areas = std::move(areas);
     composition.paths = std::move(paths);
     composition.volumes = volumes_of(composition.areas, geometry, terrain, request.mark, warnings);
-    add_bridges(bridges, composition);
-    const std::vector<Surface> surfaces =
-        surfaces_of(map, composition.paths, composition.areas, geometry, terrain);
-    add_ground(surfaces, box, geometry, terrain, composition.model);
-    for (const Surface& surface : surfaces) {
-        if (surface.water) {
-            composition.obstacles.push_back(surface.area);
-        }
+    try {
+        build(bridges, composition);
+    } catch (const TooManyTriangles&) {
+        const auto [object, triangles] = composition.model.largest();
+        throw InputError(request.mark, "bad-size",
+                         "it makes more than " + std::to_string(kMaxMapTriangles / 1'000'000) +
+                             " million triangles, of which " + object + " has " + std::to_string(triangles) +
+                             "; correct a height, level or width of it that can't be, leave it out of the "
+                             "file, or choose a part of the map, such as " +
+                             smaller_part(map));
     }
-    composition.draft.solids.push_back({"ground", ground_globs(surfaces), "", "ground", false});
-    add_steps(composition);
-    add_buildings(composition);
-    add_barriers(composition);
-    add_furniture(composition);
-    add_meaning(composition);
     if (geometry.failures() > 0) {
         composition.warn("lost-geometry", std::to_string(geometry.failures()) +
                                               " pieces of the map couldn't be cut or triangulated");
@@ -198,20 +219,28 @@ ImportedMap imported_map(const MapRequest& request) {
     return imported;
 }
 
+/// Says which element costs most of what a map may.
+std::string cost_message(const OverlaysTooCostly& cost, const Map& map) {
+    constexpr std::uint64_t kSecond = 1'000'000;
+    const std::string name = cost.costliest.empty() ? "something" : cost.costliest;
+    const std::string why = cost.one_operation ? "too many lines cross in " + name
+                                               : "it may cost " + std::to_string(cost.allowed / kSecond) +
+                                                     " s, and " + name + " alone costs " +
+                                                     std::to_string(cost.its_cost / kSecond) + " s of them";
+    return "its paths and areas overlap more than can be worked out: " + why +
+           "; leave that out of the file or split it, or choose a part of the map without it, such as " +
+           smaller_part(map);
+}
+
 }  // namespace
 
 ImportedMap import_map(const MapRequest& request) {
+    DiagnosticList warnings;
+    const Map map = read_map(request.file, request.mark, request.section, warnings);
     try {
-        return imported_map(request);
-    } catch (const TooManyTriangles&) {
-        throw InputError(request.mark, "bad-size",
-                         "it makes more than " + std::to_string(kMaxMapTriangles / 1'000'000) +
-                             " million triangles; choose a part of the map with --bbox or --center, and look "
-                             "for heights and levels that can't be");
-    } catch (const OverlaysTooCostly&) {
-        throw InputError(request.mark, "bad-size",
-                         "its paths and areas overlap more than can be worked out; choose a part of the map "
-                         "with --bbox or --center");
+        return imported_map(request, map, warnings);
+    } catch (const OverlaysTooCostly& cost) {
+        throw InputError(request.mark, "bad-size", cost_message(cost, map));
     }
 }
 

@@ -255,6 +255,20 @@ MaterialIndex ModelBuilder::material(const Look& look, Model& model) {
     return known->second;
 }
 
+std::pair<std::string, std::size_t> ModelBuilder::largest() const {
+    std::pair<std::string, std::size_t> most;
+    for (const auto& [name, mesh] : objects_) {
+        std::size_t triangles = 0;
+        for (const auto& part : mesh.parts_) {
+            triangles += part.second.size();
+        }
+        if (triangles > most.second) {
+            most = {name, triangles};
+        }
+    }
+    return most;
+}
+
 Model ModelBuilder::finish() {
     Model model;
     for (auto& [name, object] : objects_) {

@@ -5,6 +5,7 @@
 #include <exception>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scene/model/model.h"
@@ -76,6 +77,8 @@ public:
 
     /// The mesh of that name, which is added if it is new. References stay valid.
     ObjectMesh& object(const std::string& name);
+    /// The object with the most triangles and how many these are; empty for none.
+    std::pair<std::string, std::size_t> largest() const;
     /// The model; meshes are in the order in which objects were added. Objects without triangles are left
     /// out.
     Model finish();

@@ -113,7 +113,7 @@ void append_segments(const Polygons& polygons, std::vector<Segment>& segments) {
 std::size_t OverlayBudget::spend(const std::vector<Segment>& segments) {
     const SegmentPairs found = pairs_of(segments);
     if (found.pairs > kMostCrossings || found.tests > kMostTests) {
-        throw OverlaysTooCostly();
+        throw OverlaysTooCostly(charged_, costs_[charged_], allowed_, true);
     }
     take(kOperation + kCoordinate * segments.size() + kCrossing * found.pairs +
          found.tests / kTestsPerMicrosecond);
@@ -147,8 +147,11 @@ void OverlayBudget::spend_on_triangles(std::size_t vertices) {
 }
 
 void OverlayBudget::take(std::uint64_t cost) {
+    costs_[charged_] += cost;
     if (cost > left_) {
-        throw OverlaysTooCostly();
+        const auto most =
+            std::ranges::max_element(costs_, {}, [](const auto& of_one) { return of_one.second; });
+        throw OverlaysTooCostly(most->first, most->second, allowed_, false);
     }
     left_ -= cost;
 }

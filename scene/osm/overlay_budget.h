@@ -3,14 +3,25 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <map>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "scene/osm/plan.h"
 
 namespace campuswalk::scene::osm {
 
-/// Thrown when a map's overlays cost more than they may.
-class OverlaysTooCostly : public std::exception {};
+/// Thrown when a map's overlays cost more than they may, in microseconds of a usual machine.
+struct OverlaysTooCostly : std::exception {
+    std::string costliest;       ///< what most was charged to, such as "footway/way-12"; may be empty
+    std::uint64_t its_cost = 0;  ///< what that has cost so far
+    std::uint64_t allowed = 0;   ///< for the whole map
+    bool one_operation = false;  ///< the next operation for it is too much by itself
+
+    OverlaysTooCostly(std::string name, std::uint64_t cost, std::uint64_t limit, bool in_one)
+        : costliest(std::move(name)), its_cost(cost), allowed(limit), one_operation(in_one) {}
+};
 
 struct Segment {
     Point from = Point::Zero();
@@ -26,7 +37,10 @@ void append_segments(const std::vector<Point>& line, std::vector<Segment>& segme
 /// timed, so that a map is refused on every machine or on none.
 class OverlayBudget {
 public:
-    explicit OverlayBudget(std::uint64_t allowed = kAnyMap) : left_(allowed) {}
+    explicit OverlayBudget(std::uint64_t allowed = kAnyMap) : allowed_(allowed), left_(allowed) {}
+
+    /// From now on costs are those of this element of the map, or node of the model.
+    void charge_to(const std::string& name) { charged_ = name; }
 
     /// Twenty seconds, and a millisecond for each node: a campus is reckoned to need a tenth of that, a city
     /// a quarter.
@@ -50,7 +64,10 @@ private:
 
     void take(std::uint64_t cost);
 
+    std::uint64_t allowed_;
     std::uint64_t left_;
+    std::string charged_;
+    std::map<std::string, std::uint64_t> costs_;
 };
 
 }  // namespace campuswalk::scene::osm

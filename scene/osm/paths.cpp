@@ -162,6 +162,7 @@ std::vector<Path> paths_of(const Map& map, const std::vector<MapArea>& areas, co
         path.from_entrance =
             path.steps && entrances.contains(way.nodes.front()) && !entrances.contains(way.nodes.back());
         if (!path.unbuilt) {
+            geometry.charge_to(ElementId{ElementKind::way, way.id}.text());
             path.area = path.steps ? geometry.polygon(outline_of_steps(path))
                                    : geometry.buffer(way.points, 0.5 * path.width, Caps::round);
         }
@@ -186,6 +187,7 @@ std::vector<Passage> passages_of(const std::vector<Path>& paths, const PlanGeome
         passage.way = path.way;
         passage.tagged = affirmed(tags, "tunnel") || affirmed(tags, "covered") || affirmed(tags, "indoor");
         passage.for_walkers = path.for_walkers;
+        geometry.charge_to(ElementId{ElementKind::way, path.way->id}.text());
         passage.area = geometry.buffer(path.way->points, 0.5 * width, Caps::square);
         passage.height = std::clamp(height, 2.2, 8.0);
         if (path.is_above()) {

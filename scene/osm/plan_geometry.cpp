@@ -265,6 +265,10 @@ void PlanGeometry::add_triangles(const Polygon& polygon, int depth, Triangulatio
     }
 }
 
+void PlanGeometry::charge_to(const std::string& name) const {
+    geos_->budget().charge_to(name);
+}
+
 std::size_t PlanGeometry::failures() const {
     return geos_->failures();
 }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "scene/osm/overlay_budget.h"
@@ -51,6 +52,9 @@ public:
     Polygons symmetric_difference(const Polygons& a, const Polygons& b) const;
     Polygons united(const std::vector<const Polygons*>& all) const;
     Triangulation triangulated(const Polygon& polygon) const;
+    /// From now on overlays are charged to this element of the map, or node of the model: what is named when
+    /// they cost too much.
+    void charge_to(const std::string& name) const;
     /// How often GEOS failed: something is missing, or there twice.
     std::size_t failures() const;
     /// The least rectangle around a ring, counter-clockwise, its first edge the longer; empty if there is

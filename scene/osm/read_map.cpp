@@ -121,7 +121,9 @@ void set_boxes(const GeographicBox& geographic, const Projection& projection, co
         };
         throw InputError(mark, "bad-size",
                          "this is " + kilometres(size.x()) + " km by " + kilometres(size.y()) +
-                             " km, and the limit is 20 km; choose a smaller part with --bbox or --center");
+                             " km, and the limit is 20 km; choose a part of it, such as --center " +
+                             std::to_string(0.5 * (geographic.south + geographic.north)) + "," +
+                             std::to_string(0.5 * (geographic.west + geographic.east)) + " --radius 1000");
     }
 }
 

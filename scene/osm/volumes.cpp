@@ -188,6 +188,7 @@ std::vector<Volume> volumes_of(const std::vector<MapArea>& areas, const PlanGeom
             continue;
         }
         double best = 0.0;
+        geometry.charge_to(areas[i].id.text());
         for (const std::size_t outline : outlines.near(box_of(areas[i].polygons))) {
             const double shared = area_of(geometry.intersection(areas[i].polygons, areas[outline].polygons));
             if (shared > best + 1e-6) {
@@ -230,12 +231,14 @@ std::vector<Volume> volumes_of(const std::vector<MapArea>& areas, const PlanGeom
                     covered.push_back(&areas[p].polygons);
                 }
             }
+            geometry.charge_to(volume.node);
             volume.footprint = geometry.difference(volume.footprint, geometry.united(covered));
             if (area_of(volume.footprint) < kSliver * area_of(area.polygons)) {
                 continue;
             }
         }
         volume.base = terrain.lowest(areas[owner[i]].polygons);
+        geometry.charge_to(volume.node);
         set_roof(geometry, mark, volume, warnings);
         set_heights(geometry, volume);
         for (const char* key : {"building:levels", "building:min_level"}) {

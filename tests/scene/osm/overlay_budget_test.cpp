@@ -106,11 +106,15 @@ TEST(OverlayBudget, AllowsTowersOfEqualStoreys) {
 
 class HostileMap : public ImportMap {
 protected:
-    void expect_too_costly(const MapText& map) {
+    void expect_too_costly(const MapText& map, const std::string& costly) {
         const auto errors = test::errors_of([&] { import(map.xml()); });
         ASSERT_EQ(errors.size(), 1U);
         EXPECT_EQ(errors[0].code, "bad-size");
         EXPECT_NE(errors[0].message.find("overlap more than can be worked out"), std::string::npos);
+        EXPECT_NE(errors[0].message.find(costly + "; leave that out"), std::string::npos)
+            << errors[0].message;
+        EXPECT_NE(errors[0].message.find("such as --center 48.000000,11.000000 --radius "),
+                  std::string::npos);
     }
 };
 
@@ -123,8 +127,8 @@ TEST_F(HostileMap, OfLinesThatCrossIsRefused) {
         members.emplace_back(map.way({{-80, at}, {80, at}}), "outer");
         members.emplace_back(map.way({{at, -80}, {at, 80}}), "outer");
     }
-    map.relation(members, {{"type", "multipolygon"}, {"landuse", "grass"}});
-    expect_too_costly(map);
+    const auto id = map.relation(members, {{"type", "multipolygon"}, {"landuse", "grass"}});
+    expect_too_costly(map, "relation-" + std::to_string(id));
 }
 
 TEST_F(HostileMap, OfEqualRingsIsRefused) {
@@ -140,8 +144,8 @@ TEST_F(HostileMap, OfEqualRingsIsRefused) {
     for (int i = 0; i < 400; ++i) {
         members.emplace_back(map.way_of(ring), "outer");
     }
-    map.relation(members, {{"type", "multipolygon"}, {"landuse", "grass"}});
-    expect_too_costly(map);
+    const auto id = map.relation(members, {{"type", "multipolygon"}, {"landuse", "grass"}});
+    expect_too_costly(map, "relation-" + std::to_string(id));
 }
 
 TEST_F(HostileMap, OfAWayAcrossItselfIsRefused) {
@@ -150,8 +154,26 @@ TEST_F(HostileMap, OfAWayAcrossItselfIsRefused) {
     for (const Point& p : star(2000)) {
         line.emplace_back(p.x(), p.y());
     }
-    map.way(line, {{"highway", "footway"}});
-    expect_too_costly(map);
+    const auto id = map.way(line, {{"highway", "footway"}});
+    expect_too_costly(map, "way-" + std::to_string(id));
+}
+
+TEST(OverlayBudget, NamesWhatCostsMost) {
+    OverlayBudget budget(1'000'000);
+    budget.charge_to("cheap");
+    budget.spend(100);
+    budget.charge_to("dear");
+    budget.spend(200'000);
+    budget.charge_to("last");
+    try {
+        budget.spend(200'000);
+        FAIL();
+    } catch (const OverlaysTooCostly& cost) {
+        EXPECT_EQ(cost.costliest, "dear");
+        EXPECT_EQ(cost.its_cost, 600'050U);
+        EXPECT_EQ(cost.allowed, 1'000'000U);
+        EXPECT_FALSE(cost.one_operation);
+    }
 }
 
 }  // namespace

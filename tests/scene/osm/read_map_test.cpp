@@ -168,11 +168,16 @@ TEST_F(ReadMap, RefusesALargeMapBeforeItIsRead) {
 /// A building of 17 km with 200 levels of windows would take gigabytes.
 TEST_F(ImportMap, LimitsTheTrianglesOfAMap) {
     MapText map(9000.0);
-    map.rectangle(-8500, -8500, 8500, 8500, {{"building", "yes"}, {"building:levels", "200"}});
+    const auto hall =
+        map.rectangle(-8500, -8500, 8500, 8500, {{"building", "yes"}, {"building:levels", "200"}});
     const auto errors = test::errors_of([&] { import(map.xml()); });
     ASSERT_EQ(errors.size(), 1U);
     EXPECT_EQ(errors[0].code, "bad-size");
-    EXPECT_NE(errors[0].message.find("10 million triangles"), std::string::npos);
+    EXPECT_NE(errors[0].message.find("10 million triangles, of which building/way-" + std::to_string(hall) +
+                                     " has "),
+              std::string::npos)
+        << errors[0].message;
+    EXPECT_NE(errors[0].message.find("such as --center 48.000000,11.000000 --radius 450"), std::string::npos);
 }
 
 }  // namespace
