@@ -98,14 +98,15 @@ public:
     /// through one at the ground, from outside to outside, is a passage, and what is tagged as one.
     bool has(const MapWay& way) const {
         const Tags& tags = way.tags;
-        const double level = number_of(tags, "level").value_or(0.0);
+        const std::optional<double> level = number_of(tags, "level");
         const double layer = number_of(tags, "layer").value_or(0.0);
         const bool indoor = affirmed(tags, "indoor") || tags.is("highway", "corridor");
-        if ((!indoor && level == 0.0 && layer == 0.0) || affirmed(tags, "bridge") ||
+        const bool on_floors = level && !tags.is("level", "0");  // "0;1" is two of them
+        if ((!indoor && !on_floors && layer == 0.0) || affirmed(tags, "bridge") ||
             tags.is("tunnel", "building_passage")) {
             return false;
         }
-        const bool above = level > 0.0 || layer > 0.0;
+        const bool above = level.value_or(0.0) > 0.0 || layer > 0.0;
         for (const std::size_t i : buildings_.near(box_of(way.points))) {
             const Polygons& outline = areas_[i].polygons;
             if (2.0 * length_inside(way.points, outline) > length_of(way.points) &&

@@ -48,6 +48,7 @@ TEST_F(Floors, AreLeftOutWithACount) {
                                                {{"highway", "footway"}, {"layer", "-1"}},
                                                {{"highway", "corridor"}},
                                                {{"highway", "corridor"}, {"level", "1;2"}},
+                                               {{"highway", "steps"}, {"level", "0;1"}},
                                                {{"highway", "steps"}, {"indoor", "yes"}, {"level", "0;1"}}};
     for (const MapText::Tags& tags : floors) {
         const ImportedMap imported = with_way(inside, tags);
