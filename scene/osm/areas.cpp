@@ -79,11 +79,23 @@ Polygons enclosed_by(const std::vector<const MapWay*>& ways, const PlanGeometry&
     return areas.size() > 1 ? geometry.united({&areas}) : areas;
 }
 
+/// Without what is thinner than a wall: rings that touch have a gap there if their nodes, which are known to
+/// a centimetre, aren't the same.
+Polygons without_gaps(const Polygons& area, const PlanGeometry& geometry) {
+    constexpr double kHalf = 0.02;    // metres: half of what is too thin
+    constexpr double kLeast = 0.005;  // m²: less is the tip of a corner
+    const Polygons thick = geometry.grown(geometry.grown(area, -kHalf), 1.5 * kHalf);
+    Polygons thin = geometry.difference(area, thick);
+    std::erase_if(thin, [](const Polygon& piece) { return area_of({piece}) < kLeast; });
+    return thin.empty() ? area : geometry.difference(area, thin);
+}
+
 /// What the outer rings enclose and the inner ones don't, and the islands in courts, which both do. Inner
 /// rings that share edges, with each other or with an outer ring, are one court.
 Polygons area_of_members(const MemberWays& ways, const PlanGeometry& geometry) {
-    return geometry.symmetric_difference(enclosed_by(ways.outer, geometry),
-                                         enclosed_by(ways.inner, geometry));
+    const Polygons area =
+        geometry.symmetric_difference(enclosed_by(ways.outer, geometry), enclosed_by(ways.inner, geometry));
+    return ways.inner.empty() ? area : without_gaps(area, geometry);
 }
 
 using TagsOfBuildings = std::map<std::pair<ElementKind, std::int64_t>, Tags>;

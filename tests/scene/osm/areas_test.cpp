@@ -100,6 +100,14 @@ TEST_F(Courts, ThatTouchTheOuterRingAreOpenToOutside) {
     EXPECT_NEAR(roof_area({box(0, 10, 10, 30)}, outer), 1400, 1);
 }
 
+TEST_F(Courts, ThatTouchButForACentimetreAreOne) {
+    EXPECT_NEAR(roof_area({box(10, 10, 20, 30), box(20.01, 15, 30, 25)}), 1300, 1);
+    EXPECT_NEAR(roof_area({box(10, 10, 20, 30), {{20.01, 15}, {30, 15}, {30, 25}, {20, 25}}}), 1300, 1);
+    EXPECT_NEAR(roof_area({box(10, 10, 20, 30), box(19.99, 15, 30, 25)}), 1300, 1) << "an overlap";
+    EXPECT_NEAR(roof_area({box(0.01, 10, 10, 30)}), 1400, 1) << "open to outside";
+    EXPECT_NEAR(roof_area({box(10, 10, 20, 30), box(20.2, 10, 30, 30)}), 1204, 1) << "a wall of 20 cm";
+}
+
 TEST_F(Courts, ThatTouchInAPointOrNotAtAllStaySeparate) {
     EXPECT_NEAR(roof_area({box(10, 10, 20, 20), box(20, 20, 30, 30)}), 1400, 1);
     EXPECT_NEAR(roof_area({box(10, 10, 19, 30), box(21, 10, 30, 30)}), 1240, 1);
