@@ -228,7 +228,7 @@ std::string cost_message(const OverlaysTooCostly& cost, const Map& map) {
                                                      " s, and " + name + " alone costs " +
                                                      std::to_string(cost.its_cost / kSecond) + " s of them";
     return "its paths and areas overlap more than can be worked out: " + why +
-           "; leave that out of the file or split it, or choose a part of the map without it, such as " +
+           "; leave that out of the file or split it, or choose a smaller part of the map, such as " +
            smaller_part(map);
 }
 
