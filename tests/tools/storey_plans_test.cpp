@@ -99,6 +99,33 @@ TEST(StoreyPlans, ShowWhatIsOnTheirStorey) {
     EXPECT_EQ(cell_at(plans.list[0], 0.1, -3.0), PlanCell::reached) << "under the gallery";
 }
 
+TEST(StoreyPlans, NameTheBuildingsThatStandThere) {
+    scene::Campus campus = two_storeys();
+    engine::add_building(campus, "library", "The Library");
+    engine::add_building(campus, "shed");
+    engine::add_building(campus, "cellar", "Cellar");
+    engine::add_building(campus, "nothing", "Nothing");
+    engine::add_box(campus, "hall", {3, 0, -6}, {5, 8, -3},
+                    {collision::Detection::solid, "library", true, ""});
+    engine::add_box(campus, "hut", {3, 0, 0}, {4, 1, 1}, {collision::Detection::solid, "shed", true, ""});
+    engine::add_box(campus, "vault", {-3, -9, -3}, {3, -5, 3},
+                    {collision::Detection::solid, "cellar", true, ""});
+    engine::add_box(campus, "around", {-6, 0, -6}, {6, 3, 6},
+                    {collision::Detection::trigger, "nothing", true, ""});
+    const Plans plans = plans_of(campus);
+    ASSERT_EQ(plans.list.size(), 2U);
+    const auto names = [](const StoreyPlan& plan) {
+        std::vector<std::string> all;
+        for (const engine::render::PlanBuilding& building : plan.buildings) {
+            all.push_back(building.name);
+        }
+        return all;
+    };
+    EXPECT_EQ(names(plans.list[0]), (std::vector<std::string>{"The Library", "shed"})) << "the largest first";
+    EXPECT_EQ(names(plans.list[1]), std::vector<std::string>{"The Library"});
+    EXPECT_TRUE(plans.list[0].buildings[0].at.isApprox(Eigen::Vector2d(4, -4.5)));
+}
+
 TEST(StoreyPlans, NumberFindingsWhereTheirGroundIs) {
     const Plans plans = plans_of(two_storeys());
     const auto numbered = [&](std::size_t storey, const std::string& subject) {

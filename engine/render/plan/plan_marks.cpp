@@ -114,6 +114,20 @@ void draw_name(const Canvas& canvas, const Vector2d& at, const std::string& name
     }
 }
 
+// On its spot, or one or two lines above or below.
+void draw_building(const Canvas& canvas, const Vector2d& at, const std::string& name, const AlignedBox2d& map,
+                   std::vector<AlignedBox2d>& taken) {
+    constexpr std::array<double, 5> kLines = {0.0, -1.2, 1.2, -2.4, 2.4};
+    const TextStyle style = {kName, false, kFaintInk, 0.0, 1, kHalo};
+    const Vector2d half = 0.5 * canvas.text_size(name, style) + Vector2d(1, 0);
+    std::array<Vector2d, kLines.size()> shifts;
+    std::ranges::transform(kLines, shifts.begin(), [](double lines) { return Vector2d(0.0, 2.0 * lines); });
+    if (const auto box = free_box(map, at, half, shifts, taken)) {
+        taken.push_back(*box);
+        canvas.label(box->center().x(), box->center().y(), name, style);
+    }
+}
+
 void draw_findings(const Canvas& canvas, const StoreyPlan& plan, const PlanFrame& frame,
                    const AlignedBox2d& map, const std::vector<AlignedBox2d>& boxes) {
     cairo_t* cr = canvas.cairo();
@@ -249,6 +263,9 @@ void draw_plan_marks(const Canvas& canvas, const StoreyPlan& plan, const PlanFra
         if (const MarkSpot spot = spot_of(point.at, frame, map); spot.beyond.isZero()) {
             draw_name(canvas, spot.at, point.name, map, taken);
         }
+    }
+    for (const PlanBuilding& building : plan.buildings) {
+        draw_building(canvas, frame.pixel_of(building.at), building.name, map, taken);
     }
     draw_findings(canvas, plan, frame, map, markers);
 }

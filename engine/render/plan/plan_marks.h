@@ -22,8 +22,9 @@ void draw_arrow_beyond(const Canvas& canvas, const Eigen::Vector2d& tip, const E
 /// A line through `points`, pixels, in the colour of the route with this index.
 void draw_route(const Canvas& canvas, std::span<const Eigen::Vector2d> points, std::size_t index);
 
-/// Draws the plan's routes, points with their names, and findings, in this order. What would overlap moves
-/// aside; a marker is then joined to its place by a line, and a name without room is omitted. What lies
+/// Draws the plan's routes, points with their names, names of buildings, and findings, in this order. What
+/// would overlap moves aside; a marker is then joined to its place by a line, and a name without room is
+/// omitted. What lies
 /// beyond the map is at its border, as an arrow. `map` is in pixels.
 void draw_plan_marks(const Canvas& canvas, const StoreyPlan& plan, const PlanFrame& frame,
                      const Eigen::AlignedBox2d& map);

@@ -51,6 +51,12 @@ struct PlanPoint {
     PlanPointKind kind = PlanPointKind::place;
 };
 
+/// The name of a building, across the middle of what the plan shows of it.
+struct PlanBuilding {
+    Eigen::Vector2d at = Eigen::Vector2d::Zero();  ///< x and z, metres
+    std::string name;
+};
+
 struct PlanRoute {
     std::string name;  ///< in the legend; may be empty
     /// Its parts on this storey, x and z, metres; an arrow is at the end of each.
@@ -70,6 +76,7 @@ struct StoreyPlan {
     double narrowest = 0.0;  ///< metres, of passages: the darkest colour
     double widest = 3.0;     ///< metres: passages as wide as that have the plain colour
     std::vector<PlanRoute> routes;
+    std::vector<PlanBuilding> buildings;  ///< those whose names matter most first
     std::vector<PlanPoint> points;
     std::vector<PlanFinding> findings;
 };

@@ -163,6 +163,42 @@ void add_marks(const engine::WalkReport& report, const std::vector<Finding>& fin
     }
 }
 
+/// The titles of the buildings that stand as high as a storey, on what its plan shows of them; the largest
+/// first.
+void add_buildings(const scene::Campus& campus, const engine::WalkReport& report,
+                   std::vector<StoreyPlan>& plans) {
+    std::vector<collision::Aabb> boxes(campus.description.buildings.size());
+    for (std::size_t i = 0; i < campus.objects.size(); ++i) {
+        const collision::ObjectId id{static_cast<std::uint32_t>(i)};
+        const auto& building = campus.objects[i].building;
+        if (building && campus.world.object(id).detection == collision::Detection::solid) {
+            boxes[*building].extend(campus.world.bounds(id));
+        }
+    }
+    for (std::size_t storey = 0; storey < plans.size(); ++storey) {
+        StoreyPlan& plan = plans[storey];
+        std::vector<std::pair<double, engine::render::PlanBuilding>> shown;
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+            const engine::Storey& heights = report.storeys.list[storey];
+            if (boxes[i].empty() || boxes[i].max.y() < heights.low || boxes[i].min.y() > heights.high) {
+                continue;
+            }
+            const Eigen::AlignedBox2d here =
+                plan.area.intersection({Eigen::Vector2d(boxes[i].min.x(), boxes[i].min.z()),
+                                        Eigen::Vector2d(boxes[i].max.x(), boxes[i].max.z())});
+            const scene::Building& building = campus.description.buildings[i];
+            if (!here.isEmpty()) {
+                shown.push_back(
+                    {here.volume(), {here.center(), building.title.empty() ? building.id : building.title}});
+            }
+        }
+        std::ranges::stable_sort(shown, [](const auto& a, const auto& b) { return a.first > b.first; });
+        for (auto& [area, building] : shown) {
+            plan.buildings.push_back(std::move(building));
+        }
+    }
+}
+
 /// By marks beside the ground; those far from it stay beyond.
 void extend_area(StoreyPlan& plan) {
     const double far = far_from(plan.area.sizes().maxCoeff());
@@ -208,6 +244,7 @@ std::vector<StoreyPlan> storey_plans(const scene::Campus& campus, const engine::
     }
     add_marks(report, findings, plans);
     std::ranges::for_each(plans, extend_area);
+    add_buildings(campus, report, plans);
     return plans;
 }
 

@@ -189,6 +189,28 @@ TEST_F(StoreyPlanImage, PointsAndRoutesAreDrawn) {
     }
 }
 
+TEST_F(StoreyPlanImage, BuildingsHaveTheirNamesWhereThereIsRoom) {
+    const auto has_ink = [&](const Image& image, double x, double z) {
+        for (int i = -20; i <= 20; ++i) {
+            for (int k = -3; k <= 3; ++k) {
+                const PlanColor pixel = at(image, x + 0.05 * i, z + 0.05 * k);
+                if (pixel[0] < 150 && pixel[1] < 150 && pixel[2] < 150) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    };
+    EXPECT_FALSE(has_ink(draw_storey_plan(plan_), 5.3, -2.3));
+    plan_.buildings = {{{5.3, -2.3}, "Library"}};
+    EXPECT_TRUE(has_ink(draw_storey_plan(plan_), 5.3, -2.3)) << "on paper";
+    plan_.buildings = {{{-5.3, -2.3}, "Library"}, {{-5.3, -2.3}, "Annex"}};
+    EXPECT_TRUE(has_ink(draw_storey_plan(plan_), -5.3, -2.3)) << "on ground";
+    EXPECT_TRUE(has_ink(draw_storey_plan(plan_), -5.3, -3.4)) << "moved aside";
+    plan_.buildings = {{{5.3, -2.3}, std::string(200, 'x')}};
+    EXPECT_FALSE(has_ink(draw_storey_plan(plan_), 5.3, -2.3)) << "wider than the plan";
+}
+
 TEST_F(StoreyPlanImage, TheSamePlanGivesTheSameImage) {
     plan_.title = "demo, storey 1 of 2";
     plan_.points = {{{-7, 2}, "gate", PlanPointKind::spawn}};
