@@ -96,7 +96,7 @@ TEST_F(ImportMap, HasNoWindowsBelowTheGround) {
     for (const bool uphill : {false, true}) {
         MapText map;
         const auto hall =
-            map.rectangle(-10, 0, 10, 10, {{"building", "university"}, {"building:levels", "3"}});
+            map.rectangle(-30, 0, 30, 40, {{"building", "university"}, {"building:levels", "3"}});
         if (uphill) {  // the ground rises by 4 m to the south of the building
             map.way({{0, -12}, {0, -2}}, {{"highway", "steps"}, {"step_count", "25"}, {"incline", "up"}});
         }
