@@ -47,6 +47,10 @@ private:
         double nearest[2] = {RouteFacts::kWidest, RouteFacts::kWidest};
         for (const Obstacle& piece : near_) {
             const Closest c = collision::closest(spine, piece);
+            const bool beyond = c.on_shape.y() < spine.a.y() || c.on_shape.y() > spine.b.y();
+            if (beyond && collision::walkable_at(piece, c.on_shape, body_.min_up)) {
+                continue;  // ground, a step or a ceiling, however finely it is divided
+            }
             const Vec3 gap = c.on_shape - c.on_segment;
             const double distance = flat(gap).norm();
             const double sideways = distance > 0.0 ? flat(gap).dot(left) / distance : 0.0;

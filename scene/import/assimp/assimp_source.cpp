@@ -145,6 +145,14 @@ void AssimpSource::add_warnings(DiagnosticList& warnings) {
             file_.mark, "repaired-uvs",
             file_.file + ": faces refer to texture coordinates, but the file has none; they are ignored");
     }
+    if (const auto others = nodes_of_other_inheritance(*read_.scene); !others.empty()) {
+        warnings.warning(file_.mark, "unsupported-feature",
+                         file_.file +
+                             ": nodes that don't take the scale of their parents as others do (FBX "
+                             "InheritType), read as if they did: " +
+                             std::to_string(others.size()) + ", the first '" + others.front() +
+                             "'; apply the scale of what is above them, and export again");
+    }
     if (!read_.files->geographic().error.empty()) {
         warnings.warning(file_.mark, "bad-geography",
                          file_.file + ": its geographic_location " + read_.files->geographic().error +

@@ -117,10 +117,49 @@ NodeTree Conversion::run(const Eigen::Matrix4d& X_world_file) {
     return std::move(tree_);
 }
 
+/// Whether its InheritType makes it stand elsewhere below a parent with these axes.
+bool inherits_otherwise(const aiNode& node, const Eigen::Matrix3d& of_parent) {
+    constexpr int kWithoutShear = 0;  // RrSs: the parent's scale along the world's axes
+    constexpr int kWithoutScale = 2;  // Rrs
+    int type = 1;
+    if (node.mMetaData == nullptr || !node.mMetaData->Get("InheritType", type)) {
+        return false;
+    }
+    const Eigen::Matrix3d squared = of_parent.transpose() * of_parent;
+    const double scale = type == kWithoutScale ? 1.0 : squared.trace() / 3.0;
+    const bool is_scaled = (squared - scale * Eigen::Matrix3d::Identity()).norm() > 1e-4 * squared.norm();
+    return is_scaled && (type == kWithoutShear || type == kWithoutScale);
+}
+
 }  // namespace
 
 NodeTree convert_nodes(const aiScene& scene, const Eigen::Matrix4d& X_world_file) {
     return Conversion(scene).run(X_world_file);
+}
+
+std::vector<std::string> nodes_of_other_inheritance(const aiScene& scene) {
+    struct Scaled {
+        const aiNode* node = nullptr;
+        Eigen::Matrix3d linear = Eigen::Matrix3d::Identity();     // with the links so far
+        Eigen::Matrix3d of_parent = Eigen::Matrix3d::Identity();  // of the last node of the file
+    };
+    std::vector<std::string> names;
+    std::vector<Scaled> pending = {{scene.mRootNode}};
+    while (!pending.empty()) {
+        Scaled at = pending.back();
+        pending.pop_back();
+        at.linear *= to_matrix(at.node->mTransformation).topLeftCorner<3, 3>();
+        if (link_of(*at.node) == Link::node) {
+            if (inherits_otherwise(*at.node, at.of_parent)) {
+                names.emplace_back(at.node->mName.C_Str());
+            }
+            at.of_parent = at.linear;
+        }
+        for (unsigned int i = at.node->mNumChildren; i > 0; --i) {
+            pending.push_back({at.node->mChildren[i - 1], at.linear, at.of_parent});
+        }
+    }
+    return names;
 }
 
 }  // namespace campuswalk::scene

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include <Eigen/Core>
 
 #include "scene/import/source/model_source.h"
@@ -13,5 +16,9 @@ namespace campuswalk::scene {
 /// its meshes are moved by (GeometricTranslation, -Rotation, -Scaling) doesn't move its children (Autodesk's
 /// FBX SDK, "Computing transformation matrices").
 NodeTree convert_nodes(const aiScene& scene, const Eigen::Matrix4d& X_world_file);
+
+/// The FBX nodes that don't take their parents' scale as others do (InheritType 0, RrSs, or 2, Rrs) where
+/// that makes a difference. assimp reads all as of type 1, RSrs.
+std::vector<std::string> nodes_of_other_inheritance(const aiScene& scene);
 
 }  // namespace campuswalk::scene

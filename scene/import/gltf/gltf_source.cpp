@@ -145,7 +145,7 @@ void GltfSource::add_warnings(DiagnosticList& warnings) {
     if (notes.ignored_scenes > 0) {
         warn("unsupported-feature",
              std::to_string(notes.ignored_scenes + 1) +
-                 " scenes: only the default scene is imported; export one file per scene");
+                 " scenes: only the default scene is imported, or else the first; export one file per scene");
     }
     if (notes.unplaced_meshes > 0 && notes.ignored_scenes == 0) {
         warn("unplaced-mesh",

@@ -165,7 +165,7 @@ private:
     std::vector<bool> drawn_;                         // by mesh
     std::vector<SkinnedNode> skinned_;                // drawn when all joints are placed
     std::map<DeformedKey, std::size_t> deformed_;     // the numbers of their first primitives
-    bool has_default_scene_ = false;
+    bool has_scene_ = false;
     NodeTree tree_;
 };
 
@@ -189,23 +189,13 @@ std::vector<std::size_t> GraphReader::nodes_without_a_parent() const {
 
 std::vector<std::size_t> GraphReader::roots() {
     const std::size_t scenes = document_.size("scenes");
-    if (const auto chosen = document_.root().uint("scene")) {
-        has_default_scene_ = true;
-        notes_.ignored_scenes = scenes > 0 ? scenes - 1 : 0;
-        return document_.item("scenes", *chosen).uints("nodes");
-    }
-    if (scenes == 0) {
+    const auto chosen = document_.root().uint("scene");
+    has_scene_ = chosen || scenes > 0;
+    if (!has_scene_) {
         return nodes_without_a_parent();
     }
-    std::vector<std::size_t> result;
-    for (std::size_t i = 0; i < scenes; ++i) {
-        for (const std::size_t node : document_.item("scenes", i).uints("nodes")) {
-            if (std::ranges::find(result, node) == result.end()) {
-                result.push_back(node);
-            }
-        }
-    }
-    return result;
+    notes_.ignored_scenes = scenes > 0 ? scenes - 1 : 0;
+    return document_.item("scenes", chosen.value_or(0)).uints("nodes");
 }
 
 int GraphReader::add(std::string name, int parent, const Eigen::Matrix4d& X_parent_node) {
@@ -379,7 +369,7 @@ NodeTree GraphReader::read() {
     }
     draw_skinned();
     const std::vector<std::size_t> unplaced = meshes_not_drawn();
-    if (has_default_scene_) {
+    if (has_scene_) {
         notes_.unplaced_meshes = unplaced.size();
         return std::move(tree_);
     }

@@ -44,6 +44,35 @@ TEST(RouteFacts, OpenGroundHasNoNarrowestSpot) {
     EXPECT_NEAR(facts.steepest.at.z(), 6.0, 0.1) << "as level as everywhere else";
 }
 
+/// A floor of squares with sides of `side`, from -10 to 10 m.
+void add_squares(collision::TriangleMesh& mesh, double side) {
+    const int count = static_cast<int>(20.0 / side);
+    for (int i = 0; i < count; ++i) {
+        for (int j = 0; j < count; ++j) {
+            const Vec3 at(-10.0 + side * i, 0.0, -10.0 + side * j);
+            support::add_quad(mesh, at, at + Vec3(0, 0, side), at + Vec3(side, 0, side),
+                              at + Vec3(side, 0, 0));
+        }
+    }
+}
+
+TEST(RouteFacts, AreThoseOfOpenGroundHoweverItsFloorIsDivided) {
+    for (const double side : {10.0, 2.0, 1.0, 0.5, 0.125}) {
+        scene::Campus campus = empty_campus();
+        collision::TriangleMesh mesh;
+        add_squares(mesh, side);
+        support::add_box(mesh, {0.9, 0, -0.5}, {1.1, 0.15, 0.5});  // a kerb that one steps on
+        add_object(campus, "ground", std::make_shared<const collision::MeshCollider>(std::move(mesh)),
+                   Vec3::Zero());
+        EXPECT_FALSE(facts_between(campus, {0, 0, 6}, {0, 0, -6}).narrowest) << side;
+        add_box(campus, "left", {-3, 0, -0.1}, {-0.8, 2.5, 0.1});
+        add_box(campus, "right", {0.7, 0.9, -0.1}, {3, 1.0, 0.1});  // a table's top
+        const RouteFacts facts = facts_between(campus, {0, 0, 6}, {0, 0, -6});
+        ASSERT_TRUE(facts.narrowest) << side;
+        EXPECT_NEAR(facts.narrowest->value, 1.5, 0.005) << side;
+    }
+}
+
 TEST(RouteFacts, NamesTheSteepestRamp) {
     scene::Campus campus = empty_campus();
     collision::TriangleMesh mesh;
