@@ -1,5 +1,3 @@
-#include <charconv>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -10,42 +8,6 @@
 namespace campuswalk::engine {
 
 namespace {
-
-/// Removes `:NUMBER` from the end; 0 if there is none.
-int take_number(std::string_view& text) {
-    const std::size_t colon = text.rfind(':');
-    if (colon == std::string_view::npos || colon + 1 == text.size()) {
-        return 0;
-    }
-    int number = 0;
-    const char* end = text.data() + text.size();
-    if (std::from_chars(text.data() + colon + 1, end, number).ptr != end) {
-        return 0;
-    }
-    text = text.substr(0, colon);
-    return number;
-}
-
-/// The parts of `file:line:col: error CODE: message`; any other text is a message as a whole.
-Failure parts_of(std::string_view diagnostic) {
-    constexpr std::string_view kError = ": error ";
-    Failure parts;
-    const std::size_t place = diagnostic.find(kError);
-    const std::size_t code = place == std::string_view::npos ? place : place + kError.size();
-    const std::size_t message = code == std::string_view::npos ? code : diagnostic.find(": ", code);
-    if (message == std::string_view::npos) {
-        parts.code = "error";
-        parts.message = std::string(diagnostic);
-        return parts;
-    }
-    std::string_view file = diagnostic.substr(0, place);
-    const int last = take_number(file);
-    const int first = take_number(file);
-    parts.mark = {std::string(file), first > 0 ? first : last, first > 0 ? last : 0};
-    parts.code = std::string(diagnostic.substr(code, message - code));
-    parts.message = std::string(diagnostic.substr(message + 2));
-    return parts;
-}
 
 class GithubReporter final : public Reporter {
 public:
@@ -62,8 +24,8 @@ public:
             whole.message = words;
             annotate(result, whole);
         }
-        for (const std::string& diagnostic : result.diagnostics) {
-            annotate(result, parts_of(diagnostic));
+        for (const auto& [severity, mark, code, message] : result.diagnostics) {
+            annotate(result, {mark, code.empty() ? "error" : code, message, {}});
         }
         for (const Failure& failure : result.failures) {
             annotate(result, failure);

@@ -75,13 +75,15 @@ void append_failures(pugi::xml_node test, const WalkResult& result) {
 }
 
 void append_error(pugi::xml_node test, const WalkResult& result) {
-    Lines details = result.diagnostics;
+    Lines details;
+    for (const scene::Diagnostic& diagnostic : result.diagnostics) {
+        details.push_back(to_string(diagnostic));
+    }
     const std::string verdict = verdict_in_words(result);
     if (!verdict.empty()) {
         details.push_back(verdict);
     }
-    append_problem(test, "error", name_of(result.outcome),
-                   result.diagnostics.empty() ? verdict : result.diagnostics.front(), details);
+    append_problem(test, "error", name_of(result.outcome), details.empty() ? "" : details.front(), details);
 }
 
 /// Files that Jenkins and GitLab show beside a case: as seen from the repository's root, the folder of both

@@ -65,7 +65,7 @@ std::string remark_of(const WalkResult& result) {
         return result.failures.front().message;
     }
     if (!result.diagnostics.empty()) {
-        return result.diagnostics.front();
+        return to_string(result.diagnostics.front());
     }
     const std::string verdict = verdict_in_words(result);
     return verdict.empty() ? result.status_reason : verdict;
@@ -131,8 +131,8 @@ private:
 
     void write_details(const WalkResult& result) {
         write("### " + markdown_text(result.id) + "\n");
-        for (const std::string& diagnostic : result.diagnostics) {
-            write("- " + markdown_text(diagnostic));
+        for (const scene::Diagnostic& diagnostic : result.diagnostics) {
+            write("- " + markdown_text(to_string(diagnostic)));
         }
         if (const std::string verdict = verdict_in_words(result); !verdict.empty()) {
             write("- " + markdown_text(verdict));

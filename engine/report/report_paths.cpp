@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <functional>
-#include <string_view>
 #include <utility>
 
 namespace campuswalk::engine {
@@ -17,13 +16,9 @@ std::string path_in_run(const std::string& start, const std::string& path) {
     return fs::path(path).lexically_relative(start).generic_string();
 }
 
-/// The place in `file:line:col: error CODE: message`. Numbers at the end of a path don't matter to the
-/// change; options such as --grep are no paths.
-void change_place(std::string& diagnostic, const PathChange& change) {
-    const std::size_t end = diagnostic.find(": error ");
-    if (end != std::string::npos && !diagnostic.starts_with("--")) {
-        diagnostic = change(diagnostic.substr(0, end)) + diagnostic.substr(end);
-    }
+/// Options such as --grep are no paths.
+bool names_file(const scene::SourceMark& mark) {
+    return !mark.file.empty() && !mark.file.starts_with("--");
 }
 
 WalkResult with_changed_paths(WalkResult result, const PathChange& change) {
@@ -34,14 +29,13 @@ WalkResult with_changed_paths(WalkResult result, const PathChange& change) {
     if (!result.config.empty()) {
         result.config = change(result.config);
     }
-    for (Failure& failure : result.failures) {
-        if (!failure.mark.file.empty()) {
-            failure.mark.file = change(failure.mark.file);
+    const auto change_in = [&](auto& all) {
+        for (auto& each : all) {
+            each.mark.file = names_file(each.mark) ? change(each.mark.file) : each.mark.file;
         }
-    }
-    for (std::string& diagnostic : result.diagnostics) {
-        change_place(diagnostic, change);
-    }
+    };
+    change_in(result.failures);
+    change_in(result.diagnostics);
     return result;
 }
 

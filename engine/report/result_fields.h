@@ -46,6 +46,16 @@ void list_fields(Fields& fields, MaybeConst<Failure> auto& failure) {
     fields("scene", failure.scene);
 }
 
+/// All are errors.
+template <typename Fields>
+void list_fields(Fields& fields, MaybeConst<scene::Diagnostic> auto& diagnostic) {
+    fields("code", diagnostic.code);
+    fields("message", diagnostic.message);
+    fields("file", diagnostic.mark.file);
+    fields("line", diagnostic.mark.line);
+    fields("column", diagnostic.mark.column);
+}
+
 template <typename Fields>
 void list_fields(Fields& fields, MaybeConst<Artifact> auto& artifact) {
     fields("name", artifact.name);

@@ -27,7 +27,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kHeaderKey = "campuswalk_results";
-constexpr int kHeaderVersion = 5;
+constexpr int kHeaderVersion = 6;
 
 /// JSON has no such numbers; a reader of reports must not fail on a result because of them.
 constexpr std::array<std::pair<double, std::string_view>, 3> kNotFinite = {{

@@ -67,8 +67,8 @@ private:
         if (!result.diagnostics.empty()) {
             write("  complaints:");
         }
-        for (const std::string& diagnostic : result.diagnostics) {
-            write("    - " + quoted(diagnostic));
+        for (const scene::Diagnostic& diagnostic : result.diagnostics) {
+            write("    - " + quoted(to_string(diagnostic)));
         }
         if (!result.failures.empty()) {
             write("  failures:");

@@ -100,8 +100,8 @@ private:
             const std::string& reason = result.status_reason;
             print_line("   " + words + (reason.empty() ? "" : " (" + reason + ")"));
         }
-        for (const std::string& diagnostic : result.diagnostics) {
-            print_line("   " + diagnostic);
+        for (const scene::Diagnostic& diagnostic : result.diagnostics) {
+            print_line("   " + to_string(diagnostic));
         }
         const FailureScene* before = nullptr;
         for (const Failure& failure : result.failures) {

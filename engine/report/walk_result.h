@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/expect/failure.h"
+#include "scene/base/diagnostic.h"
 
 namespace campuswalk::engine {
 
@@ -62,8 +63,8 @@ struct WalkResult {
     bool expected_to_fail = false;
 
     Outcome outcome = Outcome::passed;
-    std::vector<Failure> failures;         ///< of an xfail too
-    std::vector<std::string> diagnostics;  ///< bad_input, broken: `file:line:col: error CODE: message`
+    std::vector<Failure> failures;               ///< of an xfail too
+    std::vector<scene::Diagnostic> diagnostics;  ///< bad_input, broken: errors, of a broken one without a code
     std::string campus;
     int ticks_per_second = 60;
     std::optional<double> timeout;  ///< simulated seconds for the whole walk, wherever it was set

@@ -45,8 +45,10 @@ std::string to_string(const Diagnostic& diagnostic) {
     if (diagnostic.mark.line > 0) {
         text += ":" + std::to_string(diagnostic.mark.line) + ":" + std::to_string(diagnostic.mark.column);
     }
-    text += diagnostic.severity == Severity::error ? ": error " : ": warning ";
-    return text + diagnostic.code + ": " + diagnostic.message;
+    text += text.empty() ? "" : ": ";
+    text += diagnostic.severity == Severity::error ? "error" : "warning";
+    text += diagnostic.code.empty() ? "" : " " + diagnostic.code;
+    return text + ": " + diagnostic.message;
 }
 
 InputError::InputError(std::vector<Diagnostic> diagnostics)

@@ -26,9 +26,11 @@ struct Diagnostic {
     SourceMark mark;
     std::string code;
     std::string message;
+
+    friend bool operator==(const Diagnostic&, const Diagnostic&) = default;
 };
 
-/// `file:line:col: error CODE: message`; without line and column if the mark has none.
+/// `file:line:col: error CODE: message`, without what it has none of.
 std::string to_string(const Diagnostic& diagnostic);
 
 /// The exception for bad input. Carries all errors of a file, found before anything runs.

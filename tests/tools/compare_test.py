@@ -141,7 +141,7 @@ class Replay(Compare):
 
     def report(self, *results, missing=0):
         planned = len(results) + missing
-        header = {"campuswalk_results": 5, "cases": planned, "shard": 1, "shards": 1, "all_cases": planned,
+        header = {"campuswalk_results": 6, "cases": planned, "shard": 1, "shards": 1, "all_cases": planned,
                   "contents": "0a", "division": "1b", "fingerprint": {"program": "", "options": "", "files": ""}, "start": ""}
         self.write("r.jsonl", "\n".join((json.dumps(header), *results)) + "\n")
 

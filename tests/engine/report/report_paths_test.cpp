@@ -26,7 +26,7 @@ TEST(ReportPaths, BeginAtTheRoot) {
     EXPECT_EQ(placed.config, "campus/tests/walks.config.yaml");
     EXPECT_EQ(placed.failures[0].mark.file, "campus/tests/walks/visit.walk.yaml");
     EXPECT_EQ(placed.failures[0].mark.line, 12);
-    EXPECT_EQ(placed.diagnostics[0],
+    EXPECT_EQ(to_string(placed.diagnostics[0]),
               "campus/tests/walks/visit.walk.yaml:3:1: error bad-value: speed must be > 0");
     EXPECT_EQ(placed.artifacts[0].path, "visit/gate.png");  // below the output folder, as ever
 }
@@ -54,7 +54,8 @@ TEST(ReportPaths, OfAReportLeadBackToTheRun) {
 TEST(ReportPaths, WhatIsNoPathStays) {
     WalkResult result = bad_input_result("typo");
     result.config = "";
-    result.diagnostics = {"--project: error bad-value: there is no project x", "killed: out of memory"};
+    result.diagnostics = {{{}, {"--project", 0, 0}, "bad-value", "there is no project x"},
+                          {{}, {}, "", "killed: error out of memory"}};
     result.failures = {{{}, "stopped", "…"}};
     const WalkResult placed = with_paths_in_repository("a", result);
     EXPECT_EQ(placed.config, "");

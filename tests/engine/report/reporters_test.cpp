@@ -239,7 +239,7 @@ TEST(JsonlReporter, PrintsAHeaderAndOneLinePerResult) {
     const RunReport report = mixed_report();
     const std::vector<std::string> lines = lines_of(written("jsonl", report));
     ASSERT_EQ(lines.size(), report.results.size() + 1);
-    EXPECT_EQ(lines[0], R"({"campuswalk_results":5,"cases":9,"shard":1,"shards":1,"all_cases":9,)"
+    EXPECT_EQ(lines[0], R"({"campuswalk_results":6,"cases":9,"shard":1,"shards":1,"all_cases":9,)"
                         R"("contents":"0a1b","division":"2c3d",)"
                         R"("fingerprint":{"program":"","options":"","files":""},"start":""})");
     for (std::size_t i = 0; i < report.results.size(); ++i) {

@@ -30,7 +30,7 @@ WalkResult full_result() {
     result.expected_to_fail = true;
     result.outcome = Outcome::broken;
     result.failures = {failure};
-    result.diagnostics = {"walks/visit.walk.yaml:3:1: error bad-value: speed must be > 0"};
+    result.diagnostics = {{{}, {"walks/visit.walk.yaml", 3, 1}, "bad-value", "speed must be > 0"}};
     result.campus = "school";
     result.ticks_per_second = 120;
     result.timeout = 12.1;
@@ -85,7 +85,7 @@ WalkResult bad_input_result(const std::string& name) {
     WalkResult result = skipped_result(name);
     result.outcome = Outcome::bad_input;
     result.status_reason.clear();
-    result.diagnostics = {result.file + ":3:1: error bad-value: speed must be > 0"};
+    result.diagnostics = {{{}, {result.file, 3, 1}, "bad-value", "speed must be > 0"}};
     return result;
 }
 
@@ -121,7 +121,7 @@ RunReport hostile_report() {
     result.id = result.name = result.file = result.project = odd;
     result.status_reason = result.campus = odd;
     result.tags = {odd};
-    result.diagnostics = {odd, ": error : ", ": error x", "a:1: error y: z"};
+    result.diagnostics = {{{}, {odd, 1, 1}, odd, odd}, {{}, {}, "", odd}, {{}, {": error :", 0, 0}, "", ""}};
     Failure& failure = result.failures[0];
     failure.code = failure.message = failure.mark.file = odd;
     failure.scene.building = failure.scene.nearest = odd;

@@ -170,6 +170,11 @@ void draw_frames(const Case& played, const PlaySettings& settings, std::size_t p
     send(Topic::result, problem);
 }
 
+void note_broken(WalkResult& result, const std::string& why) {
+    result.outcome = Outcome::broken;
+    result.diagnostics = {{scene::Severity::error, {}, "", why}};
+}
+
 template <typename Value>
 void append(std::vector<Value> from, std::vector<Value>& to) {
     std::ranges::move(from, std::back_inserter(to));
@@ -199,15 +204,13 @@ WalkResult CaseRunner::run(const Case& played, const Send& send) {
         play_into(result, played, helpers.get(), stream);
     } catch (const Interrupted&) {
         result.outcome = Outcome::interrupted;
-    } catch (const scene::InputError& error) {  // its text names the place, the severity and the code
+    } catch (const scene::InputError& error) {
         result.outcome = Outcome::broken;
-        result.diagnostics = {error.what()};
+        result.diagnostics = error.diagnostics();
     } catch (const std::bad_alloc&) {
-        result.outcome = Outcome::broken;
-        result.diagnostics = {"error: it needs more memory than a worker may have; use fewer with -j"};
+        note_broken(result, "it needs more memory than a worker may have; use fewer with -j");
     } catch (const std::exception& error) {
-        result.outcome = Outcome::broken;
-        result.diagnostics = {std::string("error: ") + error.what()};
+        note_broken(result, error.what());
     }
     stream.flush();
     return result;

@@ -179,9 +179,8 @@ private:
 
     static void note_errors(WalkResult& result, const InputError& error) {
         result.outcome = Outcome::bad_input;
-        for (const scene::Diagnostic& diagnostic : error.diagnostics()) {
-            result.diagnostics.push_back(scene::to_string(diagnostic));
-        }
+        result.diagnostics.insert(result.diagnostics.end(), error.diagnostics().begin(),
+                                  error.diagnostics().end());
     }
 
     static bool is_selected(const Candidate& candidate, const Selector& selector) {
@@ -339,8 +338,9 @@ private:
     }
 
     /// Many walks may share a campus that has errors.
-    void diagnose_once(const std::vector<std::string>& diagnostics) {
-        for (const std::string& line : diagnostics) {
+    void diagnose_once(const std::vector<scene::Diagnostic>& diagnostics) {
+        for (const scene::Diagnostic& diagnostic : diagnostics) {
+            const std::string line = to_string(diagnostic);
             if (reported_.insert(line).second) {
                 print_error_line(line);
             }

@@ -61,7 +61,9 @@ std::vector<std::string> verdict_lines(const WalkResult& result, const std::file
             lines.push_back(name + ": skipped" + because(result));
             break;
         case Outcome::broken:
-            lines.insert(lines.end(), result.diagnostics.begin(), result.diagnostics.end());
+            for (const scene::Diagnostic& diagnostic : result.diagnostics) {
+                lines.push_back(to_string(diagnostic));
+            }
             break;
         case Outcome::bad_input:
         case Outcome::interrupted:
