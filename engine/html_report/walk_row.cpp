@@ -21,7 +21,7 @@ double to_a_thousandth(double value) {
 /// What a list shows of a walk that didn't pass.
 std::string message_of(const WalkResult& result) {
     return !result.failures.empty()      ? result.failures.front().message
-           : !result.diagnostics.empty() ? result.diagnostics.front()
+           : !result.diagnostics.empty() ? to_string(result.diagnostics.front())
                                          : verdict_in_words(result);
 }
 

@@ -63,8 +63,9 @@ struct WalkResult {
     bool expected_to_fail = false;
 
     Outcome outcome = Outcome::passed;
-    std::vector<Failure> failures;               ///< of an xfail too
-    std::vector<scene::Diagnostic> diagnostics;  ///< bad_input, broken: errors, of a broken one without a code
+    std::vector<Failure> failures;  ///< of an xfail too
+    std::vector<scene::Diagnostic>
+        diagnostics;  ///< bad_input, broken: errors, of a broken one without a code
     std::string campus;
     int ticks_per_second = 60;
     std::optional<double> timeout;  ///< simulated seconds for the whole walk, wherever it was set
