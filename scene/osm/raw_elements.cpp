@@ -27,12 +27,6 @@ Tags tags_of(const osmium::TagList& list) {
     return Tags(std::move(pairs));
 }
 
-ElementKind kind_of(osmium::item_type type) {
-    return type == osmium::item_type::node  ? ElementKind::node
-           : type == osmium::item_type::way ? ElementKind::way
-                                            : ElementKind::relation;
-}
-
 }  // namespace
 
 std::string clean(std::string_view text) {
@@ -51,10 +45,7 @@ std::string clean(std::string_view text) {
 }
 
 void sort_locations(std::vector<NodeLocation>& locations) {
-    std::ranges::stable_sort(locations, {}, &NodeLocation::id);
-    locations.erase(std::unique(locations.begin(), locations.end(),
-                                [](const NodeLocation& a, const NodeLocation& b) { return a.id == b.id; }),
-                    locations.end());
+    std::ranges::sort(locations, {}, &NodeLocation::id);
 }
 
 void Taker::take(const osmium::Node& node, bool with_tags) {
@@ -109,9 +100,9 @@ void Taker::relation(const osmium::Relation& relation) {
     }
 }
 
-RawMap read_all(const osmium::io::File& file) {
+RawMap read_all(const osmium::io::File& file, Editions& editions) {
     RawMap raw;
-    visit(file, osmium::osm_entity_bits::nwr, Taker(raw));
+    visit(file, osmium::osm_entity_bits::nwr, Taker(raw), editions);
     return raw;
 }
 

@@ -11,6 +11,7 @@
 #include <osmium/osm/relation.hpp>
 #include <osmium/osm/way.hpp>
 
+#include "scene/osm/editions.h"
 #include "scene/osm/raw_map.h"
 
 namespace campuswalk::scene::osm {
@@ -21,13 +22,15 @@ namespace campuswalk::scene::osm {
 /// if nothing of it can be seen.
 std::string clean(std::string_view text);
 
-/// Calls the functions of `visitor` with all elements of these kinds that aren't deleted.
+/// Calls the functions of `visitor` with all elements of these kinds that count.
 template <typename Visitor>
-void visit(const osmium::io::File& file, osmium::osm_entity_bits::type kinds, Visitor&& visitor) {
-    osmium::io::Reader reader(file, kinds, osmium::io::read_meta::no);
+void visit(const osmium::io::File& file, osmium::osm_entity_bits::type kinds, Visitor&& visitor,
+           Editions& editions) {
+    osmium::io::Reader reader(file, kinds, editions.meta());
+    editions.begin();
     while (const osmium::memory::Buffer buffer = reader.read()) {
         for (const osmium::OSMObject& object : buffer.select<osmium::OSMObject>()) {
-            if (!object.visible()) {
+            if (!editions.takes(object)) {
                 continue;
             }
             if (object.type() == osmium::item_type::node) {
@@ -42,7 +45,7 @@ void visit(const osmium::io::File& file, osmium::osm_entity_bits::type kinds, Vi
     reader.close();
 }
 
-/// By id; of those with equal ids the first.
+/// By id.
 void sort_locations(std::vector<NodeLocation>& locations);
 
 /// Thrown when a map has more nodes than can be read.
@@ -65,7 +68,7 @@ private:
 };
 
 /// Of a file with nodes before ways before relations only what read_raw_map keeps with a box; of others all.
-RawMap read_section(const osmium::io::File& file, const GeographicBox& box);
-RawMap read_all(const osmium::io::File& file);
+RawMap read_section(const osmium::io::File& file, const GeographicBox& box, Editions& editions);
+RawMap read_all(const osmium::io::File& file, Editions& editions);
 
 }  // namespace campuswalk::scene::osm

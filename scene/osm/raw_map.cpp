@@ -63,7 +63,16 @@ RawMap read_raw_map(const std::filesystem::path& file, const SourceMark& mark,
                     const std::optional<GeographicBox>& box) {
     RawMap raw = reported(mark, [&] {
         const osmium::io::File opened = file_of(file, mark);
-        return box ? read_section(opened, *box) : read_all(opened);
+        Editions editions(opened);
+        const auto read = [&] {
+            return box ? read_section(opened, *box, editions) : read_all(opened, editions);
+        };
+        RawMap all = read();
+        if (editions.choose(opened)) {
+            all = read();
+            all.ambiguous = editions.ambiguous();
+        }
+        return all;
     });
     sort_locations(raw.locations);
     return raw;

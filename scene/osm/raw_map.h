@@ -40,6 +40,7 @@ struct RawMap {
     std::vector<MapRelation> relations;                ///< multipolygons and buildings
     std::size_t bad_locations = 0;                     ///< nodes without valid coordinates, left out
     std::vector<ElementId> oversized;                  ///< beyond the limits above, left out
+    std::vector<ElementId> ambiguous;                  ///< different in the file with one version
 
     const NodeLocation* location(std::int64_t id) const {
         const auto found = std::ranges::lower_bound(locations, id, {}, &NodeLocation::id);
@@ -52,7 +53,8 @@ std::optional<GeographicBox> stated_bounds(const std::filesystem::path& file, co
 
 /// Reads OpenStreetMap XML or PBF; the name of `mark` says which. With a box only nodes in it are kept, and
 /// whole ways and areas that overlap it: a file of a country takes no more memory than a city then, but is
-/// read three times. Throws InputError at `mark`: bad-map (damaged, or no map), bad-size (too many nodes).
+/// read three times. A file with repeated elements is read again. Throws InputError at `mark`: bad-map
+/// (damaged, or no map), bad-size (too many nodes).
 RawMap read_raw_map(const std::filesystem::path& file, const SourceMark& mark,
                     const std::optional<GeographicBox>& box);
 

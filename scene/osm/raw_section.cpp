@@ -152,18 +152,18 @@ struct WantedNodes {
 
 }  // namespace
 
-RawMap read_section(const osmium::io::File& file, const GeographicBox& box) {
+RawMap read_section(const osmium::io::File& file, const GeographicBox& box, Editions& editions) {
     RawMap raw;
     SectionFinder finder(box, raw);
-    visit(file, osmium::osm_entity_bits::nwr, finder);
+    visit(file, osmium::osm_entity_bits::nwr, finder, editions);
     if (!finder.in_order) {
-        return read_all(file);
+        return read_all(file, editions);
     }
     finder.ways.finish();
     NumberSet nodes;
-    visit(file, osmium::osm_entity_bits::way, WantedWays{Taker(raw), finder.ways, nodes});
+    visit(file, osmium::osm_entity_bits::way, WantedWays{Taker(raw), finder.ways, nodes}, editions);
     nodes.finish();
-    visit(file, osmium::osm_entity_bits::node, WantedNodes{Taker(raw), nodes, box});
+    visit(file, osmium::osm_entity_bits::node, WantedNodes{Taker(raw), nodes, box}, editions);
     return raw;
 }
 

@@ -92,14 +92,6 @@ private:
     double longitude_;
 };
 
-template <typename Element>
-void sort_unique(std::vector<Element>& elements) {
-    std::ranges::stable_sort(elements, {}, &Element::id);
-    elements.erase(std::unique(elements.begin(), elements.end(),
-                               [](const Element& a, const Element& b) { return a.id == b.id; }),
-                   elements.end());
-}
-
 void set_boxes(const GeographicBox& geographic, const Projection& projection, const SourceMark& mark,
                Map& map) {
     map.geographic = geographic;
@@ -145,6 +137,15 @@ void report_left_out(const RawMap& raw, const SourceMark& mark, std::size_t inco
                 " left out: a way of OpenStreetMap has up to " + std::to_string(kMaxWayNodes) +
                 " nodes, a relation " + std::to_string(kMaxMembers) + " members");
     }
+    if (!raw.ambiguous.empty()) {
+        const bool one = raw.ambiguous.size() == 1;
+        warnings.warning(
+            mark, "ambiguous-element",
+            raw.ambiguous.front().text() +
+                (one ? " is" : " and " + std::to_string(raw.ambiguous.size() - 1) + " more are") +
+                " in the file more than once, with different contents and the same version; the one with the "
+                "most tags, then nodes or members, is taken");
+    }
     if (incomplete > 0) {
         warnings.warning(mark, "incomplete-way",
                          std::to_string(incomplete) + (incomplete == 1 ? " way refers" : " ways refer") +
@@ -176,9 +177,9 @@ Map local_map(RawMap raw, const GeographicBox& box, const SourceMark& mark, Diag
         map.ways.push_back(std::move(way));
     }
     map.relations = std::move(raw.relations);
-    sort_unique(map.nodes);
-    sort_unique(map.ways);
-    sort_unique(map.relations);
+    std::ranges::sort(map.nodes, {}, &MapNode::id);
+    std::ranges::sort(map.ways, {}, &MapWay::id);
+    std::ranges::sort(map.relations, {}, &MapRelation::id);
     for (std::size_t i = 0; i < map.ways.size(); ++i) {
         map.way_index.emplace(map.ways[i].id, i);
     }

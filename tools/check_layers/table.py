@@ -148,6 +148,7 @@ THIRD_PARTY = {
     "nlohmann/": ["config/loader/json", "scene/export", "scene/import/gltf", "engine/observers", "engine/html_report", "engine/render/snapshot", "engine/report", "tools/campuswalk",
                   "tools/campuswalk_bench", "tests"],
     "osmium/": ["scene/osm"],
+    "expat.h": ["scene/osm"],
     "geos_c.h": ["scene/osm", "tests/scene/osm", "tools/campuswalk_bench/maps"],
     "pugixml": ["engine/report", "scene/import/source"],
     "GL/": ["engine/render", "tests/engine/render"],

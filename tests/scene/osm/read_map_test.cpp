@@ -116,6 +116,82 @@ TEST_F(ReadMap, TakesTheFormatFromTheGivenName) {
     EXPECT_EQ(errors[0].code, "bad-map");
 }
 
+/// A footway, and what else is in the file.
+std::string with_footway(const std::string& more) {
+    return R"(<osm version="0.6"><node id="1" version="2" lat="48" lon="11"/><node id="2" lat="48.001" lon="11.001"/>)"
+           R"(<way id="3" version="5"><nd ref="1"/><nd ref="2"/><tag k="highway" v="footway"/></way>)" +
+           more + "</osm>";
+}
+
+TEST_F(ReadMap, LeavesOutWhatIsDeleted) {
+    const Map map = read(with_footway(R"(
+        <node id='4' action='delete' lat='48' lon='11'><tag k='barrier' v='block'/></node>
+        <node id='5' action='delete' version='1'/>
+        <way id='6' action="delete" version='1'><nd ref='1'/><nd ref='2'/><tag k='highway' v='path'/></way>
+        <way id='7' visible='false' version='2'><nd ref='1'/><nd ref='2'/><tag k='highway' v='path'/></way>
+        <way id='-8' action='modify'><nd ref='1'/><nd ref='2'/><tag k='note' v=" action='delete'"/></way>
+        <relation id='9' version='1' action='delete'><member type='way' ref='3' role='outer'/>
+        <tag k='type' v='multipolygon'/></relation>)"));
+    EXPECT_EQ(ids_of_ways(map), (std::vector<std::int64_t>{-8, 3}));
+    EXPECT_TRUE(map.nodes.empty());
+    EXPECT_TRUE(map.relations.empty());
+    EXPECT_TRUE(warnings_.all().empty()) << "the deleted node has no coordinates";
+}
+
+TEST_F(ReadMap, FindsWhatIsDeletedFarInTheFile) {
+    for (int spaces = 1 << 20; spaces > (1 << 20) - 600; spaces -= 100) {  // where pieces of the file meet
+        const Map map = read(with_footway("<!--" + std::string(static_cast<std::size_t>(spaces), ' ') +
+                                          "--><way id='6' action='delete'><nd ref='1'/><nd ref='2'/></way>"));
+        EXPECT_EQ(ids_of_ways(map), (std::vector<std::int64_t>{3}));
+    }
+}
+
+/// Wherever it is in the file, and also in a section.
+TEST_F(ReadMap, TakesTheHighestVersion) {
+    const auto edition = [](int version, const std::string& value) {
+        return "<way id='4' version='" + std::to_string(version) +
+               "'><nd ref='1'/><nd ref='2'/><tag k='highway' v='" + value + "'/></way>";
+    };
+    const std::string other = "<way id='9'><nd ref='1'/><nd ref='2'/></way>";
+    for (const std::string& text :
+         {edition(1, "path") + edition(2, "steps"), edition(2, "steps") + edition(1, "path"),
+          edition(2, "steps") + other + edition(1, "path"),
+          edition(1, "path") + edition(1, "track") + other + edition(2, "steps") + edition(2, "steps"),
+          "<node id='1' version='1' lat='1' lon='1'/>" + edition(2, "steps")}) {
+        for (const MapSection& section : {MapSection(), middle()}) {
+            const Map map = read(with_footway(text), section);
+            ASSERT_NE(map.way(4), nullptr) << text;
+            EXPECT_EQ(map.way(4)->tags.get("highway"), "steps") << text;
+            EXPECT_EQ(std::ranges::count(ids_of_ways(map), 4), 1);
+        }
+    }
+    EXPECT_EQ(read(with_footway(edition(1, "path") + "<way id='4' version='2' visible='false'/>")).way(4),
+              nullptr);
+    EXPECT_EQ(read(with_footway("<way id='4' version='2' action='delete'/>" + edition(1, "path"))).way(4),
+              nullptr);
+    EXPECT_NE(read(with_footway("<way id='4' version='2' action='delete'/>" + edition(3, "path"))).way(4),
+              nullptr);
+}
+
+TEST_F(ReadMap, WarnsOfDifferentContentsOfOneVersion) {
+    const std::string skeleton = "<way id='4'><nd ref='1'/><nd ref='2'/></way>";
+    const std::string full = "<way id='4'><nd ref='1'/><nd ref='2'/><tag k='highway' v='path'/></way>";
+    const std::string longer =
+        "<way id='4'><nd ref='1'/><nd ref='2'/><nd ref='1'/><tag k='highway' v='steps'/></way>";
+    for (const auto& [text, value] : {std::pair{skeleton + full, "path"},
+                                      {full + skeleton, "path"},
+                                      {full + longer + skeleton, "steps"}}) {
+        warnings_ = {};
+        EXPECT_EQ(read(with_footway(text)).way(4)->tags.get("highway"), value);
+        ASSERT_TRUE(test::has_code(warnings_.all(), "ambiguous-element"));
+        EXPECT_NE(warnings_.all()[0].message.find("way-4 is in the file more than once"), std::string::npos);
+    }
+    warnings_ = {};
+    read(with_footway(full + full));
+    read(with_footway(skeleton + full + "<way id='4' version='1'><nd ref='1'/><nd ref='2'/></way>"));
+    EXPECT_TRUE(warnings_.all().empty()) << "equal, or a higher version";
+}
+
 /// A map of Taveuni, which the antimeridian divides.
 MapText across_the_antimeridian() {
     MapText map(100.0, -16.8, 180.0);
