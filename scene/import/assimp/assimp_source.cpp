@@ -1,12 +1,15 @@
 #include "scene/import/assimp/assimp_source.h"
 
 #include <algorithm>
+#include <unordered_map>
+#include <utility>
 
 #include <assimp/scene.h>
 
 #include "scene/import/assimp/convert_material.h"
 #include "scene/import/assimp/convert_nodes.h"
 #include "scene/import/source/file_frame.h"
+#include "scene/import/source/obj_text.h"
 
 namespace campuswalk::scene {
 namespace {
@@ -71,6 +74,32 @@ RawMesh convert_mesh(const aiMesh& source, unsigned int uv_channel) {
     return out;
 }
 
+/// The name that the file has for an object of normalize_obj.
+std::string without_number(const std::string& name) {
+    return name.substr(0, name.rfind(kObjectNumber));
+}
+
+/// Gives the objects of OBJ text their names back, and makes one node of those with the same name.
+void join_objects(NodeTree& tree) {
+    NodeTree joined;
+    std::unordered_map<std::string, std::size_t> by_name;
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+        Node& node = tree.nodes[i];
+        const bool is_numbered = node.name.find(kObjectNumber) != std::string::npos;
+        node.name = without_number(node.name);
+        const auto known =
+            is_numbered ? by_name.emplace(node.name, joined.nodes.size()) : std::pair(by_name.end(), true);
+        if (known.second) {
+            joined.nodes.push_back(std::move(node));
+            joined.mesh_numbers.push_back(std::move(tree.mesh_numbers[i]));
+        } else {
+            std::vector<std::size_t>& meshes = joined.mesh_numbers[known.first->second];
+            meshes.insert(meshes.end(), tree.mesh_numbers[i].begin(), tree.mesh_numbers[i].end());
+        }
+    }
+    tree = std::move(joined);
+}
+
 }  // namespace
 
 AssimpSource::AssimpSource(const SceneFile& file) : file_(file), folder_(file) {
@@ -83,12 +112,19 @@ AssimpSource::AssimpSource(const SceneFile& file) : file_(file), folder_(file) {
     }
 }
 
+bool AssimpSource::is_obj() const {
+    return lower_case(file_.path.extension().string()) == ".obj";
+}
+
 NodeTree AssimpSource::nodes() {
     const aiScene& scene = *read_.scene;
     Eigen::Matrix4d X_file_moved = Eigen::Matrix4d::Identity();
     X_file_moved.topRightCorner<3, 1>() = read_.files->origin();
     NodeTree tree = convert_nodes(scene, world_from_file(file_, scene) * X_file_moved);
     replace_generated_names(tree);
+    if (is_obj()) {
+        join_objects(tree);
+    }
     return tree;
 }
 
@@ -121,6 +157,7 @@ RawMesh AssimpSource::mesh(std::size_t number) {
     const SourceMaterial& material =
         materials_[source.mMaterialIndex < materials_.size() ? source.mMaterialIndex : 0];
     RawMesh mesh = convert_mesh(source, material.uv_channel);
+    mesh.name = is_obj() ? without_number(mesh.name) : mesh.name;
     constexpr unsigned int kPointsAndLines = aiPrimitiveType_POINT | aiPrimitiveType_LINE;
     if (source.mPrimitiveTypes != 0 && (source.mPrimitiveTypes & ~kPointsAndLines) == 0) {
         mesh.points_and_lines = std::max<std::size_t>(mesh.points_and_lines, 1);

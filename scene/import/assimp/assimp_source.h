@@ -23,6 +23,7 @@ public:
 
 private:
     void replace_generated_names(NodeTree& tree) const;
+    bool is_obj() const;
 
     const SceneFile& file_;
     SceneFolder folder_;

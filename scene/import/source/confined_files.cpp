@@ -50,6 +50,12 @@ Assimp::IOStream* open_unchanged(const std::filesystem::path& path) {
     return file == nullptr ? nullptr : new OpenFile(file, static_cast<std::size_t>(size));
 }
 
+Assimp::IOStream* copy_of(const std::vector<std::uint8_t>& text) {
+    auto* copy = new std::uint8_t[text.size()];  // owned by the stream
+    std::ranges::copy(text, copy);
+    return new Assimp::MemoryIOStream(copy, text.size(), true);
+}
+
 }  // namespace
 
 bool ConfinedFiles::Exists(const char* name) const {
@@ -63,25 +69,22 @@ Assimp::IOStream* ConfinedFiles::open_collada(const std::filesystem::path& path)
     }
     trim_element_starts(*text);
     collada_ = read_collada_facts(*text);
-    if (!collada_.fault.empty()) {
+    fault_ = collada_.fault;
+    if (!fault_.empty()) {
         return nullptr;
     }
-    auto* copy = new std::uint8_t[text->size()];  // owned by the stream
-    std::ranges::copy(*text, copy);
-    return new Assimp::MemoryIOStream(copy, text->size(), true);
+    return copy_of(*text);
 }
 
 /// Assimp opens it more than once: the result is cached.
 Assimp::IOStream* ConfinedFiles::open_obj(const std::filesystem::path& path) {
     if (!obj_) {
         obj_ = read_bytes(path).value_or(std::vector<std::uint8_t>());
+        fault_ = normalize_obj(*obj_);
         origin_ = move_vertices_near(*obj_, metres_per_unit_);
         dropped_uvs_ = drop_absent_uvs(*obj_);
-        if (origin_.isZero(0.0) && !dropped_uvs_) {
-            obj_ = std::vector<std::uint8_t>();
-        }
     }
-    return obj_->empty() ? open_unchanged(path) : new Assimp::MemoryIOStream(obj_->data(), obj_->size());
+    return fault_.empty() ? new Assimp::MemoryIOStream(obj_->data(), obj_->size()) : nullptr;
 }
 
 Assimp::IOStream* ConfinedFiles::Open(const char* name, const char* mode) {

@@ -31,8 +31,8 @@ public:
     /// What move_vertices_near subtracted from an OBJ's vertices, in its units.
     const Eigen::Vector3d& origin() const { return origin_; }
     const ColladaGeography& geographic() const { return collada_.geography; }
-    /// Why a COLLADA file wasn't opened; empty if it was.
-    const std::string& fault() const { return collada_.fault; }
+    /// Why a COLLADA or OBJ file wasn't opened; empty if it was.
+    const std::string& fault() const { return fault_; }
     /// Whether drop_absent_uvs changed an OBJ.
     bool dropped_uvs() const { return dropped_uvs_; }
     /// Names of the files that were missing or refused, in order.
@@ -44,10 +44,10 @@ private:
 
     SceneFolder folder_;
     double metres_per_unit_;
-    std::optional<std::vector<std::uint8_t>>
-        obj_;  ///< once opened: corrected text, or empty if it is unchanged
+    std::optional<std::vector<std::uint8_t>> obj_;  ///< once opened: corrected text
     Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
     ColladaFacts collada_;
+    std::string fault_;
     bool dropped_uvs_ = false;
     std::vector<std::string> refused_;
 };

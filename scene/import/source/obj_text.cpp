@@ -151,7 +151,143 @@ void append_moved(std::vector<std::uint8_t>& to, const VertexLine& vertex, const
     append(to, vertex.rest);
 }
 
+/// Up to LF, CR LF or CR.
+std::string_view take_line(std::string_view& text) {
+    const auto* end = std::ranges::find_if(text, [](char c) { return c == '\n' || c == '\r'; });
+    const std::string_view line = text.substr(0, static_cast<std::size_t>(end - text.begin()));
+    text.remove_prefix(line.size());
+    text.remove_prefix(text.starts_with("\r\n") ? 2 : std::min<std::size_t>(text.size(), 1));
+    return line;
+}
+
+std::string_view take_word(std::string_view& text) {
+    text = without_indent(text);
+    const std::string_view word = text.substr(0, text.find_first_of(" \t"));
+    text.remove_prefix(word.size());
+    return word;
+}
+
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+/// Whether a word begins like a number.
+bool is_number(std::string_view word) {
+    const bool is_signed = word.starts_with('-') || word.starts_with('+');
+    word.remove_prefix(is_signed ? 1 : 0);
+    const std::string_view digits = word.substr(word.starts_with('.') ? 1 : 0);
+    double value = 0.0;  // of "nan" and "inf"
+    return (!digits.empty() && is_digit(digits.front())) ||
+           (!word.empty() && !is_signed && word.front() > '9' &&
+            std::from_chars(word.data(), word.data() + word.size(), value).ec == std::errc());
+}
+
+/// Writes the lines of normalize_obj.
+class Normalizer {
+public:
+    explicit Normalizer(std::size_t size) { text_.reserve(size + size / 8); }
+
+    /// One that is joined already; false if it is faulty.
+    bool add(std::string_view line) {
+        const std::string_view whole = without_indent(line);
+        const std::string_view keyword = take_word(line);
+        if (keyword == "o" || keyword == "g") {
+            add_object(keyword == "g", without_indent(line));
+        } else if (keyword == "v" || keyword == "vt" || keyword == "vn") {
+            return add_numbers(keyword, line);
+        } else if (!keyword.empty()) {
+            append(text_, whole);
+            text_.push_back('\n');
+        }
+        return true;
+    }
+
+    std::vector<std::uint8_t> text() && { return std::move(text_); }
+
+private:
+    void add_object(bool is_group, std::string_view name) {
+        while (!name.empty() && is_space(name.back())) {
+            name.remove_suffix(1);
+        }
+        if (name.empty() && !(is_group && grouped_)) {
+            return;  // it ends no group
+        }
+        grouped_ = !name.empty() && (grouped_ || is_group);
+        if (objects_ == 0 || name != name_) {
+            name_ = name;
+            append(text_, "g " + name_ + kObjectNumber + std::to_string(objects_++) + '\n');
+        }
+    }
+
+    bool add_numbers(std::string_view keyword, std::string_view rest) {
+        std::array<std::string_view, 7> words;
+        std::size_t count = 0;
+        while (count < words.size() && is_number(words[count] = take_word(rest))) {
+            ++count;
+        }
+        const bool is_vertex = keyword == "v";
+        if (is_vertex && count < 3) {
+            return false;
+        }
+        // A vertex has a weight or a colour, but no part of one; what is more is no number of it.
+        const std::size_t used = is_vertex ? (count > 6    ? 6
+                                              : count == 5 ? 3
+                                                           : count)
+                                           : std::min<std::size_t>(count, 3);
+        append(text_, keyword);
+        for (std::size_t i = 0; i < used; ++i) {
+            append(text_, words[i].starts_with('.') ? " 0" : " ");
+            append(text_, words[i]);
+        }
+        append(text_, keyword == "vt" && used == 1 ? " 0\n" : "\n");  // assimp wants two
+        return true;
+    }
+
+    std::vector<std::uint8_t> text_;
+    std::string name_;  ///< of the current object
+    std::size_t objects_ = 0;
+    bool grouped_ = false;
+};
+
+/// Of what `#` begins a comment behind: in names it may be part of them.
+bool is_data(std::string_view line) {
+    const std::string_view keyword = take_word(line);
+    return keyword.empty() || keyword.front() == '#' || keyword.front() == 'v' || keyword == "f" ||
+           keyword == "l" || keyword == "p" || keyword == "s";
+}
+
 }  // namespace
+
+std::string normalize_obj(std::vector<std::uint8_t>& obj) {
+    std::string_view text(reinterpret_cast<const char*>(obj.data()), obj.size());
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
+        return "it is UTF-16, and OBJ files are UTF-8";
+    }
+    text.remove_prefix(text.starts_with("\xEF\xBB\xBF") ? 3 : 0);
+    Normalizer normalizer(text.size());
+    std::string joined;  // of lines that continue
+    for (std::size_t number = 1; !text.empty(); ++number) {
+        std::string_view line = take_line(text);
+        if (is_data(joined.empty() ? line : joined)) {
+            line = line.substr(0, line.find('#'));
+        }
+        const bool continues = line.ends_with('\\') && !text.empty();
+        line.remove_suffix(continues ? 1 : 0);
+        if (continues || !joined.empty()) {
+            joined += line;
+            joined += continues ? " " : "";
+        }
+        if (continues) {
+            continue;
+        }
+        if (!normalizer.add(joined.empty() ? line : joined)) {
+            return "line " + std::to_string(number) + " has a vertex without three numbers";
+        }
+        joined.clear();
+    }
+    obj = std::move(normalizer).text();
+    return "";
+}
 
 bool drop_absent_uvs(std::vector<std::uint8_t>& obj) {
     const std::string_view text(reinterpret_cast<const char*>(obj.data()), obj.size());

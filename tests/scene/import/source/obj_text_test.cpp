@@ -2,6 +2,8 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -58,6 +60,101 @@ TEST(ObjText, MeasuresPrecisionInMetres) {
     const std::string text = "v 85012.343 447455.577 0.88\nv 85012.443 447455.577 0.88\n";
     EXPECT_EQ(moved(text, 0.001).origin, Eigen::Vector3d::Zero());
     EXPECT_NE(moved(text, 0.1).origin, Eigen::Vector3d::Zero());
+}
+
+std::string normalized(std::string_view text) {
+    std::vector<std::uint8_t> bytes(text.begin(), text.end());
+    const std::string fault = normalize_obj(bytes);
+    return fault.empty() ? std::string(bytes.begin(), bytes.end()) : fault;
+}
+
+TEST(ObjText, NormalizesWhatAssimpMisreads) {
+    for (const auto& [text, expected] : std::vector<std::pair<std::string, std::string>>{
+             {"\xEF\xBB\xBFv 0 0 0", "v 0 0 0\n"},
+             {"v .5 -.5 +.5\nv 5. 1e3 -1.5E-3\n", "v 0.5 -.5 +.5\nv 5. 1e3 -1.5E-3\n"},
+             {"vt .5\nvt .5 .5\nvt 0 1 0 7\nvn .0 1 .0\n", "vt 0.5 0\nvt 0.5 0.5\nvt 0 1 0\nvn 0.0 1 0.0\n"},
+             {"v nan inf 1\n", "v nan inf 1\n"},
+             {"v 0 0 0 # 1\nf 1 2 3# 4\nl 1 2 #\n#f 1 2 3\n", "v 0 0 0\nf 1 2 3\nl 1 2 \n"},
+             {"  v\t1  2 3 \r\n\n\tf 1 2 3\r\n", "v 1 2 3\nf 1 2 3\n"},
+             {"v 0 0 0\rf 1 2 3\r", "v 0 0 0\nf 1 2 3\n"},
+             {"v 0 0 0 2\nv 0 0 0 2 2\nv 0 0 0 1 1 1\nv 0 0 0 1 1 1 1\nv 0 0 0 x\n",
+              "v 0 0 0 2\nv 0 0 0\nv 0 0 0 1 1 1\nv 0 0 0 1 1 1\nv 0 0 0\n"},
+             {"v 1 2 \\\n3\nf 1 \\\r\n 2 3\n# C:\\\nv 1 2 3 # C:\\\nv 4 5 6\n",
+              "v 1 2 3\nf 1   2 3\nv 1 2 3\nv 4 5 6\n"},
+             {"o Main Hall \nf 1\no Main  Gate #2\no Main  Gate #2\n",
+              "g Main Hall\x1F"
+              "0\nf 1\ng Main  Gate #2\x1F"
+              "1\n"},
+             {"o a\ng\no\ng a\ng b\ng\n",
+              "g a\x1F"
+              "0\ng b\x1F"
+              "1\ng \x1F"
+              "2\n"},
+             {"usemtl Red #2\nmtllib a b.mtl\ns off # all\ncurv 0\n",
+              "usemtl Red #2\nmtllib a b.mtl\ns off \ncurv 0\n"},
+             {"v 0 0 0\n\nv 0 \\\n1\n", "line 4 has a vertex without three numbers"},
+             {"v 0 zero 0\n", "line 1 has a vertex without three numbers"},
+             {"v 0 - 0\n", "line 1 has a vertex without three numbers"},
+             {std::string("\xFF\xFEv\0", 4), "it is UTF-16, and OBJ files are UTF-8"},
+             {"", ""},
+         }) {
+        EXPECT_EQ(normalized(text), expected) << text;
+    }
+}
+
+class ObjFile : public testing::Test {
+protected:
+    ImportedModel import(const std::string& text) {
+        folder_.write("a.obj", text);
+        return import_model(test::scene_file(folder_, "a.obj"));
+    }
+    /// "NAME TRIANGLES" of each node with a mesh.
+    std::vector<std::string> nodes(const std::string& text) {
+        const Model model = import(text).model;
+        std::vector<std::string> result;
+        for (const Node& node : model.nodes) {
+            std::size_t triangles = 0;
+            for (const MeshIndex mesh : node.meshes) {
+                triangles += model.meshes[index_of(mesh)].triangles.size();
+            }
+            if (triangles > 0) {
+                result.push_back(node.name + " " + std::to_string(triangles));
+            }
+        }
+        return result;
+    }
+
+    test::TemporaryFolder folder_;
+};
+
+const std::string kVertices = "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 1 0\nv 1 1 0\n";
+
+TEST_F(ObjFile, GivesFacesToTheObjectNamed) {
+    using Names = std::vector<std::string>;
+    EXPECT_EQ(nodes(kVertices + "o a\nf 1 2 3\no b\nf 1 2 5\no a\nf 1 3 4\nf 2 5 6\n"),
+              (Names{"a 3", "b 1"}));
+    EXPECT_EQ(nodes(kVertices + "g a\nf 1 2 3\no b\nf 1 2 5\ng a\nf 1 3 4\n"), (Names{"a 2", "b 1"}));
+    EXPECT_EQ(nodes(kVertices +
+                    "o a\nusemtl m\nf 1 2 3\nusemtl n\nf 1 2 5\no b\nf 1 2 6\no a\nusemtl m\nf 1 3 4\n"),
+              (Names{"a 3", "b 1"}));
+    EXPECT_EQ(nodes(kVertices + "o Main Hall\nf 1 2 3\no Main Gate\nf 1 2 5\ng Main Wall\nf 1 5 4\n"),
+              (Names{"Main Hall 1", "Main Gate 1", "Main Wall 1"}));
+}
+
+TEST_F(ObjFile, ReadsVerticesWithoutALeadingZeroAndComments) {
+    const std::string text =
+        "\xEF\xBB\xBFo floor\nv 0 .5 0 # 1\nv 1. .5 0\nv +1 .5 1\nv 0 .5 10e-1 # 4 5\nf 1 2 3 4 # all\n";
+    EXPECT_EQ(nodes(text), (std::vector<std::string>{"floor 2"}));
+    const Bounds bounds = world_bounds(import(text).model);
+    EXPECT_EQ(bounds.min, Eigen::Vector3d(0, 0.5, 0));
+    EXPECT_EQ(bounds.max, Eigen::Vector3d(1, 0.5, 1));
+}
+
+TEST_F(ObjFile, IsRefusedWithTheLineOfAFaultyVertex) {
+    const auto errors = test::errors_of([&] { import("o a\nv 1 2\nf 1 1 1\n"); });
+    ASSERT_EQ(errors.size(), 1U);
+    EXPECT_EQ(errors[0].code, "bad-model");
+    EXPECT_NE(errors[0].message.find("line 2 has a vertex without three numbers"), std::string::npos);
 }
 
 TEST(ObjText, DropsReferencesToMissingTextureCoordinates) {
