@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
+#include <fstream>
 #include <memory>
 
 #include <assimp/MemoryIOWrapper.h>
 #include <assimp/IOStream.hpp>
 
 #include "scene/import/source/obj_text.h"
+#include "scene/import/source/ply_header.h"
 
 namespace campuswalk::scene {
 namespace {
@@ -56,6 +58,12 @@ Assimp::IOStream* copy_of(const std::vector<std::uint8_t>& text) {
     return new Assimp::MemoryIOStream(copy, text.size(), true);
 }
 
+Assimp::IOStream* open_ply(const std::filesystem::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    const std::vector<std::uint8_t> text = rewrite_ply(in);
+    return text.empty() ? open_unchanged(path) : copy_of(text);
+}
+
 }  // namespace
 
 bool ConfinedFiles::Exists(const char* name) const {
@@ -94,6 +102,7 @@ Assimp::IOStream* ConfinedFiles::Open(const char* name, const char* mode) {
     Assimp::IOStream* stream = !path                 ? nullptr
                                : extension == ".dae" ? open_collada(*path)
                                : extension == ".obj" ? open_obj(*path)
+                               : extension == ".ply" ? open_ply(*path)
                                                      : open_unchanged(*path);
     if (stream == nullptr) {
         refused_.emplace_back(name);

@@ -136,7 +136,136 @@ private:
     double bytes_ = 0.0;  // a product of two counts may exceed any integer
 };
 
+/// A number of a binary list's length.
+std::uint64_t length_of(std::string_view bytes, bool big_endian) {
+    std::uint64_t value = 0;
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        const char byte = bytes[big_endian ? i : bytes.size() - 1 - i];
+        value = value << 8U | static_cast<std::uint8_t>(byte);
+    }
+    return value;
+}
+
+/// A kind of element, with its part of the header and of the data.
+struct Section {
+    struct Property {
+        std::size_t size = 0;         ///< of a value
+        std::size_t length_size = 0;  ///< of a list's length; zero without a list
+    };
+
+    std::string name;
+    std::uint64_t count = 0;
+    std::vector<Property> properties;
+    std::string header;
+    std::string data;
+
+    bool is_geometry() const { return name == "vertex" || name == "face" || name == "tristrips"; }
+
+    /// Takes its elements from the front of the data behind the header, each with something before it.
+    void take_data(std::string_view& all, std::string_view format, std::string_view before) {
+        for (std::uint64_t i = 0; i < count && !all.empty(); ++i) {
+            const std::size_t size =
+                format == "ascii" ? line_size(all) : values_size(all, format == "binary_big_endian");
+            data += before;
+            data += all.substr(0, size);
+            all.remove_prefix(std::min(size, all.size()));
+        }
+    }
+
+private:
+    std::size_t line_size(std::string_view all) const {
+        // An empty line is an element only without properties.
+        const std::size_t text = properties.empty() ? 0 : all.find_first_not_of(" \t\r\n");
+        const std::size_t end = all.find('\n', std::min(text, all.size()));
+        return end == std::string_view::npos ? all.size() : end + 1;
+    }
+    std::size_t values_size(std::string_view all, bool big_endian) const {
+        std::size_t at = 0;
+        for (const Property& property : properties) {
+            const std::uint64_t length =
+                property.length_size == 0
+                    ? 1
+                    : length_of(all.substr(std::min(at, all.size()), property.length_size), big_endian);
+            at = length > all.size() ? all.size() : at + property.length_size + length * property.size;
+        }
+        return at;
+    }
+};
+
+/// The header's lines by element; the first, without a name, has what is before, and all comments.
+struct Header {
+    std::string format;
+    std::vector<Section> sections{1};
+    bool has_late_comments = false;
+
+    explicit Header(std::istream& in) {
+        std::string line;
+        while (std::getline(in, line) && line.substr(0, line.find_last_not_of(kSpace) + 1) != "end_header") {
+            add_line(line.substr(0, line.find_last_not_of(kSpace) + 1));
+        }
+    }
+
+private:
+    void add_line(const std::string& line) {
+        std::istringstream words(line);
+        std::string keyword;
+        std::string first;
+        std::string second;
+        std::string third;
+        words >> keyword >> first >> second >> third;
+        if (keyword == "comment" || keyword == "obj_info") {
+            has_late_comments = has_late_comments || sections.size() > 1;
+            sections.front().header += line + '\n';
+            return;
+        }
+        if (keyword == "format") {
+            format = first;
+        } else if (keyword == "element") {
+            sections.emplace_back().name = first;
+            std::from_chars(second.data(), second.data() + second.size(), sections.back().count);
+        } else if (keyword == "property" && first == "list") {
+            sections.back().properties.push_back({size_of(third), size_of(second)});
+        } else if (keyword == "property") {
+            sections.back().properties.push_back({size_of(first), 0});
+        }
+        sections.back().header += line + '\n';
+    }
+};
+
 }  // namespace
+
+std::vector<std::uint8_t> rewrite_ply(std::istream& in) {
+    Header header(in);
+    std::vector<Section>& sections = header.sections;
+    const auto last = std::find_if(sections.rbegin(), sections.rend(), [](const Section& section) {
+                          return section.is_geometry();
+                      }).base();
+    sections.erase(last, sections.end());
+    const auto is_other = [](const Section& section) { return !section.is_geometry(); };
+    const int first_byte = in.peek();
+    const bool is_binary = header.format != "ascii";
+    const bool line_end = is_binary && (first_byte == '\n' || first_byte == '\r');
+    if (sections.empty() || (!header.has_late_comments && !line_end &&
+                             std::none_of(sections.begin() + 1, sections.end(), is_other))) {
+        return {};
+    }
+    const std::string all(std::istreambuf_iterator<char>(in), {});
+    std::string_view rest = all;
+    std::string text = sections.front().header;
+    std::string data;
+    bool pad = is_binary;  // the first with geometry
+    for (Section& section : std::span(sections).subspan(1)) {
+        section.take_data(rest, header.format, section.is_geometry() && pad ? std::string_view("\0", 1) : "");
+        if (section.is_geometry()) {
+            section.header.insert(section.header.find('\n') + 1, pad ? "property uchar padding\n" : "");
+            pad = false;
+            text += section.header;
+            data += section.data;
+        }
+    }
+    text += "end_header\n" + data;
+    return {text.begin(), text.end()};
+}
 
 std::string ply_fault(std::istream& in) {
     in.seekg(0, std::ios::end);

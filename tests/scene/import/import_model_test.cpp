@@ -1,5 +1,8 @@
 #include "scene/import/import_model.h"
 
+#include <array>
+#include <bit>
+#include <cstdint>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -116,7 +119,7 @@ TEST_F(ImportModelTest, IsDeterministic) {
 
 TEST_F(ImportModelTest, WeldsVerticesOfObjFiles) {
     folder_.write("box.obj", test::obj_box("box", {0, 0, 0}, {1, 2, 3}));
-    EXPECT_EQ(import("box.obj").meshes[0].positions.size(), 24U);  // three normals at each of 8 corners
+    EXPECT_EQ(import("box.obj").meshes[0].positions.size(), 24U);  // three normals at each of 8 firsts
 }
 
 TEST_F(ImportModelTest, TriangulatesPolygonsAndIgnoresLines) {
@@ -203,6 +206,77 @@ TEST_F(ImportModelTest, RejectsAPlyFileTruncatedInItsHeader) {
     EXPECT_EQ(announcing("binary_little_endian", "1", binary), "");
     EXPECT_NE(announcing("binary_little_endian", "14", binary).find("its header announces"),
               std::string::npos);
+}
+
+/// A box of 4 m by 3 m by 2 m whose elements are preceded, divided and followed by others; its first vertex
+/// is at `first`, a position near (0, 0, 0).
+std::string odd_ply(bool is_text, const std::array<float, 3>& first) {
+    std::string ply =
+        std::string("ply\nformat ") + (is_text ? "ascii" : "binary_little_endian") +
+        " 1.0\ncomment made by hand\nelement camera 2\nproperty list uchar short view\n"
+        "property float x\nelement vertex 8\ncomment Points\nproperty float x\nproperty float y\n"
+        "comment TextureFile none.png\nproperty float z\nobj_info a\nelement edge 1\n"
+        "property int vertex1\ncomment\nelement face 6\nproperty list uchar int vertex_indices\n"
+        "element end 1\nproperty char end\nend_header\n";
+    const auto put = [&](auto value) {
+        if (is_text) {
+            std::ostringstream text;
+            text << +value << ' ';
+            ply += text.str();
+        } else {
+            const auto bytes = std::bit_cast<std::array<char, sizeof value>>(value);
+            ply.append(bytes.begin(), bytes.end());
+        }
+    };
+    const auto end_line = [&] { ply += is_text ? "\n" : ""; };
+    for (const int length : {2, 0}) {
+        put(static_cast<std::uint8_t>(length));
+        for (int i = 0; i < length; ++i) {
+            put(static_cast<std::int16_t>(0x0A0A));
+        }
+        put(1.5F);
+        end_line();
+    }
+    for (int i = 0; i < 8; ++i) {
+        put(i == 0 ? first[0] : i % 4 == 1 || i % 4 == 2 ? 4.0F : 0.0F);
+        put(i == 0 ? first[1] : i % 4 >= 2 ? 3.0F : 0.0F);
+        put(i == 0 ? first[2] : i >= 4 ? 2.0F : 0.0F);
+        end_line();
+    }
+    put(std::int32_t{7});
+    end_line();
+    for (const auto& face : std::array<std::array<std::int32_t, 4>, 6>{
+             {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {3, 7, 6, 2}, {0, 4, 7, 3}, {1, 2, 6, 5}}}) {
+        put(std::uint8_t{4});
+        for (const std::int32_t index : face) {
+            put(index);
+        }
+        end_line();
+    }
+    put(std::int8_t{1});
+    end_line();
+    return ply;
+}
+
+TEST_F(ImportModelTest, TakesPlyFilesWithOtherElementsCommentsAndLineEndsInData) {
+    // Begins with the bytes of line ends.
+    const float line_ends = std::bit_cast<float>(std::array<char, 4>{'\n', '\n', '\r', '\0'});
+    for (const bool is_text : {true, false}) {
+        for (const float x : {0.0F, line_ends}) {
+            const std::string whole = odd_ply(is_text, {x, 0.0F, 0.0F});
+            std::string plain = whole;  // begins with the vertices
+            const std::size_t camera = plain.find("element camera");
+            plain.erase(camera, plain.find("element vertex") - camera);
+            std::size_t data = plain.find("end_header\n") + 11;
+            plain.erase(data, is_text ? plain.find('\n', plain.find('\n', data) + 1) + 1 - data : 14);
+            for (const std::string& text : {whole, plain}) {
+                folder_.write("odd.ply", text);
+                const Model model = import("odd.ply");
+                EXPECT_EQ(count_triangles(model), 12U) << is_text;
+                EXPECT_NEAR(test::signed_volume(model), 24.0, 1e-4) << is_text;
+            }
+        }
+    }
 }
 
 TEST_F(ImportModelTest, RejectsPlyElementsWithoutPropertiesThatTheFileCantHold) {
