@@ -136,7 +136,8 @@ Eigen::Vector3d origin_of(std::string_view text, double metres_per_unit) {
 }
 
 void append(std::vector<std::uint8_t>& to, std::string_view text) {
-    to.insert(to.end(), text.begin(), text.end());
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data());  // faster than characters
+    to.insert(to.end(), bytes, bytes + text.size());
 }
 
 void append_moved(std::vector<std::uint8_t>& to, const VertexLine& vertex, const Eigen::Vector3d& origin) {
@@ -162,7 +163,8 @@ std::string_view take_line(std::string_view& text) {
 
 std::string_view take_word(std::string_view& text) {
     text = without_indent(text);
-    const std::string_view word = text.substr(0, text.find_first_of(" \t"));
+    const auto* end = std::ranges::find_if(text, is_space);
+    const std::string_view word = text.substr(0, static_cast<std::size_t>(end - text.begin()));
     text.remove_prefix(word.size());
     return word;
 }
@@ -249,7 +251,7 @@ private:
     bool grouped_ = false;
 };
 
-/// Of what `#` begins a comment behind: in names it may be part of them.
+/// Whether every `#` in the line begins a comment; in names, such as "Hall #2", only one between spaces does.
 bool is_data(std::string_view line) {
     const std::string_view keyword = take_word(line);
     return keyword.empty() || keyword.front() == '#' || keyword.front() == 'v' || keyword == "f" ||
@@ -268,9 +270,7 @@ std::string normalize_obj(std::vector<std::uint8_t>& obj) {
     std::string joined;  // of lines that continue
     for (std::size_t number = 1; !text.empty(); ++number) {
         std::string_view line = take_line(text);
-        if (is_data(joined.empty() ? line : joined)) {
-            line = line.substr(0, line.find('#'));
-        }
+        line = line.substr(0, line.find(is_data(joined.empty() ? line : joined) ? "#" : " # "));
         const bool continues = line.ends_with('\\') && !text.empty();
         line.remove_suffix(continues ? 1 : 0);
         if (continues || !joined.empty()) {

@@ -85,6 +85,9 @@ TEST(ObjText, NormalizesWhatAssimpMisreads) {
               "g Main Hall\x1F"
               "0\nf 1\ng Main  Gate #2\x1F"
               "1\n"},
+             {"o floor # the floor\nusemtl red # paint\n",
+              "g floor\x1F"
+              "0\nusemtl red\n"},
              {"o a\ng\no\ng a\ng b\ng\n",
               "g a\x1F"
               "0\ng b\x1F"
