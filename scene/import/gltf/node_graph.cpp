@@ -165,7 +165,7 @@ private:
     std::vector<bool> drawn_;                         // by mesh
     std::vector<SkinnedNode> skinned_;                // drawn when all joints are placed
     std::map<DeformedKey, std::size_t> deformed_;     // the numbers of their first primitives
-    bool has_scene_ = false;
+    bool draws_all_meshes_ = false;                   // those that no node places, too
     NodeTree tree_;
 };
 
@@ -190,8 +190,8 @@ std::vector<std::size_t> GraphReader::nodes_without_a_parent() const {
 std::vector<std::size_t> GraphReader::roots() {
     const std::size_t scenes = document_.size("scenes");
     const auto chosen = document_.root().uint("scene");
-    has_scene_ = chosen || scenes > 0;
-    if (!has_scene_) {
+    draws_all_meshes_ = !chosen && scenes <= 1;
+    if (!chosen && scenes == 0) {
         return nodes_without_a_parent();
     }
     notes_.ignored_scenes = scenes > 0 ? scenes - 1 : 0;
@@ -369,7 +369,7 @@ NodeTree GraphReader::read() {
     }
     draw_skinned();
     const std::vector<std::size_t> unplaced = meshes_not_drawn();
-    if (has_scene_) {
+    if (!draws_all_meshes_) {
         notes_.unplaced_meshes = unplaced.size();
         return std::move(tree_);
     }

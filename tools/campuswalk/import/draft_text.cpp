@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 
+#include "scene/base/printable.h"
 #include "tools/campuswalk/base/yaml_text.h"
 
 namespace campuswalk::tools {
@@ -19,9 +20,8 @@ namespace {
 
 /// In a comment and in code of Markdown.
 std::string plain_name(const std::string& map_file) {
-    std::string name = map_file;
-    std::ranges::replace_if(
-        name, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f || c == '`'; }, '_');
+    std::string name = scene::printable(map_file);
+    std::ranges::replace(name, '`', '_');
     return name;
 }
 
