@@ -62,7 +62,7 @@ TEST(CheckWalk, RejectsASpawnInTheAirThatDoesNotSaySo) {
         diagnostics(walk_of({marked(spawn_at({-5, 30.4, 0}, 0.0, "roof"), 12)})),
         ElementsAre(says("a.walk.yaml:12:5: error spawn-in-air", {"roof", "30.00 m above the ground"})));
     EXPECT_THAT(diagnostics(walk_of({spawn_at({5000, 0, 0})})),
-                ElementsAre(says(": error spawn-in-air", {"over nothing"})));
+                ElementsAre(says("error spawn-in-air", {"over nothing"})));
     SpawnStep announced = spawn_at({-5, 30.4, 0});
     announced.fall = true;
     EXPECT_EQ(diagnostics(walk_of({announced})), Diagnostics());
