@@ -43,6 +43,7 @@ public:
 
     /// At the walk's end, if the verdict might have been another had the walk gone on.
     std::optional<Undecided> undecided() const;
+    /// The part of the expectation that decides so far.
     SourceMark mark() const { return finding(false).mark; }
 
 private:

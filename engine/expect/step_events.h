@@ -27,8 +27,8 @@ public:
 
     /// How often events that match come from the first `steps` steps. walk.end comes from one after the last.
     Interval times(const EventPattern& event, std::size_t steps) const;
-    /// Whether events that match can come in this order. Those that steps don't cause alone come
-    /// `at_any_time`.
+    /// Whether events that match can come in this order. `at_any_time[i]`: the campus can cause the i-th,
+    /// too.
     bool can_come(const std::vector<EventPattern>& in_order, const std::vector<bool>& at_any_time,
                   std::size_t steps) const;
     /// Whether events that match come for certain and in this order.
@@ -47,7 +47,7 @@ private:
     void add_switched(std::size_t index, const StepPreview::Switch& step, const scene::Campus& campus,
                       const Walk& walk, std::vector<bool>& disabled);
 
-    std::vector<StepEvent> events_;  ///< in their order
+    std::vector<StepEvent> events_;  ///< in the order in which the steps cause them
 };
 
 }  // namespace campuswalk::engine

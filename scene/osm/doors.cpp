@@ -152,7 +152,7 @@ private:
         return {0, path.way->nodes.size() - 1};
     }
 
-    /// Of a bridge; none on the ground.
+    /// How high a bridge is at one of its nodes; nullopt for a path on the ground.
     static std::optional<double> height_at(const Path& path, std::size_t place) {
         return path.is_above() ? std::optional(path.deck[place]) : std::nullopt;
     }
@@ -278,7 +278,7 @@ private:
     BoxIndex outlines_;                                      ///< of areas with walls
     BoxIndex volumes_;                                       ///< that stand on the ground
     std::unordered_map<std::int64_t, std::size_t> on_wall_;  ///< areas by node
-    /// By node where a path ends: the height of the bridge if only one leads there.
+    /// For each node at which paths end, the height of the bridge that leads there, if exactly one does.
     std::unordered_map<std::int64_t, std::optional<double>> led_to_;
     std::set<std::int64_t> done_;
     std::set<std::size_t> with_door_;

@@ -45,7 +45,7 @@ void visit(const osmium::io::File& file, osmium::osm_entity_bits::type kinds, Vi
     reader.close();
 }
 
-/// By id.
+/// Sorts the locations by the ids of their nodes.
 void sort_locations(std::vector<NodeLocation>& locations);
 
 /// Thrown when a map has more nodes than can be read.

@@ -39,12 +39,12 @@ public:
     engine::Target target(const CheckedNode& node) const;
     /// A building's, place's or spawn's name (in this order), or `[x, y, z]`.
     engine::CameraTarget camera_target(const CheckedNode& node) const;
-    /// As `target`, or else a building's name.
+    /// Reads what `target` reads, or else the name of a building.
     Sight sight(const CheckedNode& node) const;
-    /// The first step's: a spawn's name, or `{at: ..., yaw_deg: 90, fall: true}` with such a name or `[x, y,
-    /// z]`.
+    /// Reads where the first step puts the avatar: a spawn's name, or `{at, yaw_deg, fall}`, whose `at` is
+    /// such a name or `[x, y, z]`.
     Placement spawn(const CheckedNode& node) const;
-    /// A later step's: likewise without `fall`, and else a place's name.
+    /// Reads where a later step puts it: without `fall`, and a name may also be that of a place.
     Placement teleport(const CheckedNode& node) const;
     /// Reports a layer that the campus doesn't have.
     void check_layer(const CheckedNode& node, const std::string& layer) const;
@@ -58,7 +58,7 @@ private:
 
     /// The names of all places and spawns. Requires a campus.
     std::vector<std::string> target_names() const;
-    /// Those, and the ids of all buildings. Requires a campus.
+    /// The names of all places and spawns, and the ids of all buildings. Requires a campus.
     std::vector<std::string> sight_names() const;
 
     const scene::CampusDescription* campus_;
