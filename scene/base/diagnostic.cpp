@@ -84,9 +84,17 @@ void DiagnosticList::throw_if_errors() const {
 std::string_view nearest_word(std::string_view word, const std::vector<std::string>& candidates) {
     // With more than a third of the letters wrong it is another word, not a typo.
     const std::size_t allowed = word.size() < 2 ? 0 : std::max<std::size_t>(1, word.size() / 3);
+    constexpr std::size_t kLongestTypo = 300;  // a distance takes time by the square of the length
     std::string_view best;
+    if (word.size() > kLongestTypo) {
+        return best;
+    }
     std::size_t best_distance = allowed + 1;
     for (const std::string& candidate : candidates) {
+        if (candidate.size() + best_distance <= word.size() ||
+            word.size() + best_distance <= candidate.size()) {
+            continue;  // the distance is at least the difference of the lengths
+        }
         if (const std::size_t distance = edit_distance(word, candidate); distance < best_distance) {
             best = candidate;
             best_distance = distance;

@@ -15,7 +15,8 @@ struct ClassMatch {
 };
 
 /// The class starts at glob[at] == '['. nullopt if the bracket is never closed: it is then a literal.
-std::optional<ClassMatch> match_class(std::string_view glob, std::size_t at, char c) {
+std::optional<ClassMatch> match_class(std::string_view glob, std::size_t at, char c,
+                                      std::uint64_t& compared) {
     std::size_t i = at + 1;
     const bool negated = i < glob.size() && (glob[i] == '!' || glob[i] == '^');
     i += negated ? 1 : 0;
@@ -31,6 +32,7 @@ std::optional<ClassMatch> match_class(std::string_view glob, std::size_t at, cha
         found = found || (low <= value && value <= high);
         ++i;
     }
+    compared += i - at;
     if (i >= glob.size()) {
         return std::nullopt;
     }
@@ -38,12 +40,13 @@ std::optional<ClassMatch> match_class(std::string_view glob, std::size_t at, cha
 }
 
 /// Matches one character against the glob's item at `at`. Returns the start of the next item, or kNone.
-std::size_t match_one(std::string_view glob, std::size_t at, char c) {
+std::size_t match_one(std::string_view glob, std::size_t at, char c, std::uint64_t& compared) {
+    ++compared;
     if (at >= glob.size()) {
         return kNone;
     }
     if (glob[at] == '[') {
-        if (const auto match = match_class(glob, at, c)) {
+        if (const auto match = match_class(glob, at, c, compared)) {
             return match->matches ? match->end : kNone;
         }
     }
@@ -55,8 +58,13 @@ std::size_t match_one(std::string_view glob, std::size_t at, char c) {
 
 }  // namespace
 
-// Backtracks to the last `*` only: O(name x glob) for any pattern.
 bool glob_matches(std::string_view glob, std::string_view name) {
+    std::uint64_t ignored = 0;
+    return glob_matches(glob, name, ignored);
+}
+
+// Backtracks to the last `*` only: O(name x glob) for any pattern.
+bool glob_matches(std::string_view glob, std::string_view name, std::uint64_t& compared) {
     std::size_t at = 0;
     std::size_t i = 0;
     std::size_t after_star = kNone;
@@ -67,7 +75,7 @@ bool glob_matches(std::string_view glob, std::string_view name) {
             star_end = i;
             continue;
         }
-        const std::size_t next = match_one(glob, at, name[i]);
+        const std::size_t next = match_one(glob, at, name[i], compared);
         if (next != kNone) {
             at = next;
             ++i;

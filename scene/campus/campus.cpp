@@ -123,9 +123,14 @@ std::string reason(NoInside why) {
 /// Adds the colliders of a campus to its world, one after the other.
 class ColliderBuilder {
 public:
-    ColliderBuilder(Campus& campus, CachedMeshes& meshes, collision::TreeKind tree,
+    ColliderBuilder(Campus& campus, NodeSelector& selector, CachedMeshes& meshes, collision::TreeKind tree,
                     DiagnosticList& diagnostics, std::vector<Diagnostic>& warnings)
-        : campus_(campus), meshes_(meshes), tree_(tree), diagnostics_(diagnostics), warnings_(warnings) {}
+        : campus_(campus),
+          selector_(selector),
+          meshes_(meshes),
+          tree_(tree),
+          diagnostics_(diagnostics),
+          warnings_(warnings) {}
 
     void add(const ColliderDescription& collider);
 
@@ -136,6 +141,7 @@ private:
                     const NodeSelection& selection);
 
     Campus& campus_;
+    NodeSelector& selector_;
     CachedMeshes& meshes_;
     collision::TreeKind tree_;
     DiagnosticList& diagnostics_;
@@ -160,10 +166,10 @@ void ColliderBuilder::add(const ColliderDescription& collider) {
         }
         return;
     }
-    const NodeSelection selection = select_nodes(campus_.models, globs, collider.except);
+    const NodeSelection selection = selector_.select(globs, collider.except);
     const std::vector<NodeRef>& matches = selection.roots;
     if (matches.empty()) {
-        if (!topmost_matches(campus_.models, globs).empty()) {  // otherwise check_globs has reported it
+        if (!topmost_matches(campus_.models, globs).empty()) {  // otherwise check() has reported it
             diagnostics_.error(collider.except.front().mark, "empty-mesh",
                                "'except' excludes every node of collider '" + collider.id + "'");
         }
@@ -304,8 +310,9 @@ Campus load_campus(CampusDescription description, std::unique_ptr<collision::Bro
     warnings.insert(warnings.end(), campus.description.warnings.begin(), campus.description.warnings.end());
     campus.texture_warnings = std::move(scenes.texture_warnings);
     campus.origin = move_to_origin(campus.description.origin, campus.models);
+    NodeSelector selector(campus.models);
     for (const Building& building : campus.description.buildings) {
-        check_globs(campus.models, building.nodes, diagnostics);
+        selector.check(building.nodes, diagnostics);
     }
     const bool cacheable = cache != nullptr && tree == collision::TreeKind::bvh8 &&
                            scenes.contents.size() == campus.models.size();
@@ -315,10 +322,10 @@ Campus load_campus(CampusDescription description, std::unique_ptr<collision::Bro
     if (scenes.contents.size() == campus.models.size()) {
         campus.contents = scenes.contents;
     }
-    ColliderBuilder builder(campus, meshes, tree, diagnostics, warnings);
+    ColliderBuilder builder(campus, selector, meshes, tree, diagnostics, warnings);
     for (const ColliderDescription& collider : campus.description.colliders) {
-        check_globs(campus.models, collider.nodes, diagnostics);
-        check_globs(campus.models, collider.except, diagnostics);
+        selector.check(collider.nodes, diagnostics);
+        selector.check(collider.except, diagnostics);
         builder.add(collider);
     }
     diagnostics.throw_if_errors();

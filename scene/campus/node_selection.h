@@ -4,6 +4,7 @@
 #include <compare>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -32,13 +33,33 @@ struct NodeSelection {
     std::vector<NodeRef> except;  ///< likewise, left out of those; ascending
 };
 
-/// The nodes that match `globs` without those that match `except`; no root is in a subtree that is left out.
-NodeSelection select_nodes(const std::vector<Model>& models, std::span<const NodeGlob> globs,
-                           std::span<const NodeGlob> except);
+/// Selects the nodes of a campus file by its globs. Globs and names may be any stranger's: each function
+/// throws InputError `too-large`, at the glob, once all calls together have compared more than so many
+/// characters.
+class NodeSelector {
+public:
+    static constexpr std::uint64_t kMaxCompared = 30'000'000'000;  // a minute or two
 
-/// Reports every glob that matches no node's name (`no-node`, at the glob), with the nearest name.
-void check_globs(const std::vector<Model>& models, std::span<const NodeGlob> globs,
-                 DiagnosticList& diagnostics);
+    explicit NodeSelector(const std::vector<Model>& models, std::uint64_t max_compared = kMaxCompared)
+        : models_(models), max_compared_(max_compared) {}
+
+    /// The nodes that match `globs` without those that match `except`; no root is in a subtree that is left
+    /// out.
+    NodeSelection select(std::span<const NodeGlob> globs, std::span<const NodeGlob> except);
+
+    /// Reports every glob that matches no node's name (`no-node`, at the glob), with the nearest name.
+    void check(std::span<const NodeGlob> globs, DiagnosticList& diagnostics);
+
+private:
+    bool matches(const NodeGlob& glob, const Node& node);
+    std::string suggestion(const std::string& pattern);
+
+    const std::vector<Model>& models_;
+    std::uint64_t max_compared_;
+    std::uint64_t compared_ = 0;
+    int suggestions_ = 0;
+    std::vector<std::string> names_;  ///< of all nodes, once a suggestion needs them: distinct, ascending
+};
 
 /// All nodes of the roots' subtrees except those left out, root by root; parents come first.
 std::vector<NodeRef> nodes_of(const std::vector<Model>& models, const NodeSelection& selection);

@@ -69,5 +69,17 @@ TEST(GlobMatches, HostilePatternsTerminate) {
     EXPECT_FALSE(glob_matches(pattern + "b", std::string(5000, 'a')));
 }
 
+TEST(GlobMatches, CountsWhatItLooksAt) {
+    const auto compared = [](const std::string& glob, const std::string& name) {
+        std::uint64_t count = 0;
+        EXPECT_EQ(glob_matches(glob, name, count), glob_matches(glob, name));
+        return count;
+    };
+    EXPECT_EQ(compared("library", "library"), 7U);
+    EXPECT_EQ(compared("library", "chapel"), 1U);
+    EXPECT_EQ(compared("*b", std::string(1000, 'a')), 1000U);
+    EXPECT_GE(compared("*[" + std::string(1000, 'b') + "]", std::string(1000, 'a')), 1'000'000U);
+}
+
 }  // namespace
 }  // namespace campuswalk::scene
