@@ -40,18 +40,25 @@ bool begins_a_project(const fs::path& folder) {
            (folder == fs::current_path(ignored) && folder != folder.root_path());
 }
 
-/// The first link that the path leads through below a project; empty without one. From the root downwards: a
-/// link's target could begin a project of its own.
-fs::path link_in(const fs::path& path) {
+/// Absolute, and the same with and without a '/' at its end.
+fs::path plain(const fs::path& path) {
     std::error_code ignored;
+    const fs::path normal = fs::absolute(path, ignored).lexically_normal();
+    return normal.has_filename() || !normal.has_relative_path() ? normal : normal.parent_path();
+}
+
+/// The first link that the path leads through below a project, or below `named`; empty without one. From the
+/// root downwards: a link's target could begin a project of its own.
+fs::path link_in(const fs::path& path, const fs::path& named = {}) {
+    const fs::path top = named.empty() ? fs::path() : plain(named);
     fs::path prefix;
-    bool in_project = false;
-    for (const fs::path& part : fs::absolute(path, ignored).lexically_normal()) {
+    bool below = false;
+    for (const fs::path& part : plain(path)) {
         prefix /= part;
-        if (in_project && is_link(prefix)) {
+        if (below && is_link(prefix)) {
             return prefix;
         }
-        in_project = in_project || begins_a_project(prefix);
+        below = below || prefix == top || begins_a_project(prefix);
     }
     return {};
 }
@@ -69,8 +76,8 @@ std::string refusal_of_file(const fs::path& file) {
     return refusal(file, W_OK);
 }
 
-std::string refusal_of_links(const fs::path& path) {
-    const fs::path link = link_in(path);
+std::string refusal_of_links(const fs::path& path, const fs::path& named) {
+    const fs::path link = link_in(path, named);
     return link.empty() ? "" : "'" + link.filename().string() + "' is a symbolic link";
 }
 
@@ -86,8 +93,8 @@ bool leads_through_link(const fs::path& path) {
     return !link_in(path).empty();
 }
 
-std::string why_folder_unwritable(const fs::path& folder) {
-    if (std::string why = refusal_of_links(folder); !why.empty()) {
+std::string why_folder_unwritable(const fs::path& folder, const fs::path& named) {
+    if (std::string why = refusal_of_links(folder, named); !why.empty()) {
         return why;
     }
     const fs::path nearest = nearest_existing(folder);
@@ -96,8 +103,8 @@ std::string why_folder_unwritable(const fs::path& folder) {
                                               : "'" + nearest.string() + "' is not a folder";
 }
 
-std::string why_file_unwritable(const fs::path& file) {
-    if (std::string why = refusal_of_links(file); !why.empty()) {
+std::string why_file_unwritable(const fs::path& file, const fs::path& named) {
+    if (std::string why = refusal_of_links(file, named); !why.empty()) {
         return why;
     }
     std::error_code error;
@@ -111,11 +118,11 @@ std::string why_file_unwritable(const fs::path& file) {
     if (status.type() != fs::file_type::not_found) {
         return error.message();
     }
-    return why_folder_unwritable(file.parent_path());
+    return why_folder_unwritable(file.parent_path(), named);
 }
 
-void require_writable_file(const fs::path& file, const std::string& message) {
-    throw_if_any(why_file_unwritable(file), file, message);
+void require_writable_file(const fs::path& file, const std::string& message, const fs::path& named) {
+    throw_if_any(why_file_unwritable(file, named), file, message);
 }
 
 void require_writable_png(const fs::path& file, const std::string& message) {
@@ -127,11 +134,12 @@ void require_writable_png(const fs::path& file, const std::string& message) {
     require_writable_file(file, message);
 }
 
-void require_writable_folder(const fs::path& folder, const std::string& message) {
-    throw_if_any(why_folder_unwritable(folder), folder, message);
+void require_writable_folder(const fs::path& folder, const std::string& message, const fs::path& named) {
+    const fs::path& top = named.empty() ? folder : named;
+    throw_if_any(why_folder_unwritable(folder, top), folder, message);
     std::error_code ignored;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-        throw_if_any(refusal_of_links(entry.path()), entry.path(), message);
+        throw_if_any(refusal_of_links(entry.path(), top), entry.path(), message);
         if (entry.is_other(ignored)) {
             throw_if_any(refusal_of_file(entry.path()), entry.path(), message);
         }
@@ -139,8 +147,11 @@ void require_writable_folder(const fs::path& folder, const std::string& message)
 }
 
 void require_no_input(const fs::path& file, const std::vector<fs::path>& inputs, const std::string& purpose) {
+    std::error_code ignored;
+    if (!fs::exists(file, ignored)) {
+        return;
+    }
     for (const fs::path& input : inputs) {
-        std::error_code ignored;
         if (fs::equivalent(file, input, ignored)) {
             throw error_about(file, "report-unwritable",
                               "this would replace a file that " + purpose + "; name another");

@@ -144,7 +144,7 @@ int explore_on_slurm(const ExplorationRequest& request, const SlurmOptions& slur
                      const std::vector<std::string>& arguments) {
     const JobFolder folder = folder_of(request);
     check_name_for_scripts(folder.root);
-    require_writable_folder(folder.root, "the job's files can't be written here");
+    require_writable_folder(folder.root, "the job's files can't be written here", request.output);
     const ArrayJob job = array_job(request, sbatch_options(slurm), arguments);
     refuse_if_busy(folder);
     fs::remove_all(folder.results());

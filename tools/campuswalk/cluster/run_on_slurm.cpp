@@ -95,7 +95,7 @@ public:
         check_options(options_, settings_);
         check_targets(settings_.reports);
         check_name_for_scripts(folder_.root);
-        require_writable_folder(folder_.root, "the job's files can't be written here");
+        require_writable_folder(folder_.root, "the job's files can't be written here", settings_.output);
         const OutputFolder output(
             settings_.output, run_key(environment_variable),
             {.all = !settings_.ci, .temporaries = true, .paths = {folder_.root.filename()}});

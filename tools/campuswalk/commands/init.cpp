@@ -121,7 +121,7 @@ int add_ci_file(const InitOptions& options) {
                           "it is there already, and init overwrites nothing; let `campuswalk init NEW` write "
                           "into a new folder, with the same --ci, and take over what you need");
     }
-    require_writable_file(path, "the file can't be written here");
+    require_writable_file(path, "the file can't be written here", options.folder);
     Undo undo;
     write(path, file->text, undo);
     undo.finish();

@@ -268,10 +268,11 @@ private:
             check_folders_of_walks(plan);
         }
         if (records_for_reports()) {
-            require_writable_folder(settings_.output / kBundleFolder, "campuses can't be saved here");
+            require_writable_folder(settings_.output / kBundleFolder, "campuses can't be saved here",
+                                    settings_.output);
         }
         if (!settings_.single) {
-            require_writable_file(settings_.saved, "results can't be saved here");
+            require_writable_file(settings_.saved, "results can't be saved here", settings_.output);
         }
     }
 
@@ -285,13 +286,13 @@ private:
         std::set<fs::path> recordings;  // many in one folder
         for (const Case& each : plan.cases) {
             if (each.walk) {
-                require_writable_folder(settings_.output / each.folder, message);
+                require_writable_folder(settings_.output / each.folder, message, settings_.output);
                 recordings.insert((settings_.output / report_record_file(each.folder)).parent_path());
             }
         }
         if (records_for_reports()) {
             for (const fs::path& folder : recordings) {
-                require_writable_folder(folder, message);
+                require_writable_folder(folder, message, settings_.output);
             }
         }
     }
