@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kStorey = 3.0;         // metres, where nothing is tagged
 constexpr double kMaxHeight = 1'000.0;  // no building on Earth is as high
+constexpr double kMaxLength = 5'000.0;  // nor as long
 
 /// What buildings of a kind usually are like.
 struct Kind {
@@ -214,6 +215,12 @@ std::vector<Volume> volumes_of(const std::vector<MapArea>& areas, const PlanGeom
                              area.id.text() + name_in_parentheses(area.tags) +
                                  " is a building below the ground by its tags; it isn't built. Tag its "
                                  "height or building:levels if it stands above");
+            continue;
+        }
+        if (box_of(area.polygons).size().maxCoeff() > kMaxLength) {
+            warnings.warning(mark, "huge-building",
+                             area.id.text() + name_in_parentheses(area.tags) +
+                                 " is a building of more than 5 km; it isn't built. Correct its nodes");
             continue;
         }
         Volume volume;

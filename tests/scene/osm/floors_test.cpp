@@ -129,6 +129,17 @@ TEST_F(ImportMap, BuildsBuildingsOnNegativeLayersThatStandAboveTheGround) {
     }
 }
 
+TEST_F(ImportMap, NamesBuildingsOfManyKilometres) {
+    for (const double length : {4'000.0, 6'000.0}) {
+        MapText map;
+        const auto id = map.rectangle(-10, -10, length, 10, {{"building", "yes"}, {"height", "5"}});
+        const ImportedMap imported = import(map.xml());
+        const bool built = length < 5'000.0;
+        EXPECT_EQ(find(imported.model, "building/way-" + std::to_string(id)) != nullptr, built);
+        EXPECT_EQ(std::ranges::count(imported.warnings, "huge-building", &Diagnostic::code), built ? 0 : 1);
+    }
+}
+
 TEST_F(ImportMap, NamesBuildingsAndPartsBelowTheGround) {
     const std::vector<MapText::Tags> below = {
         {{"building", "yes"}, {"location", "underground"}, {"height", "5"}},
