@@ -176,11 +176,13 @@ class ImportTest(ProgramCase):
         self.assertEqual(self.import_map("--overwrite").code, 2)
         self.write("a.osm", map_xml())
         self.assertEqual(self.contents(), before)
-        self.write("map (1).osm", map_xml())
-        outcome = self.import_map(name="map (1).osm", folder="other")
-        self.assertEqual(outcome.code, 0, outcome.err)
-        self.assertIn("map-1.walk.yaml", os.listdir(self.path("other")))
-        self.assertEqual(self.import_map("--name", "../x", folder="third").code, 2)
+        for name, folder in (("map (1).osm", "other"), (os.fsdecode(b"map\xff\xc3 1.osm"), "latin")):
+            self.write(name, map_xml())
+            outcome = self.import_map(name=name, folder=folder)
+            self.assertEqual(outcome.code, 0, outcome.err)
+            self.assertIn("map-1.walk.yaml", os.listdir(self.path(folder)))
+        for name in ("../x", b"\xff", ""):
+            self.assertEqual(self.import_map("--name", name, folder="third").code, 2)
         self.assertFalse(os.path.exists(self.path("third")))
 
     def test_says_when_its_walk_visits_nothing(self):

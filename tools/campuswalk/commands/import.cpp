@@ -4,8 +4,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "scene/base/utf8.h"
 #include "scene/lint/wording.h"
 #include "scene/osm/helper/map_process.h"
 #include "tools/campuswalk/base/exit_codes.h"
@@ -39,26 +41,22 @@ struct ImportOptions {
     bool overwrite = false;
 };
 
-/// Characters that names of campus and walk files may have everywhere.
-bool is_plain(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
-           c == '_' || static_cast<unsigned char>(c) >= 0x80;
+/// Bytes of the character that starts at `at`; 0 unless names of campus and walk files may have it
+/// everywhere.
+std::size_t plain_length(std::string_view text, std::size_t at) {
+    const char c = text[at];
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                       c == '-' || c == '_' || static_cast<unsigned char>(c) >= 0x80;
+    return plain ? scene::utf8_length(text, at) : 0;
 }
 
-/// That of --name, or the map's file's first part: "map (1).osm" makes "map-1".
-std::string name_of(const ImportOptions& options) {
-    if (options.name) {
-        if (options.name->empty() || !std::ranges::all_of(*options.name, is_plain)) {
-            throw error_about("--name", "bad-value",
-                              "'" + *options.name + "' is no name; use letters, digits, '-' and '_'");
-        }
-        return *options.name;
-    }
-    const std::string file = options.map.filename().string();
+/// The text with a '-' for each run of characters that aren't plain; none at its ends.
+std::string plain_name(std::string_view text) {
     std::string name;
-    for (const char c : file.substr(0, file.find('.'))) {
-        if (is_plain(c)) {
-            name += c;
+    for (std::size_t at = 0, length = 0; at < text.size(); at += std::max<std::size_t>(1, length)) {
+        length = plain_length(text, at);
+        if (length > 0) {
+            name += text.substr(at, length);
         } else if (!name.empty() && name.back() != '-') {
             name += '-';
         }
@@ -66,6 +64,28 @@ std::string name_of(const ImportOptions& options) {
     while (!name.empty() && name.back() == '-') {
         name.pop_back();
     }
+    return name;
+}
+
+bool is_plain(std::string_view text) {
+    std::size_t at = 0;
+    while (at < text.size() && plain_length(text, at) > 0) {
+        at += plain_length(text, at);
+    }
+    return at == text.size();
+}
+
+/// That of --name, or the map's file's first part: "map (1).osm" makes "map-1".
+std::string name_of(const ImportOptions& options) {
+    if (options.name) {
+        if (options.name->empty() || !is_plain(*options.name)) {
+            throw error_about("--name", "bad-value",
+                              "'" + *options.name + "' is no name; use letters, digits, '-' and '_'");
+        }
+        return *options.name;
+    }
+    const std::string file = options.map.filename().string();
+    const std::string name = plain_name(std::string_view(file).substr(0, file.find('.')));
     return name.empty() ? "campus" : name;
 }
 
@@ -105,7 +125,7 @@ void check_files(const ImportOptions& options, const CampusFiles& files) {
             throw error_about(file, "file-exists",
                               "the file exists; name another folder, or pass --overwrite");
         }
-        require_writable_file(file, "the campus can't be written here");
+        require_writable_file(file, "the campus can't be written here", options.folder);
     }
 }
 
