@@ -303,6 +303,14 @@ test('characters that would control the display are shown', () => {
   assert.equal(modules.visible('a\u202Eb\u0007\n'), 'a\\u{202e}b\\u{7}\n');
 });
 
+test('blank letters are shown, letters stay', () => {
+  for (const code of [0xa0, 0xad, 0x34f, 0x115f, 0x180e, 0x200d, 0x2800, 0x3000, 0x3164, 0xfe0f, 0xfff9, 0xd800, 0xe0041]) {
+    assert.equal(modules.visible(`a${String.fromCodePoint(code)}b`), `a\\u{${code.toString(16)}}b`);
+  }
+  const words = 'Bücherei, 図書館 مكتبة \u06dd12 ספרייה पुस्तकालय 🏛\t1\u0301';
+  assert.equal(modules.visible(words), words);
+});
+
 describe('the edges that are drawn', () => {
   const mesh = (triangles, scale = 1) => {
     const values = triangles.flat(2);

@@ -22,11 +22,16 @@ export function plural(count: number, one: string, many = `${one}s`): string {
   return `${count.toLocaleString('en')} ${count === 1 ? one : many}`;
 }
 
-/** Whether a character could control how others are shown: then it is shown as an escape itself. */
-const controls = /[\u0000-\u0008\u000b-\u001f\u007f-\u009f\u061c\u200b\u200e\u200f\u2028-\u202e\u2060-\u206f\ufeff]/g;
+/**
+ * A character that nobody sees, or that changes how others are shown: all that scene::is_unseen names. Spaces, tabs
+ * and line ends are the layout's, and signs that are drawn around numbers are seen.
+ */
+const unseen =
+  /(?![ \t\n\u0600-\u0605\u06dd\u070f\u0890\u0891\u08e2\u{110bd}\u{110cd}])[\p{Cc}\p{Cf}\p{Cs}\p{Z}\p{Default_Ignorable_Code_Point}\p{Noncharacter_Code_Point}\u2800]/gu;
 
+/** The text with each unseen character as an escape. */
 export function visible(text: string): string {
-  return text.replace(controls, (c) => `\\u{${c.charCodeAt(0).toString(16)}}`);
+  return text.replace(unseen, (c) => `\\u{${(c.codePointAt(0) ?? 0).toString(16)}}`);
 }
 
 export const outcomeNames: Record<string, string> = {
