@@ -2,21 +2,10 @@
 """What a checkout names is read in the checkout only, or in what --root adds; nothing else is opened or quoted."""
 
 import os
-import struct
-import zlib
 
-from program import CAMPUS, ROOM, WALK, CheckoutCase, main
+from program import CAMPUS, ROOM, WALK, CheckoutCase, main, plain_png
 
 SECRET = "password: hunter2"
-
-
-def png(width, height, color):
-    """A picture of one color."""
-    def chunk(kind, data):
-        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-    rows = b"".join(b"\0" + bytes(color) * width for _ in range(height))
-    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)) +
-            chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
 
 
 class ConfinedReads(CheckoutCase):
@@ -75,7 +64,7 @@ class ConfinedReads(CheckoutCase):
         """As Bazel's runfiles are."""
         self.write("../elsewhere/room.obj", "mtllib room.mtl\n" + ROOM.replace("f 1 4 3", "usemtl red\nf 1 4 3"))
         self.write("../elsewhere/room.mtl", "newmtl red\nmap_Kd textures/red.png\n")
-        self.write("../elsewhere/textures/red.png", png(2, 2, (255, 0, 0)))
+        self.write("../elsewhere/textures/red.png", plain_png(2, 2, (255, 0, 0)))
         os.makedirs(self.path("../runfiles/textures"))
         for name in ("room.obj", "room.mtl", "textures/red.png", "short.walk.yaml", "small.campus.yaml"):
             os.symlink(self.path("../elsewhere/" + name), self.path("../runfiles/" + name))
@@ -206,7 +195,7 @@ class ConfinedReads(CheckoutCase):
         """Its textures are looked up from where it is named."""
         self.write("deep/er/room.obj", "mtllib room.mtl\n" + ROOM.replace("f 1 4 3", "usemtl red\nf 1 4 3"))
         self.write("room.mtl", "newmtl red\nmap_Kd ../textures/red.png\n")
-        self.write("../textures/red.png", png(2, 2, (255, 0, 0)))
+        self.write("../textures/red.png", plain_png(2, 2, (255, 0, 0)))
         os.remove(self.path("room.obj"))
         self.link("room.obj", "deep/er/room.obj")
         self.assertIn("bad-texture", self.reads("short.walk.yaml").err)
@@ -227,7 +216,7 @@ class ConfinedReads(CheckoutCase):
         """The usual layout has textures beside the model's folder, which here is outside."""
         self.write("room.mtl", "newmtl red\nmap_Kd ../textures/red.png\n")
         self.write("room.obj", "mtllib room.mtl\n" + ROOM.replace("f 1 4 3", "usemtl red\nf 1 4 3"))
-        self.write("../textures/red.png", png(2, 2, (255, 0, 0)))
+        self.write("../textures/red.png", plain_png(2, 2, (255, 0, 0)))
         self.assertIn("bad-texture", self.reads("short.walk.yaml").err)
         self.assertNotIn("bad-texture", self.reads("short.walk.yaml", "--root", "..").err)
         self.assertNotIn("bad-texture", self.run_program("info", "room.obj").err, "named on the command line")

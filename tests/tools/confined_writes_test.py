@@ -3,7 +3,7 @@
 
 import os
 
-from program import WALK, CheckoutCase, ProgramCase, main
+from program import ROOM, WALK, CheckoutCase, ProgramCase, main, plain_png
 
 KINDS = ("list", "dot", "junit", "tap", "json", "jsonl", "github", "markdown", "log")
 
@@ -120,6 +120,32 @@ class ConfinedWrites(CheckoutCase):
         os.symlink("../victim", self.path("../plain/w.walk.yaml-snapshots"))
         self.assert_refused_and_untouched("symbolic link", "run", "../plain/w.walk.yaml", "-u", "--rendering-backend",
                                           "none", "--root", "..")
+
+    def test_links_below_a_named_folder_are_refused_where_no_project_begins(self):
+        os.makedirs(self.path("../plain/out"))
+        for name in ("storey-0.png", "any"):
+            os.symlink("../../victim/precious.txt", self.path("../plain/out/" + name))
+            self.assert_refused_and_untouched("symbolic link", "explore", "small.campus.yaml", "--write-walks", "../plain/out")
+            self.assert_refused_and_untouched("symbolic link", "run", "short.walk.yaml", "--rendering-backend", "none", "--record",
+                                              "csv", "--output", "../plain/out/")
+            os.remove(self.path("../plain/out/" + name))
+        os.makedirs(self.path("../plain/linked"))
+        os.symlink("../../victim", self.path("../plain/linked/.github"))
+        self.assert_refused_and_untouched("symbolic link", "init", "../plain/linked", "--template", "none")
+
+    def test_pictures_replace_no_file_of_the_campus(self):
+        wood = "storey-0.png"
+        self.write(wood, plain_png(4, 4, (150, 90, 40)))
+        self.write("room.mtl", "newmtl wood\nmap_Kd %s\n" % wood)
+        self.write("room.obj", ROOM.replace("o floor\n", "mtllib room.mtl\no floor\nusemtl wood\n"))
+        for arguments in (("snapshot", "small.campus.yaml", "--camera", "map", "-o", wood),
+                          ("route", "small.campus.yaml", "0,0,5", "3,0,5", "--map", wood), ("info", "room.obj", "--map", wood),
+                          ("explore", "small.campus.yaml", "--map", ".")):
+            with self.subTest(command=arguments[0]):
+                if "no-rendering" in self.run_program(*arguments).err:
+                    self.skipTest("this build can't draw")
+                self.assert_refused_and_untouched("error report-unwritable: this would replace a file that the ", *arguments)
+        self.assert_refused_and_untouched("this would replace a file that is compared", "imgdiff", wood, wood, "--diff", wood)
 
     def test_a_configured_report_replaces_only_its_own_kind(self):
         self.write("notes.txt", "my notes")

@@ -5,20 +5,15 @@ import json
 import struct
 import sys
 import unittest
-import zlib
 
-from program import ProgramCase, main
+from program import ProgramCase, main, png
 
 WITHOUT_RENDERING = "--without-rendering" in sys.argv
 
 
-def png(width, height, color_at):
+def picture(width, height, color_at):
     """A PNG file with the colours that `color_at(x, y)` returns."""
-    def chunk(kind, data):
-        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-    rows = b"".join(b"\0" + bytes(c for x in range(width) for c in color_at(x, y)) for y in range(height))
-    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0))
-            + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+    return png(width, height, (b"\0" + bytes(c for x in range(width) for c in color_at(x, y)) for y in range(height)))
 
 
 def grey(x, y):
@@ -40,8 +35,8 @@ class Imgdiff(ProgramCase):
     def setUp(self):
         super().setUp()
         for name, color_at in (("grey", grey), ("spotted", spotted), ("striped", striped)):
-            self.write(name + ".png", png(128, 64, color_at))
-        self.write("small.png", png(20, 10, grey))
+            self.write(name + ".png", picture(128, 64, color_at))
+        self.write("small.png", picture(20, 10, grey))
 
     def imgdiff(self, *arguments):
         outcome = self.run_program("imgdiff", *arguments)

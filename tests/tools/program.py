@@ -3,10 +3,12 @@
 import os
 import re
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
 import unittest
+import zlib
 
 ROOM = """\
 o floor
@@ -118,6 +120,21 @@ class Outcome:
     @property
     def err_lines(self):
         return self.err.splitlines()
+
+
+def png(width, height, rows, color_type=2):
+    """A PNG file of 8 bits a channel. Each row starts with the byte of its filter, which is 0."""
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+    packer = zlib.compressobj(1)
+    packed = b"".join(map(packer.compress, rows)) + packer.flush()
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, color_type, 0, 0, 0)) +
+            chunk(b"IDAT", packed) + chunk(b"IEND", b""))
+
+
+def plain_png(width, height, color):
+    """A picture of one color."""
+    return png(width, height, (b"\0" + bytes(color) * width for _ in range(height)))
 
 
 class ProgramCase(unittest.TestCase):

@@ -85,7 +85,7 @@ Body read_body(const std::string& argument, const scene::SceneFile& frame,
     file.file = argument;
     file.path = argument;
     file.mark.file = argument;
-    scene::ImportedModel imported = read_model(file, scene::EmptyModel::refuse);
+    scene::ImportedModel imported = read_model(file, scene::EmptyModel::refuse).imported;
     const std::vector<scene::Model> models = {std::move(imported.model)};
     std::ranges::copy_if(imported.warnings, std::back_inserter(warnings),
                          [](const scene::Diagnostic& repair) {

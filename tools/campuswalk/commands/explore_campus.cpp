@@ -244,17 +244,27 @@ void check_options(const ExploreOptions& options) {
     }
 }
 
+std::filesystem::path plan_file(const std::filesystem::path& folder, std::size_t storey) {
+    return folder / ("storey-" + std::to_string(storey) + ".png");
+}
+
 /// Refuses outputs that are files of the campus; these are known once it is loaded.
 void refuse_inputs(const ExploreOptions& options, const scene::Campus& campus) {
-    std::vector<std::filesystem::path> inputs(campus.files.begin(), campus.files.end());
-    inputs.push_back(options.campus);
+    std::vector<std::filesystem::path> inputs = files_of(campus, options.campus);
     if (!options.covered_by.empty()) {
         const std::vector<std::filesystem::path> walks = find_walks(options.covered_by);
         inputs.insert(inputs.end(), walks.begin(), walks.end());
     }
+    const char* const purpose = "the campus or its walks are read from";
     for (const std::optional<std::filesystem::path>& output : {options.json, options.geojson}) {
         if (output) {
-            require_no_input(*output, inputs, "the campus or its walks are read from");
+            require_no_input(*output, inputs, purpose);
+        }
+    }
+    if (options.map) {
+        constexpr std::size_t kMostStoreys = 1000;  // more than any campus has
+        for (std::size_t storey = 0; storey < kMostStoreys; ++storey) {
+            require_no_input(plan_file(*options.map, storey), inputs, purpose);
         }
     }
 }
@@ -283,7 +293,7 @@ std::vector<engine::render::StoreyPlan> make_plans(const ExploreOptions& options
 
 void write_plans(const std::vector<engine::render::StoreyPlan>& plans, const std::filesystem::path& folder) {
     for (std::size_t i = 0; i < plans.size(); ++i) {
-        draw_storey_plans({&plans[i], 1}, folder / ("storey-" + std::to_string(i) + ".png"));
+        draw_storey_plans({&plans[i], 1}, plan_file(folder, i));
     }
     explore::remove_earlier_plans(folder, plans.size());
     if (plans.empty()) {

@@ -65,7 +65,7 @@ scene::Model upright_for_map(const scene::SceneFile& scene, const scene::ModelRe
     print_error_line(scene.file + ": the map is drawn with --up z");
     scene::SceneFile upright = scene;
     upright.up = scene::UpAxis::z;
-    return read_model(upright, scene::EmptyModel::accept).model;
+    return read_model(upright, scene::EmptyModel::accept).imported.model;
 }
 
 ModelInfo info_of(const scene::ImportedModel& imported) {
@@ -137,7 +137,11 @@ int print_info(const InfoOptions& options) {
         require_images(options.backend);
         require_writable_png(*options.map, "the picture can't be written here");
     }
-    scene::ImportedModel imported = read_model(options.scene, scene::EmptyModel::accept);
+    scene::LoadedModel loaded = read_model(options.scene, scene::EmptyModel::accept);
+    if (options.map) {
+        require_no_input(*options.map, loaded.files, "the model is read from");
+    }
+    scene::ImportedModel& imported = loaded.imported;
     ModelInfo info = info_of(imported);
     if (options.places) {
         info.places =

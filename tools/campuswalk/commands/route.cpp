@@ -91,6 +91,9 @@ int find_route(const RouteOptions& options) {
     check_outputs(options);
     WalkLoader loader;
     const std::shared_ptr<const scene::Campus> campus = loader.load_campus(options.campus);
+    if (options.map) {
+        require_no_input(*options.map, files_of(*campus, options.campus), "the campus is read from");
+    }
     const engine::AvatarProfile avatar = config::read_avatar_text(
         options.avatar, "--avatar", options.campus.parent_path(), campus->description, search_paths());
     const std::vector<bool> disabled = disabled_objects(*campus, options.disable);

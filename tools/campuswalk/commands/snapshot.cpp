@@ -125,13 +125,30 @@ engine::ImageOverlays overlays_of(const SnapshotOptions& options) {
     return overlays;
 }
 
+/// The picture, and the files of its channels beside it.
+std::vector<std::filesystem::path> outputs_of(const SnapshotOptions& options) {
+    std::vector<std::filesystem::path> outputs = {options.output};
+    const std::vector<std::string> names = files_of(options.output.stem().string(), options.channels);
+    for (std::size_t i = 1; i < names.size(); ++i) {
+        outputs.push_back(options.output.parent_path() / names[i]);
+    }
+    return outputs;
+}
+
 /// Draws one image of a campus without a visitor. Returns the exit code.
 int draw_snapshot(const SnapshotOptions& options) {
     refuse_overlays(options);
     require_images(options.backend);
     require_writable_png(options.output, "the picture can't be written here");
+    const std::vector<std::filesystem::path> outputs = outputs_of(options);
+    for (const std::filesystem::path& output : outputs) {
+        require_writable_file(output, "the picture can't be written here");
+    }
     WalkLoader loader;
     const std::shared_ptr<const scene::Campus> campus = loader.load_campus(options.campus);
+    for (const std::filesystem::path& output : outputs) {
+        require_no_input(output, files_of(*campus, options.campus), "the campus is read from");
+    }
     CampusImage image;
     set_viewpoint(options, campus->description, image);
     if (auto errors = engine::check_aim(*campus, image.camera.view); !errors.empty()) {

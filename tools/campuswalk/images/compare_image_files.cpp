@@ -71,6 +71,7 @@ void print_json(const ImgdiffOptions& options, const render::Image& a, const Ver
 int compare_image_files(const ImgdiffOptions& options) {
     if (options.diff) {
         require_writable_png(*options.diff, "the difference can't be drawn here");
+        require_no_input(*options.diff, {options.a, options.b}, "is compared");
     }
     const render::Image a = render::read_png(options.a);
     const render::Image b = render::read_png(options.b);

@@ -45,7 +45,7 @@ SnapshotTaker make_snapshot_taker(const scene::Campus& campus, const std::filesy
                                   engine::render::RendererStore& renderers);
 
 /// The names of a snapshot's files in its folder: `NAME.png`, then those of its channels.
-std::vector<std::string> files_of(const engine::SnapshotStep& step);
+std::vector<std::string> files_of(const std::string& name, const engine::ImageChannels& channels);
 
 // The files of a sequence, in the walk's folder.
 inline constexpr const char* kFramesFolder = "frames";

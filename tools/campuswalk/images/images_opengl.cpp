@@ -59,10 +59,10 @@ SnapshotTaker make_snapshot_taker(const scene::Campus& campus, const std::filesy
     return {std::move(observer), visible_buildings};
 }
 
-std::vector<std::string> files_of(const engine::SnapshotStep& step) {
-    std::vector<std::string> files = {step.name + ".png"};
-    for (const std::string& ending : engine::render::channel_endings(step.channels)) {
-        files.push_back(step.name + ending);
+std::vector<std::string> files_of(const std::string& name, const engine::ImageChannels& channels) {
+    std::vector<std::string> files = {name + ".png"};
+    for (const std::string& ending : engine::render::channel_endings(channels)) {
+        files.push_back(name + ending);
     }
     return files;
 }

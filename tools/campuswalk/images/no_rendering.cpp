@@ -31,7 +31,7 @@ SnapshotTaker make_snapshot_taker(const scene::Campus&, const std::filesystem::p
 }
 
 /// Those that this build writes.
-std::vector<std::string> files_of(const engine::SnapshotStep&) {
+std::vector<std::string> files_of(const std::string&, const engine::ImageChannels&) {
     return {};
 }
 

@@ -101,8 +101,8 @@ void add_import_options(Command command) {
         modes, sandbox);
 }
 
-scene::ImportedModel read_model(const scene::SceneFile& file, scene::EmptyModel empty) {
-    return load_model(file, empty, model_importer(), model_cache()).imported;
+scene::LoadedModel read_model(const scene::SceneFile& file, scene::EmptyModel empty) {
+    return load_model(file, empty, model_importer(), model_cache());
 }
 
 }  // namespace campuswalk::tools

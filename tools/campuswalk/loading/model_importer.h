@@ -31,6 +31,6 @@ std::vector<scene::ForeignImage> decode_images(std::span<const std::string_view>
 void add_import_options(Command command);
 
 /// The model of a file, from the cache where that holds it. Throws scene::InputError.
-scene::ImportedModel read_model(const scene::SceneFile& file, scene::EmptyModel empty);
+scene::LoadedModel read_model(const scene::SceneFile& file, scene::EmptyModel empty);
 
 }  // namespace campuswalk::tools

@@ -187,4 +187,10 @@ const WalkLoader::BuiltCampus& WalkLoader::build(const fs::path& file,
     return built;
 }
 
+std::vector<fs::path> files_of(const scene::Campus& campus, const fs::path& campus_file) {
+    std::vector<fs::path> files(campus.files.begin(), campus.files.end());
+    files.push_back(campus_file);
+    return files;
+}
+
 }  // namespace campuswalk::tools

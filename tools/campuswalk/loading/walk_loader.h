@@ -96,6 +96,10 @@ private:
     std::unique_ptr<UnreadableModels> unreadable_ = std::make_unique<UnreadableModels>();
 };
 
+/// Every file that the campus is read from, its YAML file included.
+std::vector<std::filesystem::path> files_of(const scene::Campus& campus,
+                                            const std::filesystem::path& campus_file);
+
 /// `--root`, for commands that read walks or campuses.
 void add_root_option(Command command);
 

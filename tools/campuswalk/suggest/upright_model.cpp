@@ -20,7 +20,7 @@ UprightModel load_upright(const scene::SceneFile& file) {
     UprightModel upright{file, {}, {}, Vector3d::Zero()};
     std::vector<scene::Diagnostic> repairs;
     for (int turn = 0; turn < 3; ++turn) {
-        scene::ImportedModel imported = read_model(upright.file, scene::EmptyModel::refuse);
+        scene::ImportedModel imported = read_model(upright.file, scene::EmptyModel::refuse).imported;
         upright.report = scene::report(imported.model);
         upright.models.clear();
         upright.models.push_back(std::move(imported.model));

@@ -144,7 +144,7 @@ void remove_images_of_earlier_run(const engine::Walk& walk, const std::filesyste
     }
     for (const engine::Step& step : walk.steps) {
         if (const auto* snapshot = std::get_if<engine::SnapshotStep>(&step)) {
-            for (const std::string& file : files_of(*snapshot)) {
+            for (const std::string& file : files_of(snapshot->name, snapshot->channels)) {
                 std::filesystem::remove(folder / file, ignored);
             }
         }
