@@ -96,12 +96,15 @@ std::string HtmlReporter::images_of(const WalkResult& result, const FileReader& 
     return dumped(chunks);
 }
 
-/// The text of the walk file, and of others that failures point to.
+/// The text of the walk file, and of others that failures and diagnostics point to.
 std::string HtmlReporter::source_of(const WalkResult& result) const {
     constexpr std::size_t kMostBytes = std::size_t{1} << 18U;
     std::set<std::string> files = {result.file};
     for (const Failure& failure : result.failures) {
         files.insert(failure.mark.file);
+    }
+    for (const scene::Diagnostic& diagnostic : result.diagnostics) {
+        files.insert(diagnostic.mark.file);
     }
     Json source = Json::object();
     for (const std::string& file : files) {

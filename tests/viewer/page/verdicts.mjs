@@ -67,3 +67,15 @@ test('a comparison lists what changed, and shows both paths', async () => {
   assert.deepEqual(compared.complaints, []);
   await compared.context().close();
 });
+
+test("a walk that can't be read has its errors, and the lines that they are about", async () => {
+  const compared = await open(browser, reports.compared, { hash: '#walk=goes-nowhere.walk.yaml' });
+  await compared.waitForSelector('.failures .failure');
+  const codes = await compared.locator('.failures .code').allTextContents();
+  assert.deepEqual(codes, ['missing-file', 'unknown-key', 'wrong-type']);
+  assert.match(await compared.locator('.failures .message').nth(1).textContent(), /'walks_to'.*'walk_to'/);
+  const marked = await compared.locator('.failures .failure').nth(1).locator('.code-line.marked code').allTextContents();
+  assert.deepEqual(marked, ['campus: missing.campus.yaml', '  - walks_to: square', '  - wait: long']);
+  assert.deepEqual(compared.complaints, []);
+  await compared.context().close();
+});

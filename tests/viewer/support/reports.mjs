@@ -152,9 +152,13 @@ export function makeReports() {
   return made;
 }
 
-/** In the other run, the visitor goes round the bench. */
+/** In the other run, the visitor goes round the bench. A third walk can't be read. */
 function compare(project, folder, report) {
-  const files = ['to-the-bench.walk.yaml', 'adult-visit.walk.yaml'];
+  const files = ['to-the-bench.walk.yaml', 'adult-visit.walk.yaml', 'goes-nowhere.walk.yaml'];
+  writeFileSync(
+    join(project, files[2]),
+    'campus: missing.campus.yaml\nsteps:\n  - spawn: start\n  - walks_to: square\n  - wait: long\n',
+  );
   const bench = join(project, files[0]);
   const record = (name) =>
     run(

@@ -156,7 +156,7 @@ export interface WalkResult {
   expected_to_fail: boolean;
   outcome: Outcome;
   failures: Failure[];
-  complaints: string[];
+  complaints: Complaint[];
   campus: string;
   ticks_per_second: number;
   timeout: number | null;
@@ -166,6 +166,16 @@ export interface WalkResult {
   not_evaluated: number;
   hash: string;
   artifacts: Artifact[];
+}
+
+/** An error about an input file, which kept the walk from being played. */
+export interface Complaint {
+  code: string;
+  message: string;
+  file: string;
+  /** From 1; 0 for the file as a whole. */
+  line: number;
+  column: number;
 }
 
 export interface Failure {

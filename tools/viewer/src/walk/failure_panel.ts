@@ -5,6 +5,7 @@ import { element, name, type Child } from '../ui/dom';
 import { expectedAndActual, type Measure } from '../data/reason';
 import { parseLogLine } from '../data/log';
 import { replayCommand } from '../data/snippets';
+import type { Complaint } from '../format';
 import type { WalkContext } from './context';
 import { markedFile } from './file_panel';
 import type { Player } from './player';
@@ -23,9 +24,19 @@ export function failurePanel(context: WalkContext, player: Player, show: (failur
         result.status_reason ? `: ${result.status_reason}` : '',
         '.',
       ),
-    ...result.complaints.map((complaint) => element('pre', { class: 'complaint', text: complaint })),
+    ...result.complaints.map((complaint) => complaintCard(context, complaint)),
     ...context.failures.map((_, index) => failureCard(context, player, index, show)),
     replay(context),
+  );
+}
+
+function complaintCard(context: WalkContext, { code, message, file, line }: Complaint): HTMLElement {
+  return element(
+    'section',
+    { class: 'failure', attributes: { 'aria-label': 'Error in a file' } },
+    element('header', {}, element('span', { class: 'code', text: code })),
+    element('p', { class: 'message', text: message, attributes: { dir: 'auto' } }),
+    file !== '' && markedFile(context, file, line, 3),
   );
 }
 

@@ -9,9 +9,8 @@ export function markedFile(context: WalkContext, file: string, line: number, aro
   const title = element('div', { class: 'file-name' }, element('bdi', { text: line > 0 ? `${file}:${line}` : file }));
   const text = context.data.details.source?.[file];
   if (text === undefined) return element('div', { class: 'file' }, title);
-  const marked = new Set(
-    context.failures.filter(({ failure }) => failure.file === file).map(({ failure }) => failure.line),
-  );
+  const { failures, complaints } = context.data.details.result;
+  const marked = new Set([...failures, ...complaints].filter((each) => each.file === file).map((each) => each.line));
   const lines = text.replace(/\r?\n$/, '').split(/\r?\n/);
   const rows: Child[] = lines.map((content, i) => {
     const number = i + 1;
