@@ -91,10 +91,18 @@ Polygons without_gaps(const Polygons& area, const PlanGeometry& geometry) {
 }
 
 /// What the outer rings enclose and the inner ones don't, and the islands in courts, which both do. Inner
-/// rings that share edges, with each other or with an outer ring, are one court.
+/// rings that share edges, with each other or with an outer ring, are one court; those whose outer ring isn't
+/// there enclose nothing.
 Polygons area_of_members(const MemberWays& ways, const PlanGeometry& geometry) {
-    const Polygons area =
-        geometry.symmetric_difference(enclosed_by(ways.outer, geometry), enclosed_by(ways.inner, geometry));
+    const Polygons outer = enclosed_by(ways.outer, geometry);
+    if (outer.empty()) {
+        return {};
+    }
+    Polygons inner = enclosed_by(ways.inner, geometry);
+    if (!ways.complete) {
+        inner = geometry.intersection(inner, outer);
+    }
+    const Polygons area = geometry.symmetric_difference(outer, inner);
     return ways.inner.empty() ? area : without_gaps(area, geometry);
 }
 
@@ -161,6 +169,10 @@ void note_outer_ways(const Map& map, const MapRelation& relation, const Tags& ta
 
 }  // namespace
 
+std::string name_in_parentheses(const Tags& tags) {
+    return tags.has("name") ? " (" + std::string(tags.get("name")) + ")" : "";
+}
+
 std::vector<MapArea> areas_of(const Map& map, const PlanGeometry& geometry, const SourceMark& mark,
                               DiagnosticList& warnings) {
     std::vector<MapArea> of_relations;
@@ -186,6 +198,12 @@ std::vector<MapArea> areas_of(const Map& map, const PlanGeometry& geometry, cons
                                  (members.complete ? "" : ": the file lacks some of its ways") +
                                  "; left out");
         } else if (touches(area.polygons, map.box)) {
+            if (!members.complete) {
+                warnings.warning(mark, "incomplete-relation",
+                                 "relation " + std::to_string(relation.id) + name_in_parentheses(tags) +
+                                     ": the file lacks some of its ways, or of their nodes; parts or courts "
+                                     "of it may be missing. Take a larger extract");
+            }
             note_outer_ways(map, relation, tags, replaced);
             of_relations.push_back(std::move(area));
         }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "scene/base/diagnostic.h"
@@ -15,6 +16,9 @@ struct MapArea {
     Polygons polygons;
     std::vector<const MapWay*> outlines;  ///< the ways that it is made of
 };
+
+/// " (Elm Hall)", for messages; empty without a name.
+std::string name_in_parentheses(const Tags& tags);
 
 /// All areas of a map that touch its box, ways before relations. Those that have no area, such as relations
 /// with missing members, become warnings at `mark`.

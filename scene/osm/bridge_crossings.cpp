@@ -37,7 +37,7 @@ double clearance_over(const Path& path) {
     const bool road = path.carriageway;
     const bool vehicles = road || path.highway == "service" || path.highway == "living_street";
     const double usual = road ? 4.5 : vehicles ? 3.8 : 2.5;
-    return std::clamp(length_of(path.way->tags, "maxheight").value_or(usual), 2.2, 8.0);
+    return std::clamp(length_of(path.way->tags, "maxheight").value_or(usual), 0.5, 8.0);
 }
 
 /// Whether two segments cross, and where along the first.

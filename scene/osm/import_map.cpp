@@ -19,6 +19,7 @@
 #include "scene/osm/relief.h"
 #include "scene/osm/steps.h"
 #include "scene/osm/surfaces.h"
+#include "scene/osm/unreadable_lengths.h"
 
 namespace campuswalk::scene::osm {
 namespace {
@@ -180,6 +181,7 @@ void build(const BridgePlan& bridges, Composition& composition) {
 }
 
 ImportedMap imported_map(const MapRequest& request, const Map& map, DiagnosticList& warnings) {
+    report_unreadable_lengths(map, request.mark, warnings);
     const PlanGeometry geometry(OverlayBudget::for_map(map.nodes_read));
     std::vector<MapArea> areas = areas_of(map, geometry, request.mark, warnings);
     const Box box = ground_box(map, areas);

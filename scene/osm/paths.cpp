@@ -175,22 +175,28 @@ std::vector<Path> paths_of(const Map& map, const std::vector<MapArea>& areas, co
 std::vector<Passage> passages_of(const std::vector<Path>& paths, const PlanGeometry& geometry) {
     constexpr double kRoom = 0.5;  // metres on either side
     constexpr double kLeastWidth = 2.4;
+    constexpr double kNarrowest = 0.3;  // that is tagged
+    constexpr double kLowest = 0.5;
+    constexpr double kHighest = 8.0;
     std::vector<Passage> passages;
     for (const Path& path : paths) {
         if (path.unbuilt || path.steps) {
             continue;
         }
         const bool road = path.carriageway || path.highway == "service";
-        const double height = length_of(path.way->tags, "maxheight").value_or(road ? 3.8 : 2.7);
-        const double width = std::max(kLeastWidth, path.width + 2.0 * kRoom);
         const Tags& tags = path.way->tags;
+        const auto tagged_height = length_of(tags, "maxheight");
+        const double height = tagged_height.value_or(length_of(tags, "height").value_or(road ? 3.8 : 2.7));
+        const auto tagged_width = length_of(tags, "width");
+        const double width = tagged_width ? std::max(kNarrowest, *tagged_width)
+                                          : std::max(kLeastWidth, path.width + 2.0 * kRoom);
         Passage passage;
         passage.way = path.way;
         passage.tagged = affirmed(tags, "tunnel") || affirmed(tags, "covered") || affirmed(tags, "indoor");
         passage.for_walkers = path.for_walkers;
         geometry.charge_to(ElementId{ElementKind::way, path.way->id}.text());
         passage.area = geometry.buffer(path.way->points, 0.5 * width, Caps::square);
-        passage.height = std::clamp(height, 2.2, 8.0);
+        passage.height = std::clamp(height, kLowest, kHighest);
         if (path.is_above()) {
             const auto [low, high] = std::ranges::minmax(path.deck);
             passage.floor = low;

@@ -146,35 +146,30 @@ std::vector<Point> upward(const Path& path) {
     return points;
 }
 
-namespace {
-
-/// Of "30%", "-30 %" or "17°" metres up for each along; 0 for others.
-double slope_of(std::string_view incline) {
+std::optional<double> slope_of(std::string_view incline) {
     if (incline.starts_with('-')) {
         incline.remove_prefix(1);
     }
     const bool degrees = incline.ends_with("\u00b0");
     if (!degrees && !incline.ends_with('%')) {
-        return 0.0;
+        return std::nullopt;
     }
-    const double value = length_of(incline.substr(0, incline.size() - (degrees ? 2 : 1))).value_or(0.0);
-    if (degrees && value < 80.0) {
-        const collision::SinCos angle = collision::sin_cos(value * kDegree);
-        return angle.sin / angle.cos;
+    const auto value = length_of(incline.substr(0, incline.size() - (degrees ? 2 : 1)));
+    if (!value || (degrees && *value >= 80.0)) {
+        return std::nullopt;
     }
-    return degrees ? 0.0 : 0.01 * value;
+    const collision::SinCos angle = collision::sin_cos(degrees ? *value * kDegree : 0.0);
+    return degrees ? angle.sin / angle.cos : 0.01 * *value;
 }
-
-}  // namespace
 
 double rise_of(const Path& path) {
     const double length = length_of(path.way->points);
     const double steepest = 0.7 * length;
     const auto count = number_of(path.way->tags, "step_count");
-    const double slope = slope_of(path.way->tags.get("incline"));
-    const double rise = count && *count >= 1.0 ? *count * kRiser
-                        : slope > 0.0          ? slope * length
-                                               : std::floor(length / kTread) * kRiser;
+    const double slope = slope_of(path.way->tags.get("incline")).value_or(0.0);
+    const double rise = slope > 0.0              ? slope * length
+                        : count && *count >= 1.0 ? *count * kRiser
+                                                 : std::floor(length / kTread) * kRiser;
     return std::min({rise, steepest, kMaxRise});
 }
 

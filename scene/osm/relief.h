@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "scene/osm/paths.h"
@@ -31,7 +33,10 @@ Terrain relief_of_steps(const std::vector<Path>& paths, const Box& box);
 Terrain with_mounds(const Terrain& base, const Box& box, const std::vector<Mound>& mounds,
                     const std::vector<Cutting>& cuttings);
 
-/// Metres that a flight rises, by its step_count or its length.
+/// Of "30%", "-30 %" or "17°" how far up for each metre along; nullopt for others.
+std::optional<double> slope_of(std::string_view incline);
+
+/// Metres that a flight rises, by its incline, its step_count or its length.
 double rise_of(const Path& path);
 
 /// Metres that a flight can rise at most: as steep as people build them.

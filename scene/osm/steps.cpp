@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "scene/osm/flight_shape.h"
+#include "scene/osm/relief.h"
 #include "scene/osm/step_ramps.h"
 #include "scene/osm/tag_values.h"
 
@@ -79,6 +82,29 @@ void add_rail(const FlightShape& shape, double side, ObjectMesh& mesh) {
     }
 }
 
+/// Whether it says up or down, or how steep.
+bool is_readable_incline(std::string_view incline) {
+    return incline.empty() || incline == "up" || incline == "down" || incline == "yes" ||
+           slope_of(incline).has_value();
+}
+
+/// Warns of tags that the flight doesn't follow.
+void report_ignored_tags(const Path& path, const FlightShape& shape, Composition& composition) {
+    const Tags& tags = path.way->tags;
+    const std::string id = ElementId{ElementKind::way, path.way->id}.text();
+    const auto count = number_of(tags, "step_count");
+    if (count && std::llround(*count) != static_cast<long long>(shape.treads())) {
+        composition.warn("odd-steps", id + " has step_count=" + std::string(tags.get("step_count")) +
+                                          " and climbs " +
+                                          std::to_string(std::lround(100.0 * (shape.top - shape.foot))) +
+                                          " cm; it has " + std::to_string(shape.treads()) + " treads");
+    }
+    if (!is_readable_incline(tags.get("incline"))) {
+        composition.warn("odd-steps", id + ": incline=" + std::string(tags.get("incline")) +
+                                          " is ignored; write up, down, 30% or 17\u00B0");
+    }
+}
+
 }  // namespace
 
 void add_steps(Composition& composition) {
@@ -91,6 +117,7 @@ void add_steps(Composition& composition) {
         const std::string id = ElementId{ElementKind::way, path.way->id}.text();
         ObjectMesh& mesh = composition.model.object("steps/" + id);
         add_treads(shape, composition.terrain, mesh);
+        report_ignored_tags(path, shape, composition);
         const Tags& tags = path.way->tags;
         const bool both = affirmed(tags, "handrail") || affirmed(tags, "handrail:both");
         const double left = shape.reversed ? -1.0 : 1.0;  // tags mean the direction as drawn

@@ -36,19 +36,39 @@ std::optional<double> take_number(std::string_view& text) {
 }
 
 std::optional<double> unit_of(std::string_view unit) {
-    constexpr std::array<std::pair<std::string_view, double>, 11> kUnits = {{{"", 1.0},
-                                                                             {"m", 1.0},
-                                                                             {"metre", 1.0},
-                                                                             {"metres", 1.0},
-                                                                             {"meters", 1.0},
-                                                                             {"km", 1000.0},
-                                                                             {"cm", 0.01},
-                                                                             {"mm", 0.001},
-                                                                             {"ft", 0.3048},
-                                                                             {"feet", 0.3048},
-                                                                             {"in", 0.0254}}};
+    constexpr double kFoot = 0.3048;
+    constexpr double kInch = 0.0254;
+    constexpr std::array<std::pair<std::string_view, double>, 20> kUnits = {
+        {{"", 1.0},       {"m", 1.0},        {"metre", 1.0},        {"metres", 1.0}, {"meter", 1.0},
+         {"meters", 1.0}, {"km", 1000.0},    {"kilometre", 1000.0}, {"cm", 0.01},    {"centimetre", 0.01},
+         {"mm", 0.001},   {"ft", kFoot},     {"foot", kFoot},       {"feet", kFoot}, {"in", kInch},
+         {"inch", kInch}, {"inches", kInch}, {"\"", kInch},         {"''", kInch},   {"yd", 3.0 * kFoot}}};
     const auto* found = std::ranges::find(kUnits, unit, &std::pair<std::string_view, double>::first);
     return found == kUnits.end() ? std::nullopt : std::optional(found->second);
+}
+
+void replace_all(std::string& text, std::string_view from, std::string_view to) {
+    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
+        text.replace(at, from.size(), to);
+    }
+}
+
+/// Of a list the first value, without what says that it is a guess, in lower case with plain quotes.
+std::string plain_length(std::string_view value) {
+    std::string text(trimmed(value.substr(0, value.find(';'))));
+    for (const auto& [quote, plain] : std::array<std::pair<std::string_view, std::string_view>, 4>{
+             {{"\u2019", "'"}, {"\u2032", "'"}, {"\u201D", "\""}, {"\u2033", "\""}}}) {
+        replace_all(text, quote, plain);
+    }
+    std::ranges::transform(text, text.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    for (const std::string_view guess : {"~", "ca.", "ca ", "c.", "+"}) {
+        if (text.starts_with(guess)) {
+            return std::string(trimmed(std::string_view(text).substr(guess.size())));
+        }
+    }
+    return text;
 }
 
 std::optional<double> feet_and_inches(double feet, std::string_view rest) {
@@ -141,13 +161,14 @@ std::string lower(std::string_view text) {
 
 std::optional<double> length_of(std::string_view value) {
     constexpr double kMax = 100'000.0;
-    std::string_view rest = value;
+    const std::string text = plain_length(value);
+    std::string_view rest = text;
     const auto number = take_number(rest);
     if (!number) {
         return std::nullopt;
     }
     std::optional<double> length;
-    if (rest.starts_with('\'')) {
+    if (rest.starts_with('\'') && !rest.starts_with("''")) {
         length = feet_and_inches(*number, rest);
     } else if (const auto unit = unit_of(rest)) {
         length = *number * *unit;

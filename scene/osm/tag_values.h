@@ -11,8 +11,8 @@ namespace campuswalk::scene::osm {
 
 // How the values of OpenStreetMap's tags are written (wiki.openstreetmap.org, "Map features/Units").
 
-/// "3.5", "3,5 m", "12'6\"", "10 ft", "0.2 km", "15 cm" in metres; nullopt for anything else, or beyond
-/// 100 km.
+/// "3.5", "3,5 m", "12'6\"", "10 Feet", "0.2 km", "15 cm", "~12", of a list "12;14" the first, in metres;
+/// nullopt for anything else, or beyond 100 km.
 std::optional<double> length_of(std::string_view value);
 std::optional<double> length_of(const Tags& tags, std::string_view key);
 

@@ -120,11 +120,6 @@ void set_roof(const PlanGeometry& geometry, const SourceMark& mark, Volume& volu
     }
 }
 
-/// " (Elm Hall)", for messages.
-std::string name_in_parentheses(const Tags& tags) {
-    return tags.has("name") ? " (" + std::string(tags.get("name")) + ")" : "";
-}
-
 /// Whether tags put a building, or a part of one, below the ground. A layer only orders what is above what:
 /// below 0 it counts where neither a height nor storeys are tagged.
 bool is_underground(const Tags& tags) {

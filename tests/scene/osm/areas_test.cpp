@@ -140,5 +140,63 @@ TEST_F(ImportMap, TakesTheMiddleOfCourtsWhoseRingsAreCutIntoWays) {
     EXPECT_NEAR(plan_area(model, *find(model, "building/relation-" + std::to_string(id))), 1200.0, 1.0);
 }
 
+/// A block of 40 m by 40 m with a court of 20 m by 20 m and a wing of 20 m by 40 m, some of whose ways the
+/// file lacks.
+class CutRelations : public ImportMap {
+protected:
+    struct Result {
+        double area = 0.0;
+        std::size_t reported = 0;
+    };
+
+    Result result_without(const std::string& missing) {
+        MapText map;
+        map.way({{-90, -90}, {90, -90}}, {{"highway", "footway"}});
+        constexpr std::int64_t kMissing = 987654;
+        const auto there = [&](const std::string& name, std::int64_t id) {
+            return name == missing ? kMissing : id;
+        };
+        const auto id = map.relation({{there("outer", map.rectangle(0, 0, 40, 40)), "outer"},
+                                      {there("inner", map.rectangle(10, 10, 30, 30)), "inner"},
+                                      {there("wing", map.rectangle(50, 0, 70, 40)), "outer"}},
+                                     {{"type", "multipolygon"}, {"building", "yes"}, {"height", "9"}});
+        const ImportedMap imported = import(map.xml());
+        const Node* node = find(imported.model, "building/relation-" + std::to_string(id));
+        Result result;
+        result.area = node == nullptr ? 0.0 : plan_area(imported.model, *node);
+        for (const Diagnostic& warning : imported.warnings) {
+            const bool named = warning.message.find(std::to_string(id)) != std::string::npos;
+            result.reported += named && warning.code == "incomplete-relation" ? 1U : 0U;
+        }
+        return result;
+    }
+};
+
+TEST_F(CutRelations, AreBuiltOfTheOuterRingsThatAreThereAndReported) {
+    EXPECT_NEAR(result_without("nothing").area, 2000.0, 2.0);
+    EXPECT_EQ(result_without("nothing").reported, 0U);
+    EXPECT_NEAR(result_without("wing").area, 1200.0, 2.0);
+    EXPECT_EQ(result_without("wing").reported, 1U);
+    EXPECT_NEAR(result_without("inner").area, 2400.0, 2.0);
+    EXPECT_EQ(result_without("inner").reported, 1U);
+    EXPECT_NEAR(result_without("outer").area, 800.0, 2.0) << "nothing stands in the court";
+    EXPECT_EQ(result_without("outer").reported, 1U);
+}
+
+TEST_F(CutRelations, OfInnerRingsAloneAreLeftOut) {
+    MapText map;
+    map.way({{-90, -90}, {90, -90}}, {{"highway", "footway"}});
+    for (const char* key : {"building", "natural"}) {
+        const auto inner = map.rectangle(10, 10, 30, 30);
+        map.relation({{987654, "outer"}, {inner, "inner"}},
+                     {{"type", "multipolygon"}, {key, std::string(key) == "natural" ? "water" : "yes"}});
+    }
+    const ImportedMap imported = import(map.xml());
+    EXPECT_EQ(std::ranges::count(imported.warnings, "open-ring", &Diagnostic::code), 2);
+    for (const Node& node : imported.model.nodes) {
+        EXPECT_FALSE(node.name.starts_with("building/") || node.name.starts_with("water")) << node.name;
+    }
+}
+
 }  // namespace
 }  // namespace campuswalk::scene::osm

@@ -23,7 +23,18 @@ TEST(TagValues, ReadsLengthsAndColors) {
     EXPECT_DOUBLE_EQ(*length_of("3,5 m"), 3.5);
     EXPECT_DOUBLE_EQ(*length_of("10 ft"), 3.048);
     EXPECT_NEAR(*length_of("12'6\""), 3.81, 1e-9);
-    for (const char* bad : {"", "high", "1e999", "nan", "inf", "5 parsec", "3 m!", "1e9"}) {
+    for (const char* twelve :
+         {"12 meter", "12 M", "12 Metres", "~12", "ca. 12", "+12 m", "12 m;14 m", "1200 cm"}) {
+        ASSERT_TRUE(length_of(twelve)) << twelve;
+        EXPECT_NEAR(*length_of(twelve), 12.0, 1e-9) << twelve;
+    }
+    for (const char* forty :
+         {"40 foot", "40'", "40\u2019", "40\u2032 0\u2033", "480\"", "480 inches", "40 FT"}) {
+        ASSERT_TRUE(length_of(forty)) << forty;
+        EXPECT_NEAR(*length_of(forty), 12.192, 1e-9) << forty;
+    }
+    for (const char* bad :
+         {"", "high", "1e999", "nan", "inf", "5 parsec", "3 m!", "1e9", "12-14", "~", "12 m 5"}) {
         EXPECT_FALSE(length_of(bad).has_value()) << bad;
     }
     EXPECT_EQ(*color_of("#d0a080"), (Color{0xd0, 0xa0, 0x80}));
@@ -71,9 +82,50 @@ TEST_F(ImportMap, OpensAPassage) {
     map.way({{0, -30}, {0, 30}}, {{"highway", "footway"}, {"tunnel", "building_passage"}, {"width", "3"}});
     const Model model = import(map.xml()).model;
     const std::string name = "building/way-" + std::to_string(id);
-    // 4 m by 10 m by 2.7 m are open.
-    EXPECT_NEAR(volume_of(model, name), 1800.0 - 4.0 * 10.0 * 2.7, 2.0);
-    EXPECT_NEAR(plan_area(model, *find(model, name), -1.0), 40.0, 0.2) << "its ceiling";
+    EXPECT_NEAR(volume_of(model, name), 1800.0 - 3.0 * 10.0 * 2.7, 2.0);
+    EXPECT_NEAR(plan_area(model, *find(model, name), -1.0), 30.0, 0.2) << "its ceiling";
+}
+
+TEST_F(ImportMap, OpensPassagesAsWideAndHighAsTheyAreTagged) {
+    struct Case {
+        MapText::Tags tags;
+        double width;
+        double height;
+    };
+    const std::vector<Case> cases = {{{}, 3.0, 2.7},
+                                     {{{"width", "0.5"}}, 0.5, 2.7},
+                                     {{{"width", "1"}, {"maxheight", "1.7"}}, 1.0, 1.7},
+                                     {{{"width", "4"}, {"height", "3"}}, 4.0, 3.0},
+                                     {{{"height", "3"}, {"maxheight", "2"}}, 3.0, 2.0}};
+    for (const Case& each : cases) {
+        MapText map;
+        const auto id = map.rectangle(-10, -5, 10, 5, {{"building", "yes"}, {"height", "9"}});
+        MapText::Tags tags = {{"highway", "footway"}, {"tunnel", "building_passage"}};
+        tags.insert(tags.end(), each.tags.begin(), each.tags.end());
+        map.way({{0, -30}, {0, 30}}, tags);
+        const Model model = import(map.xml()).model;
+        const std::string name = "building/way-" + std::to_string(id);
+        EXPECT_NEAR(plan_area(model, *find(model, name), -1.0), 10.0 * each.width, 0.2);
+        EXPECT_NEAR(volume_of(model, name), 1800.0 - 10.0 * each.width * each.height, 2.0);
+    }
+}
+
+TEST_F(ImportMap, NamesLengthsThatItCannotRead) {
+    MapText map;
+    const auto id =
+        map.rectangle(-10, -5, 10, 5, {{"building", "yes"}, {"height", "12-14"}, {"min_height", "low"}});
+    map.way({{-40, -30}, {40, -30}}, {{"highway", "footway"}, {"width", "2 cubits"}});
+    map.way({{-40, 30}, {40, 30}}, {{"highway", "footway"}, {"maxheight", "default"}, {"width", "3 m"}});
+    const ImportedMap imported = import(map.xml());
+    std::vector<std::string> messages;
+    for (const Diagnostic& warning : imported.warnings) {
+        if (warning.code == "unreadable-length") {
+            messages.push_back(warning.message);
+        }
+    }
+    ASSERT_EQ(messages.size(), 2U);
+    EXPECT_TRUE(messages[0].starts_with("way-" + std::to_string(id) + ": height=12-14 ")) << messages[0];
+    EXPECT_NE(messages[1].find("width=2 cubits"), std::string::npos) << messages[1];
 }
 
 TEST_F(ImportMap, DividesTheGroundWithoutGapsAndOverlaps) {

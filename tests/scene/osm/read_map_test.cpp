@@ -241,11 +241,17 @@ TEST_F(ReadMap, RefusesALargeMapBeforeItIsRead) {
     EXPECT_EQ(errors[0].code, "bad-size");
 }
 
-/// A building of 17 km with 200 levels of windows would take gigabytes.
+/// Buildings of 4.9 km with 200 levels of windows would take gigabytes.
 TEST_F(ImportMap, LimitsTheTrianglesOfAMap) {
     MapText map(9000.0);
     const auto hall =
-        map.rectangle(-8500, -8500, 8500, 8500, {{"building", "yes"}, {"building:levels", "200"}});
+        map.rectangle(-8900, -8900, -4000, -4000, {{"building", "yes"}, {"building:levels", "200"}});
+    for (const double south : {-3000.0, 2000.0}) {
+        for (const double west : {-8900.0, -3000.0, 3000.0}) {
+            map.rectangle(west, south, west + 4800, south + 4800,
+                          {{"building", "yes"}, {"building:levels", "200"}});
+        }
+    }
     const auto errors = test::errors_of([&] { import(map.xml()); });
     ASSERT_EQ(errors.size(), 1U);
     EXPECT_EQ(errors[0].code, "bad-size");

@@ -53,6 +53,23 @@ TEST_F(Steps, RiseAsTagged) {
         << "drawn southwards and down, its foot is in the south";
 }
 
+TEST_F(Steps, RiseByTheirInclineAlsoWithACount) {
+    MapText both = flight({{"incline", "40%"}, {"step_count", "20"}});
+    const ImportedMap imported = import(both.xml());
+    EXPECT_NEAR(top_tread(imported.model, steps()), 2.4, 0.01);
+    EXPECT_FALSE(test::has_code(imported.warnings, "odd-steps"));
+    MapText few = flight({{"incline", "50%"}, {"step_count", "12"}});
+    const ImportedMap changed = import(few.xml());
+    EXPECT_NEAR(top_tread(changed.model, steps()), 3.0, 0.01);
+    EXPECT_TRUE(test::has_code(changed.warnings, "odd-steps")) << "risers of 25 cm";
+    MapText ratio = flight({{"incline", "1:3"}});
+    EXPECT_TRUE(test::has_code(import(ratio.xml()).warnings, "odd-steps"));
+    for (const char* fine : {"up", "down", "30 %", "-17\u00b0"}) {
+        MapText map = flight({{"incline", fine}});
+        EXPECT_FALSE(test::has_code(import(map.xml()).warnings, "odd-steps")) << fine;
+    }
+}
+
 TEST_F(Steps, LeadUpToAnEntranceThatTheyBeginAt) {
     // Of a building in the north.
     const auto rise_to_entrance = [&](bool drawn_from_entrance, const MapText::Tags& tags) {
