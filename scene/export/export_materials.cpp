@@ -1,6 +1,7 @@
 #include "scene/export/export_materials.h"
 
 #include <algorithm>
+#include <array>
 
 #include <nlohmann/json.hpp>
 
@@ -12,9 +13,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kRepeat = 10497;
-constexpr int kClampToEdge = 33071;
-constexpr float kTextureQuality = 80.0F;  // of 100
+constexpr std::array<int, 3> kWrapModes = {10497, 33071, 33648};  // of glTF, in the order of Wrap
+constexpr float kTextureQuality = 80.0F;                          // of 100
 
 Json list_of(std::span<const float> values) {
     Json list = Json::array();
@@ -109,9 +109,13 @@ std::size_t ExportMaterials::texture_of(std::size_t model, TextureIndex index) {
     const auto known = known_images_.find({model, index_of(index)});
     const std::size_t image = known != known_images_.end() ? known->second : image_of(texture);
     known_images_[{model, index_of(index)}] = image;
-    const auto [there, is_new] = textures_.try_emplace({image, texture.repeat}, texture_list_.size());
+    const std::pair key(image, texture.wrap);
+    const auto [there, is_new] = textures_.try_emplace(key, texture_list_.size());
     if (is_new) {
-        texture_list_.emplace_back(image, texture.repeat);
+        texture_list_.push_back(key);
+        if (std::ranges::find(samplers_, texture.wrap) == samplers_.end()) {
+            samplers_.push_back(texture.wrap);
+        }
     }
     return there->second;
 }
@@ -144,13 +148,17 @@ std::string ExportMaterials::json(std::size_t first_image) const {
         images.push_back({{"bufferView", first_image + i}, {"mimeType", "image/webp"}});
     }
     Json samplers = Json::array();
-    for (const int wrap : {kRepeat, kClampToEdge}) {
-        samplers.push_back({{"magFilter", 9729}, {"minFilter", 9987}, {"wrapS", wrap}, {"wrapT", wrap}});
+    for (const TextureWrap& wrap : samplers_) {
+        samplers.push_back({{"magFilter", 9729},
+                            {"minFilter", 9987},
+                            {"wrapS", kWrapModes.at(static_cast<std::size_t>(wrap.u))},
+                            {"wrapT", kWrapModes.at(static_cast<std::size_t>(wrap.v))}});
     }
     Json textures = Json::array();
-    for (const auto& [image, repeat] : texture_list_) {
+    for (const auto& [image, wrap] : texture_list_) {
+        const auto sampler = std::ranges::find(samplers_, wrap) - samplers_.begin();
         textures.push_back(
-            {{"sampler", repeat ? 0 : 1}, {"extensions", {{"EXT_texture_webp", {{"source", image}}}}}});
+            {{"sampler", sampler}, {"extensions", {{"EXT_texture_webp", {{"source", image}}}}}});
     }
     return text + ",\"images\":" + images.dump() + ",\"samplers\":" + samplers.dump() +
            ",\"textures\":" + textures.dump();

@@ -35,8 +35,9 @@ private:
     std::map<std::pair<std::size_t, std::size_t>, std::size_t> known_;  ///< by model and material
     std::map<std::string, std::size_t> numbers_;                        ///< by the material's JSON
     std::vector<std::string> materials_;
-    std::map<std::pair<std::size_t, bool>, std::size_t> textures_;  ///< by image and whether it repeats
-    std::vector<std::pair<std::size_t, bool>> texture_list_;
+    std::map<std::pair<std::size_t, TextureWrap>, std::size_t> textures_;  ///< by image
+    std::vector<std::pair<std::size_t, TextureWrap>> texture_list_;
+    std::vector<TextureWrap> samplers_ = {{Wrap::repeat, Wrap::repeat}, {Wrap::clamp, Wrap::clamp}};
     std::map<std::pair<std::size_t, std::size_t>, std::size_t> known_images_;  ///< by model and texture
     std::map<std::string, std::size_t> images_;                                ///< by the file's bytes
 };

@@ -32,13 +32,24 @@ constexpr std::size_t index_of(TextureIndex i) {
     return static_cast<std::size_t>(i);
 }
 
+/// What an image shows beyond its edges.
+enum class Wrap : std::uint8_t { repeat, clamp, mirror };
+
+/// Along the image's width and height.
+struct TextureWrap {
+    Wrap u = Wrap::repeat;
+    Wrap v = Wrap::repeat;
+
+    friend auto operator<=>(const TextureWrap&, const TextureWrap&) = default;
+};
+
 /// 8-bit sRGB colour with linear alpha, top row first.
 struct Texture {
     std::string name;
     int width = 0;
     int height = 0;
     Storage<std::uint8_t> rgba;  ///< 4 * width * height bytes
-    bool repeat = true;          ///< wrap mode; false clamps to the edge
+    TextureWrap wrap = {};
 };
 
 enum class AlphaMode { opaque, mask, blend };

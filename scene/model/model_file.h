@@ -29,7 +29,7 @@ struct ImportedModel {
 };
 
 /// Increment the version whenever the layout, `Model`, or the result of importing the same file changes.
-inline constexpr FileKind kModelFile = {{'c', 'w', ' ', 'm', 'o', 'd', 'e', 'l'}, 5};
+inline constexpr FileKind kModelFile = {{'c', 'w', ' ', 'm', 'o', 'd', 'e', 'l'}, 6};
 
 /// Serializes an imported model. Large arrays are not copied: `imported` must outlive the writer.
 ArchiveWriter archive_model(const ImportedModel& imported);

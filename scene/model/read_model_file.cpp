@@ -60,13 +60,22 @@ FileRequest take_request(ArchiveReader& in) {
     return request;
 }
 
+Wrap take_wrap(ArchiveReader& in) {
+    const auto wrap = in.take<std::uint32_t>();
+    if (wrap > static_cast<std::uint32_t>(Wrap::mirror)) {
+        throw DamagedFile("a texture's wrap mode is unknown");
+    }
+    return static_cast<Wrap>(wrap);
+}
+
 Texture take_texture(ArchiveReader& in) {
     constexpr std::int32_t kMaxSide = 1 << 24U;
     Texture texture;
     texture.name = in.take_text();
     texture.width = in.take<std::int32_t>();
     texture.height = in.take<std::int32_t>();
-    texture.repeat = in.take_flag();
+    texture.wrap.u = take_wrap(in);
+    texture.wrap.v = take_wrap(in);
     texture.rgba = take_counted<std::uint8_t>(in);
     const bool sized =
         texture.width > 0 && texture.height > 0 && texture.width <= kMaxSide && texture.height <= kMaxSide;

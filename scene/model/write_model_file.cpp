@@ -27,7 +27,8 @@ void put(ArchiveWriter& out, const Texture& texture) {
     out.put_text(texture.name);
     out.put(std::int32_t{texture.width});
     out.put(std::int32_t{texture.height});
-    out.put(std::uint32_t{texture.repeat});
+    out.put(static_cast<std::uint32_t>(texture.wrap.u));
+    out.put(static_cast<std::uint32_t>(texture.wrap.v));
     put_counted(out, texture.rgba);
 }
 

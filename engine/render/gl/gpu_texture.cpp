@@ -8,13 +8,24 @@
 namespace campuswalk::engine::render {
 namespace {
 
-GLuint make_texture(const GlFunctions& gl, bool repeat) {
+GLint gl_wrap(scene::Wrap wrap) {
+    switch (wrap) {
+        case scene::Wrap::repeat:
+            break;
+        case scene::Wrap::clamp:
+            return GL_CLAMP_TO_EDGE;
+        case scene::Wrap::mirror:
+            return GL_MIRRORED_REPEAT;
+    }
+    return GL_REPEAT;
+}
+
+GLuint make_texture(const GlFunctions& gl, const scene::TextureWrap& wrap) {
     GLuint texture = 0;
     gl.GenTextures(1, &texture);
     gl.BindTexture(GL_TEXTURE_2D, texture);
-    const GLint wrap = repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, gl_wrap(wrap.u));
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, gl_wrap(wrap.v));
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     return texture;
@@ -39,7 +50,7 @@ void skip_srgb_decode(const GlFunctions& gl) {
 }  // namespace
 
 GLuint upload_color_texture(const GlFunctions& gl, const scene::Texture& texture) {
-    const GLuint name = make_texture(gl, texture.repeat);
+    const GLuint name = make_texture(gl, texture.wrap);
     upload_level(gl, 0, texture.width, texture.height, texture.rgba.data());
     gl.GenerateMipmap(GL_TEXTURE_2D);
     skip_srgb_decode(gl);  // after mip generation, which has to average linear light
@@ -47,7 +58,7 @@ GLuint upload_color_texture(const GlFunctions& gl, const scene::Texture& texture
 }
 
 GLuint upload_data_texture(const GlFunctions& gl, const scene::Texture& texture) {
-    const GLuint name = make_texture(gl, texture.repeat);
+    const GLuint name = make_texture(gl, texture.wrap);
     gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, texture.width, texture.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                   texture.rgba.data());
     gl.GenerateMipmap(GL_TEXTURE_2D);
@@ -55,7 +66,7 @@ GLuint upload_data_texture(const GlFunctions& gl, const scene::Texture& texture)
 }
 
 GLuint upload_cutout_texture(const GlFunctions& gl, const scene::Texture& texture, float alpha_cutoff) {
-    const GLuint name = make_texture(gl, texture.repeat);
+    const GLuint name = make_texture(gl, texture.wrap);
     upload_level(gl, 0, texture.width, texture.height, texture.rgba.data());
     skip_srgb_decode(gl);
     int level = 0;
@@ -66,7 +77,7 @@ GLuint upload_cutout_texture(const GlFunctions& gl, const scene::Texture& textur
 }
 
 GLuint upload_white_texture(const GlFunctions& gl) {
-    const GLuint name = make_texture(gl, true);
+    const GLuint name = make_texture(gl, {});
     std::array<std::uint8_t, 16> white{};
     white.fill(255);
     skip_srgb_decode(gl);

@@ -18,8 +18,10 @@ float linear_from_srgb(float value) {
     return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F);
 }
 
-bool is_repeating(aiTextureMapMode mode) {
-    return mode != aiTextureMapMode_Clamp && mode != aiTextureMapMode_Decal;
+Wrap wrap_of(aiTextureMapMode mode) {
+    return mode == aiTextureMapMode_Mirror                                    ? Wrap::mirror
+           : mode == aiTextureMapMode_Clamp || mode == aiTextureMapMode_Decal ? Wrap::clamp
+                                                                              : Wrap::repeat;
 }
 
 /// Adds the image of the first of `types` that the material has. The texture coordinates of a material's
@@ -36,8 +38,7 @@ void add_image(const aiMaterial& source, std::initializer_list<aiTextureType> ty
             if (out.images.empty()) {
                 out.uv_channel = channel;
             }
-            const bool repeat = is_repeating(modes[0]) && is_repeating(modes[1]);
-            out.images.push_back({use, {path.C_Str(), repeat}});
+            out.images.push_back({use, {path.C_Str(), {wrap_of(modes[0]), wrap_of(modes[1])}}});
             return;
         }
     }

@@ -7,6 +7,7 @@ namespace campuswalk::scene::gltf {
 namespace {
 
 constexpr std::size_t kClampToEdge = 33071;
+constexpr std::size_t kMirroredRepeat = 33648;
 
 AlphaMode to_alpha_mode(const std::string& name) {
     return name == "MASK" ? AlphaMode::mask : name == "BLEND" ? AlphaMode::blend : AlphaMode::opaque;
@@ -36,13 +37,18 @@ std::optional<std::size_t> image_of(const JsonObject& texture) {
     return std::nullopt;
 }
 
-bool repeats(const Document& document, const JsonObject& texture) {
+Wrap wrap_of(const JsonObject& sampler, const char* axis) {
+    const auto mode = sampler.uint(axis);
+    return mode == kClampToEdge ? Wrap::clamp : mode == kMirroredRepeat ? Wrap::mirror : Wrap::repeat;
+}
+
+TextureWrap wrap_of(const Document& document, const JsonObject& texture) {
     const auto sampler = texture.uint("sampler");
     if (!sampler) {
-        return true;
+        return {};
     }
     const JsonObject item = document.item("samplers", *sampler);
-    return item.uint("wrapS") != kClampToEdge && item.uint("wrapT") != kClampToEdge;
+    return {wrap_of(item, "wrapS"), wrap_of(item, "wrapT")};
 }
 
 /// Scale, then rotation (counter-clockwise on the image, since v points down), then offset.
@@ -92,7 +98,7 @@ std::optional<JsonObject> read_image(const Document& document, const JsonObject&
     const std::string uri = document.item("images", *image).string("uri");
     const bool embedded = uri.empty() || uri.starts_with("data:");
     out.source.images.push_back(
-        {use, {embedded ? "*" + std::to_string(*image) : uri, repeats(document, texture)}});
+        {use, {embedded ? "*" + std::to_string(*image) : uri, wrap_of(document, texture)}});
     return info;
 }
 

@@ -18,7 +18,7 @@ namespace campuswalk::scene {
 /// A material's reference to an image: a path, or `*N` for the N-th image embedded in the file.
 struct TextureReference {
     std::string uri;
-    bool repeat = true;
+    TextureWrap wrap = {};
 };
 
 /// An image of a material and the member that it belongs to, such as `&Material::normal_texture`.

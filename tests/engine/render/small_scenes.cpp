@@ -18,7 +18,7 @@ scene::Texture texture_of(const char* name, ColorAt color_at) {
     scene::Texture texture;
     texture.name = name;
     texture.width = texture.height = kTextureSide;
-    texture.repeat = false;
+    texture.wrap = {scene::Wrap::clamp, scene::Wrap::clamp};
     for (int y = 0; y < kTextureSide; ++y) {
         for (int x = 0; x < kTextureSide; ++x) {
             const std::array<std::uint8_t, 4> rgba = color_at(x >= kTextureSide / 2, y >= kTextureSide / 2);

@@ -244,7 +244,7 @@ TEST(WriteGlb, MaterialsComeBackAsTheyWere) {
     Texture texture;
     texture.width = 1024;
     texture.height = 512;
-    texture.repeat = false;
+    texture.wrap = {Wrap::mirror, Wrap::clamp};
     texture.rgba.resize(std::size_t{4} * 1024 * 512, 200);
     model.textures.push_back(std::move(texture));
     Material& material = model.materials.front();
@@ -268,7 +268,7 @@ TEST(WriteGlb, MaterialsComeBackAsTheyWere) {
     ASSERT_EQ(back.textures.size(), 1U);
     EXPECT_EQ(back.textures[0].width, 512);
     EXPECT_EQ(back.textures[0].height, 256);
-    EXPECT_FALSE(back.textures[0].repeat);
+    EXPECT_EQ(back.textures[0].wrap, (TextureWrap{Wrap::mirror, Wrap::clamp}));
     EXPECT_NEAR(back.textures[0].rgba[0], 200, 3);
 }
 

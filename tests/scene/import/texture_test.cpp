@@ -53,7 +53,7 @@ TEST_F(TextureTest, DecodesRgbaTopRowFirst) {
     ASSERT_EQ(model.textures[0].rgba.size(), 24U);
     EXPECT_EQ(model.textures[0].rgba[0], 10);
     EXPECT_EQ(model.textures[0].rgba[2], 30);
-    EXPECT_TRUE(model.textures[0].repeat);
+    EXPECT_EQ(model.textures[0].wrap, TextureWrap());
     // A black diffuse colour beside a texture is an exporter's habit, not a black wall.
     EXPECT_EQ(material_of(model).base_color, (std::array<float, 4>{1, 1, 1, 1}));
     EXPECT_EQ(material_of(model).alpha_mode, AlphaMode::opaque);
@@ -151,7 +151,7 @@ TEST_F(TextureTest, ReadsGltfAlphaSidesWrapModeAndEmbeddedImages) {
         1, R"("materials":[{"name":"leaf","doubleSided":true,"alphaMode":"MASK","alphaCutoff":0.25,
         "emissiveFactor":[0.5,0,0],"pbrMetallicRoughness":{"baseColorFactor":[0.5,0.25,1,1],
         "baseColorTexture":{"index":0}}}],"textures":[{"source":0,"sampler":0}],
-        "samplers":[{"wrapS":33071,"wrapT":33071}],"images":[{"uri":"data:image/png;base64,)"
+        "samplers":[{"wrapS":33648,"wrapT":33071}],"images":[{"uri":"data:image/png;base64,)"
            "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mP8z8DwHwAFBQIAX8jx0gAAAABJRU5ErkJggg=="
            R"("}],)");
     folder_.write("box.gltf", json);
@@ -167,7 +167,7 @@ TEST_F(TextureTest, ReadsGltfAlphaSidesWrapModeAndEmbeddedImages) {
     const Texture& texture = model.textures[index_of(*material.base_color_texture)];
     EXPECT_EQ(texture.width, 1);
     EXPECT_EQ(texture.rgba.size(), 4U);
-    EXPECT_FALSE(texture.repeat);
+    EXPECT_EQ(texture.wrap, (TextureWrap{Wrap::mirror, Wrap::clamp}));
 }
 
 TEST(DecodeImage, ReportsAReasonForFailure) {

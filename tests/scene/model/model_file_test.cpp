@@ -21,8 +21,8 @@ ImportedModel small_import() {
     Model& model = imported.model;
     model.file = "models/a.gltf";
     model.geographic = {-33.25, 151.125, 17.5, {1.0 / 3.0, -2e5, 0.25}};
-    model.textures = {{"r.png", 2, 1, {1, 2, 3, 4, 5, 6, 7, 8}, false},
-                      {"n.png", 1, 1, {128, 129, 255, 254}, true}};
+    model.textures = {{"r.png", 2, 1, {1, 2, 3, 4, 5, 6, 7, 8}, {Wrap::clamp, Wrap::mirror}},
+                      {"n.png", 1, 1, {128, 129, 255, 254}, {}}};
     Material red;
     red.name = "red";
     red.base_color = {0.5F, 0.25F, 0.125F, 0.75F};
@@ -104,7 +104,7 @@ void expect_equal(const Model& a, const Model& b) {
         EXPECT_EQ(a.textures[i].width, b.textures[i].width);
         EXPECT_EQ(a.textures[i].height, b.textures[i].height);
         EXPECT_EQ(a.textures[i].rgba, b.textures[i].rgba);
-        EXPECT_EQ(a.textures[i].repeat, b.textures[i].repeat);
+        EXPECT_EQ(a.textures[i].wrap, b.textures[i].wrap);
     }
     ASSERT_EQ(a.materials.size(), b.materials.size());
     for (std::size_t i = 0; i < a.materials.size(); ++i) {
