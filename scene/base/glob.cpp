@@ -1,7 +1,10 @@
 #include "scene/base/glob.h"
 
+#include <algorithm>
 #include <optional>
 #include <string_view>
+
+#include "scene/base/utf8.h"
 
 namespace campuswalk::scene {
 namespace {
@@ -94,11 +97,17 @@ bool glob_matches(std::string_view glob, std::string_view name, std::uint64_t& c
 
 std::string glob_for(std::string_view name) {
     std::string glob;
-    for (const char c : name) {
-        if (c == '*' || c == '?' || c == '[' || c == '\\') {
-            glob += '\\';
+    while (!name.empty()) {
+        const std::size_t bytes = utf8_length(name, 0);
+        const char c = name.front();
+        const bool is_control = bytes == 1 && (static_cast<unsigned char>(c) < 0x20 || c == '\x7f');
+        if (bytes == 0 || is_control) {
+            glob += '?';
+        } else {
+            glob += c == '*' || c == '?' || c == '[' || c == '\\' ? "\\" : "";
+            glob += name.substr(0, bytes);
         }
-        glob += c;
+        name.remove_prefix(std::max<std::size_t>(1, bytes));
     }
     return glob;
 }

@@ -13,7 +13,8 @@ bool glob_matches(std::string_view glob, std::string_view name);
 /// product of both lengths.
 bool glob_matches(std::string_view glob, std::string_view name, std::uint64_t& compared);
 
-/// The name with special characters escaped: a glob that matches it and nothing else.
+/// The name with special characters escaped: a glob that matches it and nothing else. Control characters and
+/// bytes that aren't UTF-8, which no file may have, become `?`.
 std::string glob_for(std::string_view name);
 
 }  // namespace campuswalk::scene

@@ -32,6 +32,18 @@ constexpr std::size_t utf8_length(std::string_view text, std::size_t at) {
     return overlong || outside ? 0 : length;
 }
 
+constexpr bool is_utf8(std::string_view text) {
+    std::size_t at = 0;
+    while (at < text.size()) {
+        const std::size_t bytes = utf8_length(text, at);
+        if (bytes == 0) {
+            return false;
+        }
+        at += bytes;
+    }
+    return true;
+}
+
 /// Of a character whose bytes utf8_length() has found to be one.
 constexpr char32_t code_point(std::string_view character) {
     const auto lead = static_cast<unsigned char>(character.front());

@@ -117,7 +117,9 @@ std::string reason(NoInside why) {
         case NoInside::branching:
             break;
     }
-    return "three or more faces meet at an edge of its surface";
+    return "three or more faces meet at an edge of its surface, as where a wall divides its inside: take "
+           "such "
+           "faces out";
 }
 
 /// Adds the colliders of a campus to its world, one after the other.
@@ -252,7 +254,8 @@ void ColliderBuilder::add_object(const ColliderDescription& collider, const std:
     if (placed->no_inside) {
         diagnostics_.error(collider.mark, "no-inside",
                            "nobody can be inside of trigger '" + id + "': " + reason(*placed->no_inside) +
-                               "; close it, or give the trigger a 'box' or another shape");
+                               (placed->no_inside == NoInside::branching ? "" : "; close it") +
+                               ", or give the trigger a 'box' or another shape");
         return;
     }
     if (placed->openings > 0) {

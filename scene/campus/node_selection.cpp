@@ -121,13 +121,13 @@ std::string NodeSelector::suggestion(const std::string& pattern) {
     for (const std::string& word : {pattern, plain}) {
         const std::string_view near = nearest_word(word, names_);
         if (!near.empty()) {
-            return "; did you mean '" + std::string(near) + "'?";
+            return "; did you mean '" + glob_for(near) + "'?";
         }
     }
     // A pattern such as `libary_*` isn't similar to any whole name, but to the start of one.
     for (const std::string& name : names_) {
         if (name.size() > plain.size() && !nearest_word(plain, {name.substr(0, plain.size())}).empty()) {
-            return "; did you mean '" + name + "'?";
+            return "; did you mean '" + glob_for(name) + "'?";
         }
     }
     if (names_.empty()) {
@@ -135,7 +135,7 @@ std::string NodeSelector::suggestion(const std::string& pattern) {
     }
     std::string shown;
     for (std::size_t i = 0; i < names_.size() && i < kNamesShown; ++i) {
-        shown += (i == 0 ? "'" : ", '") + names_[i] + "'";
+        shown += (i == 0 ? "'" : ", '") + glob_for(names_[i]) + "'";
     }
     return "; the scenes contain " + shown + (names_.size() > kNamesShown ? ", …" : "");
 }

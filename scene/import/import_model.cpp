@@ -7,6 +7,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "scene/base/glob.h"
+#include "scene/base/unicode_words.h"
+#include "scene/base/utf8.h"
 #include "scene/import/assimp/assimp_source.h"
 #include "scene/import/gltf/gltf_source.h"
 #include "scene/import/model_formats.h"
@@ -24,7 +27,7 @@ public:
 
     /// nullopt if the image is missing or cannot be decoded; `reason` then says which, the first time.
     std::optional<TextureIndex> load(const TextureReference& reference, std::string& reason) {
-        const std::pair key(reference.uri, reference.repeat);
+        const std::pair key(reference.uri, reference.wrap);
         const auto [known, is_new] = loaded_.try_emplace(key);
         if (!is_new) {
             return known->second;
@@ -35,7 +38,7 @@ public:
         }
         const auto index = static_cast<TextureIndex>(textures_.size());
         textures_.push_back(
-            {reference.uri, image->width, image->height, std::move(image->rgba), reference.repeat});
+            {reference.uri, image->width, image->height, std::move(image->rgba), reference.wrap});
         known->second = index;
         return index;
     }
@@ -46,7 +49,7 @@ public:
 private:
     ModelSource& source_;
     std::vector<Texture> textures_;
-    std::map<std::pair<std::string, bool>, std::optional<TextureIndex>> loaded_;  // by uri and wrap mode
+    std::map<std::pair<std::string, TextureWrap>, std::optional<TextureIndex>> loaded_;  // by uri
 };
 
 /// Whether the image has transparent and opaque pixels.
@@ -107,7 +110,21 @@ private:
     std::size_t bad_textures_ = 0;
 };
 
+/// Names are compared in normalization form C, as ids and globs are.
 void Import::check_nodes() {
+    std::size_t unreadable = 0;
+    std::string first;
+    for (Node& node : tree_.nodes) {
+        node.name = normalized(node.name);
+        if (!is_utf8(node.name) && unreadable++ == 0) {
+            first = glob_for(node.name);
+        }
+    }
+    if (unreadable > 0) {
+        warning("bad-encoding", "the names of " + std::to_string(unreadable) +
+                                    " nodes aren't UTF-8 (the first: '" + first +
+                                    "'); save the file as UTF-8, or write ? in globs for each such byte");
+    }
     for (const Node& node : tree_.nodes) {
         if (!node.X_world_node.allFinite()) {
             error("bad-vertex", "the transform of node '" + node.name + "' is not finite");

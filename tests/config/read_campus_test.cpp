@@ -109,7 +109,7 @@ TEST_F(ReadCampus, ReadsWhereScenesArePlaced) {
 scenes:
   - {file: a.glb, position: [1, 2, 3]}
   - {file: a.glb, position: [1, 2, 3], rotation_deg: [0, 90, 0]}
-  - {file: a.glb, name: gate, quaternion: [0, 0.7071, 0, 0.7071]}
+  - {file: a.glb, name: gate, quaternion: [0, 2, 0, 2]}
   - file: a.glb
     scale: 2
     placements:

@@ -146,7 +146,7 @@ void read_building_of(const CheckedNode& id, const CampusDescription& campus, Co
 std::vector<scene::NodeGlob> node_globs(const CheckedNode& node) {
     std::vector<scene::NodeGlob> globs;
     for (const CheckedNode& item : node.items_or_one("a node glob")) {
-        if (std::optional<std::string> pattern = item.line()) {
+        if (std::optional<std::string> pattern = name_in(item)) {
             globs.push_back({item.mark(), std::move(*pattern)});
         }
     }

@@ -50,7 +50,7 @@ void read_scene_file(const CheckedNode& file, const fs::path& folder, const Read
 }
 
 void read_quaternion(const CheckedNode& node, Eigen::Matrix3d& rotation) {
-    const auto value = node.vector4({-1.0, 1.0, false, ""});
+    const auto value = node.vector4({-1e6, 1e6, false, ""});
     if (!value) {
         return;
     }

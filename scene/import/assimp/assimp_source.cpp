@@ -10,6 +10,7 @@
 #include "scene/import/assimp/convert_nodes.h"
 #include "scene/import/source/file_frame.h"
 #include "scene/import/source/obj_text.h"
+#include "scene/import/source/stl_text.h"
 
 namespace campuswalk::scene {
 namespace {
@@ -125,6 +126,9 @@ NodeTree AssimpSource::nodes() {
     if (is_obj()) {
         join_objects(tree);
     }
+    for (Node& node : tree.nodes) {
+        node.name = name_of_solid(std::move(node.name));
+    }
     return tree;
 }
 
@@ -157,7 +161,7 @@ RawMesh AssimpSource::mesh(std::size_t number) {
     const SourceMaterial& material =
         materials_[source.mMaterialIndex < materials_.size() ? source.mMaterialIndex : 0];
     RawMesh mesh = convert_mesh(source, material.uv_channel);
-    mesh.name = is_obj() ? without_number(mesh.name) : mesh.name;
+    mesh.name = is_obj() ? without_number(mesh.name) : name_of_solid(std::move(mesh.name));
     constexpr unsigned int kPointsAndLines = aiPrimitiveType_POINT | aiPrimitiveType_LINE;
     if (source.mPrimitiveTypes != 0 && (source.mPrimitiveTypes & ~kPointsAndLines) == 0) {
         mesh.points_and_lines = std::max<std::size_t>(mesh.points_and_lines, 1);
@@ -181,6 +185,19 @@ void AssimpSource::add_warnings(DiagnosticList& warnings) {
         warnings.warning(
             file_.mark, "repaired-uvs",
             file_.file + ": faces refer to texture coordinates, but the file has none; they are ignored");
+    }
+    if (read_.files->moves_images()) {
+        warnings.warning(
+            file_.mark, "unsupported-feature",
+            file_.file +
+                ": its material file scales or moves images (-s, -o or -t), which is ignored; put "
+                "that into the texture coordinates, and export again");
+    }
+    if (has_left_handed_axes(*read_.scene)) {
+        warnings.warning(file_.mark, "unsupported-feature",
+                         file_.file +
+                             ": its axes are left-handed (CoordAxis, UpAxis, FrontAxis), read as +X, +Y "
+                             "and +Z; export it with right-handed axes");
     }
     if (const auto others = nodes_of_other_inheritance(*read_.scene); !others.empty()) {
         warnings.warning(file_.mark, "unsupported-feature",

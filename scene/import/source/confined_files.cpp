@@ -9,8 +9,10 @@
 #include <assimp/MemoryIOWrapper.h>
 #include <assimp/IOStream.hpp>
 
+#include "scene/import/source/mtl_text.h"
 #include "scene/import/source/obj_text.h"
 #include "scene/import/source/ply_header.h"
+#include "scene/import/source/stl_text.h"
 
 namespace campuswalk::scene {
 namespace {
@@ -64,6 +66,15 @@ Assimp::IOStream* open_ply(const std::filesystem::path& path) {
     return text.empty() ? open_unchanged(path) : copy_of(text);
 }
 
+Assimp::IOStream* open_stl(const std::filesystem::path& path) {
+    auto stl = read_bytes(path);
+    if (!stl) {
+        return nullptr;
+    }
+    normalize_stl(*stl);
+    return copy_of(*stl);
+}
+
 }  // namespace
 
 bool ConfinedFiles::Exists(const char* name) const {
@@ -95,6 +106,13 @@ Assimp::IOStream* ConfinedFiles::open_obj(const std::filesystem::path& path) {
     return fault_.empty() ? new Assimp::MemoryIOStream(obj_->data(), obj_->size()) : nullptr;
 }
 
+Assimp::IOStream* ConfinedFiles::open_mtl(const std::filesystem::path& path) {
+    if (const auto text = read_bytes(path)) {
+        moves_images_ = moves_images_ || scene::moves_images(*text);
+    }
+    return open_unchanged(path);
+}
+
 Assimp::IOStream* ConfinedFiles::Open(const char* name, const char* mode) {
     const bool for_reading = std::strchr(mode, 'w') == nullptr && std::strchr(mode, 'a') == nullptr;
     const auto path = for_reading ? folder_.find_file(name) : std::nullopt;
@@ -102,7 +120,9 @@ Assimp::IOStream* ConfinedFiles::Open(const char* name, const char* mode) {
     Assimp::IOStream* stream = !path                 ? nullptr
                                : extension == ".dae" ? open_collada(*path)
                                : extension == ".obj" ? open_obj(*path)
+                               : extension == ".mtl" ? open_mtl(*path)
                                : extension == ".ply" ? open_ply(*path)
+                               : extension == ".stl" ? open_stl(*path)
                                                      : open_unchanged(*path);
     if (stream == nullptr) {
         refused_.emplace_back(name);

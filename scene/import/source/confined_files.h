@@ -35,12 +35,15 @@ public:
     const std::string& fault() const { return fault_; }
     /// Whether drop_absent_uvs changed an OBJ.
     bool dropped_uvs() const { return dropped_uvs_; }
+    /// Whether a material file moves images, which is ignored.
+    bool moves_images() const { return moves_images_; }
     /// Names of the files that were missing or refused, in order.
     const std::vector<std::string>& refused() const { return refused_; }
 
 private:
     Assimp::IOStream* open_collada(const std::filesystem::path& path);
     Assimp::IOStream* open_obj(const std::filesystem::path& path);
+    Assimp::IOStream* open_mtl(const std::filesystem::path& path);
 
     SceneFolder folder_;
     double metres_per_unit_;
@@ -49,6 +52,7 @@ private:
     ColladaFacts collada_;
     std::string fault_;
     bool dropped_uvs_ = false;
+    bool moves_images_ = false;
     std::vector<std::string> refused_;
 };
 

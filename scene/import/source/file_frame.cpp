@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 #include <assimp/scene.h>
 #include <Eigen/LU>
@@ -21,21 +22,27 @@ double metres_per_file_unit(const aiMetadata& metadata) {
     return std::isfinite(centimetres) && centimetres > 0.0 ? centimetres * kMetresPerCentimetre : 1.0;
 }
 
-/// The rotation from an FBX file's axes (right, up, towards the viewer) to +X, +Y, +Z; identity for other
-/// formats and for axes that are not right-handed.
-Eigen::Matrix3d world_from_file_axes(const aiMetadata& metadata) {
+/// The matrix from an FBX file's axes (right, up, towards the viewer) to +X, +Y, +Z; nullopt for other
+/// formats.
+std::optional<Eigen::Matrix3d> axes_of(const aiMetadata& metadata) {
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Zero();
     int row = 0;
     for (const char* name : {"CoordAxis", "UpAxis", "FrontAxis"}) {
         std::int32_t axis = -1;
         std::int32_t sign = 1;
         if (!metadata.Get(name, axis) || axis < 0 || axis > 2) {
-            return Eigen::Matrix3d::Identity();
+            return std::nullopt;
         }
         metadata.Get(std::string(name) + "Sign", sign);
         rotation(row++, axis) = sign < 0 ? -1.0 : 1.0;
     }
-    return rotation.determinant() == 1.0 ? rotation : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+    return rotation;
+}
+
+/// Those axes; identity for other formats and for axes that are not right-handed.
+Eigen::Matrix3d world_from_file_axes(const aiMetadata& metadata) {
+    const std::optional<Eigen::Matrix3d> axes = axes_of(metadata);
+    return axes && axes->determinant() == 1.0 ? *axes : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
 }
 
 Eigen::Matrix4d placed(const Eigen::Matrix3d& linear, const Eigen::Vector3d& position) {
@@ -68,6 +75,11 @@ Eigen::Matrix4d world_from_file(const SceneFile& file, const aiScene& scene) {
     const Eigen::Matrix3d rotation = upright(file.up) * world_from_file_axes(*scene.mMetaData);
     const double scale = file.metres_per_unit * file.scale * metres_per_file_unit(*scene.mMetaData);
     return placed(rotation * scale, file.position);
+}
+
+bool has_left_handed_axes(const aiScene& scene) {
+    const auto axes = scene.mMetaData != nullptr ? axes_of(*scene.mMetaData) : std::nullopt;
+    return axes && axes->determinant() == -1.0;
 }
 
 }  // namespace campuswalk::scene

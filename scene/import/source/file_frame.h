@@ -19,4 +19,7 @@ Eigen::Matrix4d world_from_file(const SceneFile& file, const aiScene& scene);
 /// The same for a format in metres with +Y up: only what the campus file says.
 Eigen::Matrix4d world_from_file(const SceneFile& file);
 
+/// Whether an FBX file's axes are left-handed: then its geometry is read as if they were +X, +Y and +Z.
+bool has_left_handed_axes(const aiScene& scene);
+
 }  // namespace campuswalk::scene

@@ -57,6 +57,10 @@ TEST(GlobFor, MatchesTheNameOnly) {
         EXPECT_FALSE(glob_matches(glob_for(name), name + "x")) << name;
         EXPECT_FALSE(glob_matches(glob_for(name), "x" + name)) << name;
     }
+    for (const std::string name : {"line\nend", "tab\t*", "B\xe2timent", "\x7f\xc3"}) {
+        EXPECT_TRUE(glob_matches(glob_for(name), name)) << name;
+        EXPECT_EQ(glob_for(name).find_first_of("\n\t\xe2\x7f"), std::string::npos);
+    }
     EXPECT_FALSE(glob_matches(glob_for("*"), "a"));
     EXPECT_FALSE(glob_matches(glob_for("nodes[3]"), "nodes3"));
 }

@@ -199,5 +199,20 @@ TEST(ObjText, KeepsMillimetresFarFromTheOrigin) {
     EXPECT_LT((near.min - Eigen::Vector3d(0.343, 1.251, -0.578)).norm(), 1e-6) << near.min.transpose();
 }
 
+TEST(ObjText, NamesAreInNormalizationFormCOrReported) {
+    test::TemporaryFolder folder;
+    const auto text = [](const std::string& name) {
+        return "o " + name + "\nv 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n";
+    };
+    folder.write("nfd.obj", text("e\u0301cole"));
+    const ImportedModel composed = import_model(test::scene_file(folder, "nfd.obj"));
+    EXPECT_EQ(match_nodes(composed.model, "\u00e9cole").size(), 1U);
+    EXPECT_FALSE(test::has_code(composed.warnings, "bad-encoding"));
+    folder.write("latin1.obj", text("B\xe2timent"));
+    const ImportedModel latin = import_model(test::scene_file(folder, "latin1.obj"));
+    ASSERT_TRUE(test::has_code(latin.warnings, "bad-encoding"));
+    EXPECT_EQ(match_nodes(latin.model, "B?timent").size(), 1U);
+}
+
 }  // namespace
 }  // namespace campuswalk::scene
