@@ -83,6 +83,13 @@ class Suggest(ProgramCase):
         self.assertRegex(log, r"popup\.open +hut-1")
         self.assertNotIn("collision.enter", log)
 
+    def test_names_that_no_campus_file_may_have_are_globs_and_titles_without(self):
+        for name, glob, title in ((b"Hut\x07\x08A", "Hut??A", "Hut A"), (b"H\xfctte 1", "H?tte 1", "H tte 1"), (b"Hut \x01", "Hut ?", "Hut ")):
+            with self.subTest(name=name):
+                self.write("odd.obj", HUT.encode().replace(b"Hut_1", name))
+                campus, _ = self.suggest("odd.obj", "--overwrite")
+                self.assertIn('nodes: "%s", title: "%s"}' % (glob, title), campus)
+
     def test_the_axis_and_the_origin_of_a_model_are_corrected(self):
         def moved(line):
             kind, *numbers = line.split()

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "engine/events/decimals.h"
+#include "scene/base/utf8.h"
 #include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/base/yaml_text.h"
 
@@ -88,6 +90,23 @@ std::string solids_yaml(const SuggestedCampus& campus) {
     return text;
 }
 
+/// A node's name may have characters that no title has: each run of them becomes a space.
+std::string title_of(const scene::SuggestedBuilding& building) {
+    std::string title;
+    bool gap = false;
+    for (std::string_view rest = building.title; !rest.empty();) {
+        const std::size_t bytes = scene::utf8_length(rest, 0);
+        const bool is_shown = bytes > 0 && !scene::controls_display(scene::code_point(rest.substr(0, bytes)));
+        if (is_shown) {
+            title += gap && !title.empty() ? " " : "";
+            title += rest.substr(0, bytes);
+        }
+        gap = !is_shown;
+        rest.remove_prefix(std::max<std::size_t>(1, bytes));
+    }
+    return title.empty() ? building.id : title;
+}
+
 }  // namespace
 
 std::optional<scene::UprightBox> trigger_inside(const scene::SuggestedBuilding& building) {
@@ -128,7 +147,7 @@ std::string campus_yaml(const SuggestedCampus& campus) {
     for (const scene::SuggestedBuilding& building : campus.buildings) {
         text += "  - {id: " + yaml_string(building.id) +
                 (building.globs.empty() ? "" : ", nodes: " + globs_yaml(building.globs)) +
-                ", title: " + yaml_string(building.title) + "}\n";
+                ", title: " + yaml_string(title_of(building)) + "}\n";
     }
     text += campus.doors.empty() ? "colliders:\n"
                                  : "colliders:\n  # Closed doors are left out: nobody could pass them.\n";
