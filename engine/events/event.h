@@ -10,6 +10,8 @@
 
 #include <Eigen/Core>
 
+#include "engine/events/reason.h"
+
 namespace campuswalk::engine {
 
 using Tick = std::int64_t;
@@ -61,8 +63,8 @@ struct Text {
     std::string value;
 };
 
-/// Positions are printed with three decimals.
-using FieldValue = std::variant<std::int64_t, Decimal, Eigen::Vector3d, std::string, Text>;
+/// Positions are printed with three decimals, a reason as the text that words it.
+using FieldValue = std::variant<std::int64_t, Decimal, Eigen::Vector3d, std::string, Text, Reason>;
 
 /// A named detail of an event, printed `name=value` in text and as a member in JSON, in this order.
 struct Field {
@@ -86,7 +88,7 @@ struct Event {
     std::vector<Field> fields;
 };
 
-/// The field that explains an event in words. It isn't hashed: what a walk did is the same with and without
+/// The field that explains an event, a Reason. It isn't hashed: what a walk did is the same with and without
 /// it.
 inline constexpr std::string_view kWhy = "why";
 

@@ -50,6 +50,12 @@ std::string text_of(const std::string& value) {
 std::string text_of(const Text& value) {
     return in_quotes(value.value);
 }
+std::string text_of_field(const auto& value) {
+    return text_of(value);
+}
+std::string text_of_field(const Reason& value) {
+    return in_quotes(text_of(value));
+}
 
 }  // namespace
 
@@ -72,7 +78,7 @@ std::string text_line(const Event& event, double time) {
         details += ' ';
         details += field.name;
         details += '=';
-        details += std::visit([](const auto& value) { return text_of(value); }, field.value);
+        details += std::visit([](const auto& value) { return text_of_field(value); }, field.value);
     }
     return text_line(event.tick, time, name_of(event.kind), text_of(event.object), details);
 }

@@ -59,13 +59,16 @@ public:
             return {true, expected_->mark, "the body was inside nothing", std::nullopt, true};
         }
         const bool tolerable = deepest_ <= expected_->tolerance;
-        return {
-            tolerable, expected_->mark,
-            "the body was " + fixed(deepest_ * kMillimetres, 2) + " mm inside " +
-                campus_->objects[*inside_].id + " " + at_time(when_->time) +
-                (tolerable ? ""
-                           : ", expected at most " + fixed(expected_->tolerance * kMillimetres, 2) + " mm"),
-            when_, tolerable};
+        const std::string most = "at most " + fixed(expected_->tolerance * kMillimetres, 2) + " mm";
+        const std::string& object = campus_->objects[*inside_].id;
+        return {.holds = tolerable,
+                .mark = expected_->mark,
+                .message = "the body was " + fixed(deepest_ * kMillimetres, 2) + " mm inside " + object +
+                           " " + at_time(when_->time),
+                .when = when_,
+                .can_change = tolerable,
+                .expected = tolerable ? "" : most,
+                .object = object};
     }
 
 private:
@@ -118,13 +121,14 @@ public:
         const double most = (1.0 - expected_->ratio) * static_cast<double>(ticks_);
         const bool few_enough = static_cast<double>(airborne_) <= most + kRounding;
         const bool always = expected_->ratio >= 1.0;
-        return {few_enough, expected_->mark,
-                "the avatar was off the ground in " + std::to_string(airborne_) + " of " +
-                    std::to_string(ticks_) + " ticks, first " + at_time(first_->time) +
-                    (few_enough
-                         ? ""
-                         : ", expected at most " + fixed(100.0 * (1.0 - expected_->ratio), 1) + " % of them"),
-                first_, !always};
+        const std::string share = "at most " + fixed(100.0 * (1.0 - expected_->ratio), 1) + " % of them";
+        return {.holds = few_enough,
+                .mark = expected_->mark,
+                .message = "the avatar was off the ground in " + std::to_string(airborne_) + " of " +
+                           std::to_string(ticks_) + " ticks, first " + at_time(first_->time),
+                .when = first_,
+                .can_change = !always,
+                .expected = few_enough ? "" : share};
     }
 
 private:
@@ -148,28 +152,38 @@ public:
 
     /// `verb` is "blocked" or "stuck". The words end with the reason that the event gives.
     void add(bool expected, const std::string& verb, const Event& event, const StateSnapshot& now) {
-        const std::string object = obstacle_of(event);
-        const auto* why = find_field<Text>(event, kWhy);
-        const std::string what = verb + (object.empty() ? " " : " by " + object + " ") + at_time(now.time) +
-                                 (why != nullptr ? ": " + why->value : "");
-        if (expected && first_.empty()) {
+        if (!first_.empty()) {
+            return;
+        }
+        object_ = obstacle_of(event);
+        const auto* why = find_field<Reason>(event, kWhy);
+        reason_ = why != nullptr ? std::optional(*why) : std::nullopt;
+        const std::string what = verb + (object_.empty() ? " " : " by " + object_ + " ") + at_time(now.time) +
+                                 (reason_ ? ": " + text_of(*reason_) : "");
+        if (expected) {
             first_ = "the avatar was " + what;
             when_ = now;
-        } else if (!expected) {
+        } else {
             other_ = what;
         }
     }
 
     Finding finding(const SourceMark& mark, const std::string& never) const {
-        if (!first_.empty()) {
-            return {true, mark, first_, when_};
+        Finding found{!first_.empty(), mark, first_, when_};
+        if (first_.empty()) {
+            found.message = never + (other_.empty() ? "" : ", but " + other_);
+            found.can_change = true;
         }
-        return {false, mark, never + (other_.empty() ? "" : ", but " + other_), std::nullopt, true};
+        found.reason = reason_;
+        found.object = object_;
+        return found;
     }
 
 private:
-    std::string first_;  ///< the first as expected, in words
-    std::string other_;  ///< the last that wasn't as expected, in words
+    std::string first_;   ///< the first as expected, in words
+    std::string other_;   ///< the last that wasn't as expected before that, in words
+    std::string object_;  ///< of the one that counts: the object in the way
+    std::optional<Reason> reason_;
     std::optional<StateSnapshot> when_;
 };
 

@@ -61,7 +61,11 @@ public:
         if (!early_[count_].empty()) {
             message += ", only before: " + early_[count_];
         }
-        return {false, missing.mark, std::move(message), std::nullopt, true};
+        return {.mark = missing.mark,
+                .message = std::move(message),
+                .when = std::nullopt,
+                .can_change = true,
+                .object = missing.object};
     }
 
 private:
@@ -81,6 +85,7 @@ public:
         for (const Event& event : record.events) {
             if (matches(expected_->event, event) && ++times_ == 1) {
                 first_event_ = describe(event, record.time);
+                first_object_ = event.object;
                 first_ = now;
             }
         }
@@ -96,14 +101,17 @@ public:
         if (times_ == 0) {
             return {true, expected_->event.mark, event + " never occurred", std::nullopt, true};
         }
-        return {false, expected_->event.mark,
-                event + " occurred " + times_in_words(times_) + ", first " + first_event_, first_};
+        return {.mark = expected_->event.mark,
+                .message = event + " occurred " + times_in_words(times_) + ", first " + first_event_,
+                .when = first_,
+                .object = first_object_};
     }
 
 private:
     const ExpectNever* expected_;
     int times_ = 0;
     std::string first_event_;
+    std::string first_object_;
     std::optional<StateSnapshot> first_;
 };
 
@@ -130,10 +138,13 @@ public:
 
     Finding finding(bool /*ended*/) const {
         const std::string limit = violated_limit(expected_->times, times_);
-        return {limit.empty(), expected_->mark,
-                "'" + to_string(expected_->event) + "' occurred " + times_in_words(times_) +
-                    (limit.empty() ? "" : ", expected " + limit),
-                too_many_, can_still_change(expected_->times, times_)};
+        return {.holds = limit.empty(),
+                .mark = expected_->mark,
+                .message = "'" + to_string(expected_->event) + "' occurred " + times_in_words(times_),
+                .when = too_many_,
+                .can_change = can_still_change(expected_->times, times_),
+                .expected = limit,
+                .object = expected_->event.object};
     }
 
 private:

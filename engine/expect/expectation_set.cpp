@@ -8,6 +8,16 @@
 
 namespace campuswalk::engine {
 
+namespace {
+
+/// Whether it fails for what kept the avatar from getting somewhere.
+bool is_about_getting_there(std::string_view expectation) {
+    return expectation == ExpectReaches::kName || expectation == ExpectNear::kName ||
+           expectation == ExpectGrounded::kName;
+}
+
+}  // namespace
+
 std::optional<Evaluator> Evaluator::of(const Expectation& expectation, const scene::Campus& campus,
                                        const AvatarProfile& avatar) {
     const PlainExpectation* plain = plain_part(expectation);
@@ -46,8 +56,23 @@ std::optional<Failure> Evaluator::failure(bool ended, const StateSnapshot& now) 
         return std::nullopt;
     }
     const bool is_unwanted = negated_ && found.lack.empty();
-    return Failure{found.mark, std::move(*code), (is_unwanted ? "not expected, but " : "") + found.message,
-                   scene_of(found.when.value_or(now), *campus_, *avatar_)};
+    const StateSnapshot& when = found.when ? *found.when : now;
+    Failure failure{found.mark, std::move(*code), (is_unwanted ? "not expected, but " : "") + found.message,
+                    scene_of(when, *campus_, *avatar_), found.reason};
+    if (!found.expected.empty()) {
+        failure.actual = found.message;
+        failure.expected = found.expected;
+        failure.message += ", expected " + found.expected;
+    }
+    const auto& objects = campus_->objects;
+    if (std::ranges::find(objects, found.object, &scene::CampusObject::id) != objects.end()) {
+        failure.object = found.object;  // an event may be about the walk, or be a pattern
+    }
+    if (is_about_getting_there(name_) && !negated_) {
+        // A target isn't reached for what came after the nearest approach, too.
+        add_obstacle(name_ == ExpectReaches::kName ? now : when, failure);
+    }
+    return failure;
 }
 
 // ---- the set --------------------------------------------------------------------------------------------

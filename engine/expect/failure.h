@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/events/event.h"
+#include "engine/events/reason.h"
 #include "engine/script/walk.h"
 
 namespace campuswalk::engine {
@@ -30,6 +31,12 @@ struct Failure {
     std::string code;     ///< one of failure_codes(), is_lack(), or "xfail": should have failed but didn't
     std::string message;  ///< one line: what was expected and what happened instead
     FailureScene scene = {};
+    // The facts that the message words, as far as there are any.
+    std::optional<Reason> reason = {};    ///< what kept the avatar from where it should have got
+    std::string object = {};              ///< the one that it is about: in the way, or of an event
+    std::optional<RouteHint> route = {};  ///< a route to where it should have got
+    std::string actual = {};              ///< what happened, if the message puts it in so few words
+    std::string expected = {};            ///< instead of that
 };
 
 }  // namespace campuswalk::engine

@@ -98,4 +98,16 @@ FailureScene scene_of(const StateSnapshot& state, const scene::Campus& campus, c
     return scene;
 }
 
+void add_obstacle(const StateSnapshot& state, Failure& failure) {
+    if (!state.obstacle || failure.reason || !failure.object.empty()) {
+        return;
+    }
+    if (const auto* why = find_field<Reason>(state.obstacle->event, kWhy)) {
+        failure.reason = *why;
+    }
+    if (const auto* by = find_field<std::string>(state.obstacle->event, "by")) {
+        failure.object = *by;
+    }
+}
+
 }  // namespace campuswalk::engine

@@ -12,4 +12,7 @@ namespace campuswalk::engine {
 /// the last events.
 FailureScene scene_of(const StateSnapshot& state, const scene::Campus& campus, const AvatarProfile& avatar);
 
+/// Adds what blocked the avatar last, as far as the failure says nothing of its own about that.
+void add_obstacle(const StateSnapshot& state, Failure& failure);
+
 }  // namespace campuswalk::engine

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "engine/events/event.h"
+#include "engine/events/reason.h"
 #include "engine/expect/state_snapshot.h"
 #include "engine/expect/walk_bounds.h"
 #include "engine/record/tick_record.h"
@@ -25,6 +26,9 @@ struct Finding {
     /// Set if it isn't known whether it holds: the code of what is lacking, see is_lack(). Then the
     /// expectation fails, and so does its `not`.
     std::string_view lack = {};
+    std::string expected = {};          ///< instead, as in "at least 4", if it is put in so few words
+    std::optional<Reason> reason = {};  ///< what the message words of a way
+    std::string object = {};            ///< the one that the message is about, if any
 };
 
 /// What an expectation's verdict can be in some walk with these steps on this campus, or on one that differs

@@ -41,11 +41,13 @@ public:
         const bool reached = nearest_ <= expected_->within;
         const std::string closest =
             "the avatar came within " + in_metres(nearest_) + " " + at_time(when_.time);
-        return {reached, expected_->mark,
-                expected_->target.label +
-                    (reached ? " was reached: " + closest
-                             : " was not reached: " + closest + ", expected " + in_metres(expected_->within)),
-                when_, !reached};
+        return {.holds = reached,
+                .mark = expected_->mark,
+                .message =
+                    expected_->target.label + (reached ? " was reached: " : " was not reached: ") + closest,
+                .when = when_,
+                .can_change = !reached,
+                .expected = reached ? "" : in_metres(expected_->within)};
     }
 
 private:
@@ -98,10 +100,13 @@ public:
         }
         const Approach& decisive = first_miss_ ? *first_miss_ : *last_;
         const bool near = decisive.distance <= expected_->within;
-        return {near, expected_->mark,
-                "the avatar was " + in_metres(decisive.distance) + " from " + target + " " + decisive.when +
-                    (near ? "" : ", expected within " + in_metres(expected_->within)),
-                decisive.state, !first_miss_};
+        return {.holds = near,
+                .mark = expected_->mark,
+                .message = "the avatar was " + in_metres(decisive.distance) + " from " + target + " " +
+                           decisive.when,
+                .when = decisive.state,
+                .can_change = !first_miss_,
+                .expected = near ? "" : "within " + in_metres(expected_->within)};
     }
 
 private:
@@ -129,10 +134,12 @@ public:
 
     Finding finding(bool ended) const {
         const std::string limit = violated_limit(expected_->seconds, time_, " s");
-        return {limit.empty(), expected_->mark,
-                (ended ? "the walk took " : "the walk had taken ") + fixed(time_, 3) + " s" +
-                    (limit.empty() ? "" : ", expected " + limit),
-                std::nullopt, can_still_change(expected_->seconds, time_)};
+        return {.holds = limit.empty(),
+                .mark = expected_->mark,
+                .message = (ended ? "the walk took " : "the walk had taken ") + fixed(time_, 3) + " s",
+                .when = std::nullopt,
+                .can_change = can_still_change(expected_->seconds, time_),
+                .expected = limit};
     }
 
 private:
@@ -153,10 +160,12 @@ public:
 
     Finding finding(bool ended) const {
         const std::string limit = violated_limit(expected_->metres, distance_, " m");
-        return {limit.empty(), expected_->mark,
-                (ended ? "the avatar went " : "the avatar had gone ") + in_metres(distance_) +
-                    (limit.empty() ? "" : ", expected " + limit),
-                std::nullopt, can_still_change(expected_->metres, distance_)};
+        return {.holds = limit.empty(),
+                .mark = expected_->mark,
+                .message = (ended ? "the avatar went " : "the avatar had gone ") + in_metres(distance_),
+                .when = std::nullopt,
+                .can_change = can_still_change(expected_->metres, distance_),
+                .expected = limit};
     }
 
 private:

@@ -61,10 +61,12 @@ public:
         message += expected_->title == "*" ? "" : " with the title '" + expected_->title + "'";
         message += expected_->body == "*" ? "" : " with the body '" + expected_->body + "'";
         message += " opened " + times_in_words(times_);
-        if (!limit.empty()) {
-            message += ", expected " + limit + (other_.empty() ? "" : "; " + other_);
-        }
-        return {limit.empty(), expected_->mark, message, when_, can_still_change(expected_->times, times_)};
+        return {.holds = limit.empty(),
+                .mark = expected_->mark,
+                .message = message,
+                .when = when_,
+                .can_change = can_still_change(expected_->times, times_),
+                .expected = limit + (limit.empty() || other_.empty() ? "" : "; " + other_)};
     }
 
 private:
@@ -106,14 +108,18 @@ public:
         if (visited_.size() >= needed_visits) {
             return {true, expected_->mark, message, std::nullopt};
         }
-        message += ", expected " + std::to_string(needed_visits) + "; not visited: ";
+        std::string expected = std::to_string(needed_visits) + "; not visited: ";
         std::size_t listed = 0;
         for (const std::string& building : buildings_) {
             if (!visited_.contains(building) && ++listed <= kMaxListed) {
-                message += (listed == 1 ? "" : ", ") + building;
+                expected += (listed == 1 ? "" : ", ") + building;
             }
         }
-        return {false, expected_->mark, message + (listed > kMaxListed ? ", …" : ""), std::nullopt, true};
+        return {.mark = expected_->mark,
+                .message = message,
+                .when = std::nullopt,
+                .can_change = true,
+                .expected = expected + (listed > kMaxListed ? ", …" : "")};
     }
 
 private:

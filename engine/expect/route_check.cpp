@@ -18,7 +18,7 @@ namespace {
 /// A route, or why there is none.
 struct FoundRoute {
     std::optional<Route> route;
-    UnreachableReason why_not;
+    Reason why_not;
     RouteSettings settings;
 };
 
@@ -31,23 +31,24 @@ FoundRoute find_route(const Expected& expected, const EvaluatorContext& context,
     const auto body =
         body_at(route_start(expected.from, context.campus.description), context.campus, found.settings);
     if (!body) {
-        found.why_not.text = "the avatar doesn't fit at " + expected.from.label;
+        found.why_not = {.kind = ReasonKind::does_not_fit, .name = expected.from.label};
         return found;
     }
     auto answer = route_or_reason(context.campus, found.settings, {*body, {expected.to}});
     if (auto* route = std::get_if<Route>(&answer)) {
         found.route = std::move(*route);
     } else {
-        found.why_not = std::get<UnreachableReason>(std::move(answer));
+        found.why_not = std::get<Reason>(std::move(answer));
     }
     return found;
 }
 
 template <typename Expected>
-Finding no_route(const Expected& expected, const UnreachableReason& why) {
-    const std::string there = expected.to.label + " from " + expected.from.label + ": " + why.text;
+Finding no_route(const Expected& expected, const Reason& why) {
+    const std::string there = expected.to.label + " from " + expected.from.label + ": " + text_of(why);
     Finding finding{false, expected.mark, "no route leads to " + there, {}};
-    if (why.incomplete) {
+    finding.reason = why;
+    if (is_unsearched(why)) {
         finding.lack = kRouteUnknown;
         finding.message = "it isn't known whether a route leads to " + there;
     }
@@ -58,21 +59,39 @@ std::string at_text(const Vec3& p) {
     return " at " + coordinates_text(p);
 }
 
-/// The first thing about the route that isn't as expected; empty if all is.
-std::string violation(const ExpectRoute& expected, const Route& route, const RouteFacts& facts) {
+/// Something about a route that isn't as expected.
+struct Violation {
+    std::string text;
+    std::string expected;
+    std::optional<Reason> reason = {};
+};
+
+/// The first, if not all is as expected.
+std::optional<Violation> violation(const ExpectRoute& expected, const Route& route, const RouteFacts& facts) {
     if (expected.max_length && route.length() > *expected.max_length) {
-        return "is " + in_metres(route.length()) + " long, expected at most " +
-               in_metres(*expected.max_length);
+        return Violation{"is " + in_metres(route.length()) + " long",
+                         "at most " + in_metres(*expected.max_length)};
     }
     if (expected.min_width && facts.narrowest && facts.narrowest->value < *expected.min_width) {
-        return "is " + in_metres(facts.narrowest->value) + " wide" + at_text(facts.narrowest->at) +
-               ", expected at least " + in_metres(*expected.min_width);
+        const double width = facts.narrowest->value;
+        return Violation{"is " + in_metres(width) + " wide" + at_text(facts.narrowest->at),
+                         "at least " + in_metres(*expected.min_width),
+                         Reason{.kind = ReasonKind::opening,
+                                .at = facts.narrowest->at,
+                                .measured = width,
+                                .allowed = expected.min_width}};
     }
     if (expected.max_slope && facts.steepest.value > *expected.max_slope) {
-        return "has a slope of " + fixed(degrees(facts.steepest.value), 1) + " degrees" +
-               at_text(facts.steepest.at) + ", expected at most " + fixed(degrees(*expected.max_slope), 1);
+        const double slope_deg = degrees(facts.steepest.value);
+        const double most_deg = degrees(*expected.max_slope);
+        return Violation{"has a slope of " + fixed(slope_deg, 1) + " degrees" + at_text(facts.steepest.at),
+                         "at most " + fixed(most_deg, 1),
+                         Reason{.kind = ReasonKind::slope,
+                                .at = facts.steepest.at,
+                                .measured = slope_deg,
+                                .allowed = most_deg}};
     }
-    return "";
+    return std::nullopt;
 }
 
 }  // namespace
@@ -98,12 +117,17 @@ Finding check_route(const ExpectRoute& expected, const EvaluatorContext& context
     }
     const RouteFacts facts =
         facts_of(*found.route, context.campus.world, found.settings.strides.body, found.settings.solids);
-    const std::string wrong = violation(expected, *found.route, facts);
-    return {wrong.empty(),
-            expected.mark,
-            "the route from " + expected.from.label + " to " + expected.to.label + " " +
-                (wrong.empty() ? "is " + in_metres(found.route->length()) + " long" : wrong),
-            {}};
+    const std::optional<Violation> wrong = violation(expected, *found.route, facts);
+    Finding finding{!wrong,
+                    expected.mark,
+                    "the route from " + expected.from.label + " to " + expected.to.label + " " +
+                        (wrong ? wrong->text : "is " + in_metres(found.route->length()) + " long"),
+                    {}};
+    if (wrong) {
+        finding.expected = wrong->expected;
+        finding.reason = wrong->reason;
+    }
+    return finding;
 }
 
 }  // namespace campuswalk::engine

@@ -26,6 +26,9 @@ void StateHistory::on_tick(const TickRecord& record) {
 void StateHistory::keep(const Event& event, double time) {
     std::rotate(now_.events.begin(), now_.events.begin() + 1, now_.events.end());
     now_.events.back() = std::make_shared<const TimedEvent>(TimedEvent{event, time});
+    if (event.kind == EventKind::avatar_blocked || event.kind == EventKind::avatar_stuck) {
+        now_.obstacle = now_.events.back();
+    }
 }
 
 }  // namespace campuswalk::engine

@@ -27,6 +27,7 @@ struct StateSnapshot {
     std::optional<std::size_t> building;  ///< of the window that opened last, of those that are open
     /// The last events, the oldest first; null if there were fewer.
     std::array<std::shared_ptr<const TimedEvent>, kEvents> events;
+    std::shared_ptr<const TimedEvent> obstacle;         ///< the last of being blocked or stuck; null: none
     std::shared_ptr<const std::vector<bool>> disabled;  ///< by object; null: none is
 };
 

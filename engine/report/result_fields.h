@@ -20,7 +20,7 @@ struct Hash {
 
 // The fields of a result and of a plan in JSON, with their names and in their order. Writing and reading use
 // the same lists, so that neither can miss a field. `Fields` is called as (name, member). Names of angles end
-// in their unit.
+// in their unit. What is given to if_any is left out where it is empty, false, 0 or none.
 
 template <typename Fields>
 void list_fields(Fields& fields, MaybeConst<FailureScene> auto& scene) {
@@ -37,6 +37,33 @@ void list_fields(Fields& fields, MaybeConst<FailureScene> auto& scene) {
 }
 
 template <typename Fields>
+void list_fields(Fields& fields, MaybeConst<Reason> auto& reason) {
+    fields("kind", reason.kind);
+    const bool is_angle = reason.kind == ReasonKind::slope;
+    fields.if_any("object", reason.object);
+    fields.if_any("node", reason.node);
+    fields.if_any("is_node", reason.is_node);
+    fields.if_any("name", reason.name);
+    fields.if_any("at", reason.at);
+    fields.if_any(is_angle ? "measured_deg" : "measured", reason.measured);
+    fields.if_any(is_angle ? "allowed_deg" : "allowed", reason.allowed);
+    fields.if_any("detour", reason.detour);
+    fields.if_any("from", reason.from);
+    fields.if_any("room", reason.room);
+    fields.if_any("look_at", reason.look_at);
+    fields.if_any("more", reason.more);
+    fields.if_any("parts", reason.parts);
+}
+
+template <typename Fields>
+void list_fields(Fields& fields, MaybeConst<RouteHint> auto& hint) {
+    fields("to", hint.to);
+    fields("length", hint.length);
+    fields("by", hint.by);
+    fields("turns_again", hint.turns_again);
+}
+
+template <typename Fields>
 void list_fields(Fields& fields, MaybeConst<Failure> auto& failure) {
     fields("code", failure.code);
     fields("message", failure.message);
@@ -44,6 +71,11 @@ void list_fields(Fields& fields, MaybeConst<Failure> auto& failure) {
     fields("line", failure.mark.line);
     fields("column", failure.mark.column);
     fields("scene", failure.scene);
+    fields.if_any("reason", failure.reason);
+    fields.if_any("object", failure.object);
+    fields.if_any("route", failure.route);
+    fields.if_any("actual", failure.actual);
+    fields.if_any("expected", failure.expected);
 }
 
 /// All are errors.

@@ -62,6 +62,11 @@ Json json_of(const Eigen::Vector3d& value) {
 Json json_of(Outcome value) {
     return std::string(name_of(value));
 }
+Json json_of(ReasonKind value) {
+    return std::string(name_of(value));
+}
+template <typename Struct>
+requires std::is_class_v<Struct> Json json_of(const Struct& value);
 template <typename Value>
 Json json_of(const std::optional<Value>& value) {
     return value ? json_of(*value) : Json();
@@ -72,14 +77,18 @@ Json json_of(const Hash<const std::uint64_t>& hash) {
 }
 template <typename Item>
 Json json_of(const std::vector<Item>& list);
-template <typename Struct>
-requires std::is_class_v<Struct> Json json_of(const Struct& value);
 
 class FieldWriter {
 public:
     template <typename Value>
     void operator()(const char* name, const Value& value) {
         json[name] = json_of(value);
+    }
+    template <typename Value>
+    void if_any(const char* name, const Value& value) {
+        if (value != Value()) {
+            json[name] = json_of(value);
+        }
     }
 
     Json json = Json::object();
@@ -160,6 +169,9 @@ void read(const Json& json, const std::string& where, Eigen::Vector3d& value) {
         read(json[static_cast<std::size_t>(axis)], where, value[axis]);
     }
 }
+template <typename Struct>
+requires std::is_class_v<Struct>
+void read(const Json& json, const std::string& where, Struct& value);
 template <typename Value>
 void read(const Json& json, const std::string& where, std::optional<Value>& value) {
     if (json.is_null()) {
@@ -177,6 +189,15 @@ void read(const Json& json, const std::string& where, Outcome& value) {
     }
     refuse(where, "an outcome", json);
 }
+void read(const Json& json, const std::string& where, ReasonKind& value) {
+    for (const ReasonKind kind : reason_kinds()) {
+        if (json == name_of(kind)) {
+            value = kind;
+            return;
+        }
+    }
+    refuse(where, "the kind of a reason", json);
+}
 void read(const Json& json, const std::string& where, Hash<std::uint64_t> hash) {
     std::string digits;
     if (json.is_string()) {
@@ -189,9 +210,6 @@ void read(const Json& json, const std::string& where, Hash<std::uint64_t> hash) 
 }
 template <typename Item>
 void read(const Json& json, const std::string& where, std::vector<Item>& list);
-template <typename Struct>
-requires std::is_class_v<Struct>
-void read(const Json& json, const std::string& where, Struct& value);
 
 class FieldReader {
 public:
@@ -209,6 +227,12 @@ public:
         }
         read(*found, path(name), value);
         names_.emplace_back(name);
+    }
+    template <typename Value>
+    void if_any(const char* name, Value& value) {
+        if (json_.contains(name)) {
+            (*this)(name, value);
+        }
     }
 
     /// Refuses other fields.

@@ -33,12 +33,12 @@ struct StepEnd {
     std::optional<EventKind> kind;  ///< avatar_arrive or avatar_blocked, about the label; none: not logged
     const std::string* label = nullptr;
     const SourceMark* mark = nullptr;
-    const Target* target = nullptr;          ///< avatar_blocked: what the avatar didn't get to,
-    double within = 0.0;                     ///< within so many metres, horizontal
-    bool fatal = false;                      ///< the walk ends here
-    std::string code = {};                   ///< fatal: of the failure
-    std::string message = {};                ///< fatal: what went wrong; the simulation adds the obstacle
-    std::optional<Eigen::Vector3d> at = {};  ///< fatal: where, if that is known
+    const Target* target = nullptr;     ///< avatar_blocked: what the avatar didn't get to,
+    double within = 0.0;                ///< within so many metres, horizontal
+    bool fatal = false;                 ///< the walk ends here
+    std::string code = {};              ///< fatal: of the failure
+    std::string message = {};           ///< fatal: what went wrong, without the reason
+    std::optional<Reason> reason = {};  ///< fatal: if that is known; else the simulation measures it
 };
 
 /// Where a simulation gets the avatar's intent from: the walk's script, a recording, another program. A

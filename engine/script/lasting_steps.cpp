@@ -189,7 +189,7 @@ void ScriptPlayer::intend(const GoToStep& step, const AvatarState& avatar, Inten
         const double seconds = static_cast<double>(route_.route.ticks()) * dt_;
         progress_.allowed = step.timeout.value_or(default_timeout(speed * seconds, speed));
     }
-    if (!route_.why_not.empty()) {
+    if (route_.why_not) {
         return;
     }
     const RoutePiece& piece = route_.route.pieces[piece_];
@@ -207,12 +207,11 @@ std::optional<StepEnd> ScriptPlayer::end_of(const GoToStep& step, const AvatarSt
         return StepEnd{std::nullopt, nullptr, &step.mark,        nullptr,
                        0.0,          true,    std::string(code), "go_to " + step.target.label + why};
     };
-    if (!route_.why_not.empty()) {
-        StepEnd end =
-            route_.incomplete
-                ? fatal(kRouteUnknown, ": it isn't known whether a route leads there: " + route_.why_not)
-                : fatal("unreachable", " can't be reached: " + route_.why_not);
-        end.at = route_.why_at;
+    if (route_.why_not) {
+        StepEnd end = is_unsearched(*route_.why_not)
+                          ? fatal(kRouteUnknown, ": it isn't known whether a route leads there")
+                          : fatal("unreachable", " can't be reached");
+        end.reason = route_.why_not;
         return end;
     }
     const RoutePiece& piece = route_.route.pieces[piece_];

@@ -1,10 +1,8 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
-#include <Eigen/Core>
-
+#include "engine/events/reason.h"
 #include "engine/script/route.h"
 #include "engine/script/step.h"
 
@@ -13,9 +11,7 @@ namespace campuswalk::engine {
 /// What came of planning a step's route.
 struct PlannedRoute {
     Route route;
-    std::string why_not;                         ///< there is none, and this is why; empty: there is one
-    std::optional<Eigen::Vector3d> why_at = {};  ///< where that was found
-    bool incomplete = false;                     ///< none was found, but not everything was searched
+    std::optional<Reason> why_not = {};  ///< there is none, or none was found, and this is why
 };
 
 /// Where a script's player gets its routes from: what knows where exactly the avatar is, its body and the

@@ -3,7 +3,6 @@
 #include <utility>
 #include <variant>
 
-#include "engine/events/decimals.h"
 #include "engine/script/travel.h"
 #include "engine/simulation/cached_route.h"
 #include "engine/walkspace/keep_out.h"
@@ -22,23 +21,21 @@ constexpr std::size_t kMostNodesForHint = 1;
 constexpr std::size_t kMostWaypoints = 3;
 constexpr double kWaypointsApart = 1.0;  // metres at least: round a corner, a route has many
 
-/// "[1.20, -3.40], [2.00, -5.10], …": where the route turns first.
-std::string first_waypoints(const Route& route) {
-    std::string text;
-    std::size_t count = 0;
+/// Where the route turns first, and whether it does after that.
+void find_first_turns(const Route& route, RouteHint& hint) {
     Eigen::Vector3d last = route.path.front();
     for (std::size_t i = 0; i + 1 < route.pieces.size(); ++i) {
         const Eigen::Vector3d& point = route.pieces[i].target.point;
         if (route.pieces[i].stride || flat(point - last).norm() < kWaypointsApart) {
             continue;
         }
-        if (++count > kMostWaypoints) {
-            return text + ", …";
+        if (hint.by.size() == kMostWaypoints) {
+            hint.turns_again = true;
+            return;
         }
         last = point;
-        text += (text.empty() ? "[" : ", [") + fixed(point.x(), 2) + ", " + fixed(point.z(), 2) + "]";
+        hint.by.push_back(point);
     }
-    return text;
 }
 
 }  // namespace
@@ -69,38 +66,34 @@ PlannedRoute BodyRoutes::plan_anew(const GoToStep& step, RouteSettings settings)
     request.to.push_back(step.target);
     auto found = plan_route(campus_.world, settings, request);
     if (auto* route = std::get_if<Route>(&found)) {
-        return {std::move(*route), ""};
+        return {std::move(*route)};
     }
-    UnreachableReason why = why_unreachable(campus_, settings, request, std::get<NoRoute>(found));
-    return {{}, std::move(why.text), why.at, why.incomplete};
+    return {{}, why_unreachable(campus_, settings, request, std::get<NoRoute>(found))};
 }
 
-std::string BodyRoutes::describe_route_round(const Target& target, double within) const {
-    return body_.mover_state().grounded ? describe_route(body_.mover_state(), target, within) : "";
+std::optional<RouteHint> BodyRoutes::route_round(const Target& target, double within) const {
+    return body_.mover_state().grounded ? route_hint(body_.mover_state(), target, within) : std::nullopt;
 }
 
-std::string BodyRoutes::describe_route_round(const Target& target, double within,
-                                             const Eigen::Vector3d& foot) const {
+std::optional<RouteHint> BodyRoutes::route_round(const Target& target, double within,
+                                                 const Eigen::Vector3d& foot) const {
     const RouteSettings settings = this->settings(body_.profile().speed);
     const auto from = TrialWalk(campus_.world, settings.strides, settings.solids, {}).put_down(foot);
-    return from && from->grounded ? describe_route(*from, target, within) : "";
+    return from && from->grounded ? route_hint(*from, target, within) : std::nullopt;
 }
 
-std::string BodyRoutes::describe_route(const collision::MoverState& from, const Target& target,
-                                       double within) const {
+std::optional<RouteHint> BodyRoutes::route_hint(const collision::MoverState& from, const Target& target,
+                                                double within) const {
     RouteSettings settings = this->settings(body_.profile().speed);
     settings.max_nodes = kMostNodesForHint;
     const auto found = plan_route(campus_.world, settings, {from, {target}, within});
     const auto* route = std::get_if<Route>(&found);
-    if (route == nullptr) {
-        return "";
+    if (route == nullptr || route->pieces.size() == 1) {  // straight on, had there been more time
+        return std::nullopt;
     }
-    if (route->pieces.size() == 1) {
-        return "";  // straight on, had there been more time
-    }
-    const std::string waypoints = first_waypoints(*route);
-    return "; from there a route of " + fixed(route->length(), 1) + " m leads to " + target.label +
-           (waypoints.empty() ? "" : " by " + waypoints) + ": use go_to";
+    RouteHint hint{target.label, route->length()};
+    find_first_turns(*route, hint);
+    return hint;
 }
 
 }  // namespace campuswalk::engine

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <string>
+#include <optional>
 
+#include "engine/events/reason.h"
 #include "engine/script/route_planner.h"
 #include "engine/script/walk.h"
 #include "engine/simulation/body.h"
@@ -21,16 +22,18 @@ public:
 
     PlannedRoute plan(const GoToStep& step, double speed) override;
 
-    /// Of a body that didn't get straight to the target: how long a route there is, and its first waypoints,
-    /// as the end of a failure's message. Empty if there is none, or none that is found soon.
-    std::string describe_route_round(const Target& target, double within) const;
+    /// For a body that didn't get straight to the target. None if no route leads there, or none that is found
+    /// soon.
+    std::optional<RouteHint> route_round(const Target& target, double within) const;
     /// Likewise for a body that left the ground at `foot`.
-    std::string describe_route_round(const Target& target, double within, const Eigen::Vector3d& foot) const;
+    std::optional<RouteHint> route_round(const Target& target, double within,
+                                         const Eigen::Vector3d& foot) const;
 
 private:
     PlannedRoute plan_anew(const GoToStep& step, RouteSettings settings) const;
     RouteSettings settings(double speed) const;
-    std::string describe_route(const collision::MoverState& from, const Target& target, double within) const;
+    std::optional<RouteHint> route_hint(const collision::MoverState& from, const Target& target,
+                                        double within) const;
 
     const scene::Campus& campus_;
     const SimSettings& sim_;

@@ -10,7 +10,7 @@
 #include "collision/world/obstacle.h"
 #include "collision/world/placement.h"
 #include "engine/events/decimals.h"
-#include "engine/walkspace/barrier_text.h"
+#include "engine/walkspace/barrier_reason.h"
 #include "engine/walkspace/stride.h"
 
 namespace campuswalk::engine {
@@ -156,28 +156,30 @@ private:
 
 }  // namespace
 
-StopReason reason_of_enclosure(const scene::Campus& campus, const StoppedBody& body, ObjectId enclosed_by) {
+Reason reason_of_enclosure(const scene::Campus& campus, const StoppedBody& body, ObjectId enclosed_by) {
     const Enclosure enclosure(campus, body);
-    StopReason reason{"", enclosure.surface_of(enclosed_by)};
-    reason.text = object_text(campus, enclosed_by, *reason.at) + " encloses the avatar";
+    Reason reason =
+        reason_about(ReasonKind::enclosed, campus, enclosed_by, enclosure.surface_of(enclosed_by));
     std::optional<Barrier> barrier = enclosure.headroom();
     if (!barrier) {
         barrier = enclosure.width();
     }
     if (barrier) {
-        reason.text += ": " + barrier_text(campus, *barrier);
-        reason.at = barrier->at;
+        reason.parts.push_back(reason_of(campus, *barrier));
+        reason.look_at = barrier->at;
     }
-    const auto room = enclosure.nearest_room();
-    reason.text += room ? "; the nearest room is " + fixed((*room - body.at.foot).norm(), 2) + " m away at " +
-                              coordinates_text(*room)
-                        : "; there is no room within " + fixed(kFarthestRoom, 0) + " m";
+    reason.room = enclosure.nearest_room();
+    if (reason.room) {
+        reason.measured = (*reason.room - body.at.foot).norm();
+    } else {
+        reason.allowed = kFarthestRoom;
+    }
     return reason;
 }
 
-StopReason reason_of_low_headroom(const scene::Campus& campus, const StoppedBody& body) {
+std::optional<Reason> reason_of_low_headroom(const scene::Campus& campus, const StoppedBody& body) {
     const auto barrier = Enclosure(campus, body).headroom();
-    return barrier ? StopReason{barrier_text(campus, *barrier), barrier->at} : StopReason();
+    return barrier ? std::optional(reason_of(campus, *barrier)) : std::nullopt;
 }
 
 }  // namespace campuswalk::engine

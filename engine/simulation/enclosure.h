@@ -7,11 +7,11 @@ namespace campuswalk::engine {
 
 /// Why a body has no room where it is, measured: by how much headroom or width is too little, and where on
 /// the ground the nearest room is. `enclosed_by`: the object that it is in.
-StopReason reason_of_enclosure(const scene::Campus& campus, const StoppedBody& body,
-                               collision::ObjectId enclosed_by);
+Reason reason_of_enclosure(const scene::Campus& campus, const StoppedBody& body,
+                           collision::ObjectId enclosed_by);
 
-/// How much headroom there is instead of the body's height, and under what. Its text is empty if it isn't
-/// headroom that the body lacks.
-StopReason reason_of_low_headroom(const scene::Campus& campus, const StoppedBody& body);
+/// How much headroom there is instead of the body's height, and under what. None if it isn't headroom that
+/// the body lacks.
+std::optional<Reason> reason_of_low_headroom(const scene::Campus& campus, const StoppedBody& body);
 
 }  // namespace campuswalk::engine

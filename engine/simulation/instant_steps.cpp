@@ -25,16 +25,16 @@ std::optional<Stop> execute_step(const CrouchStep& step, SimulationState& state)
     if (!state.body.resize(step.height, state.statistics)) {
         StoppedBody body = state.body.in_place();
         body.strides.body.height = step.height;
-        const StopReason why = reason_of_low_headroom(state.campus, body);
-        const auto by = state.body.obstruction(step.height, state.statistics);
-        return Stop{step.mark,
-                    "blocked",
-                    "there is no headroom for " + fixed(step.height, 2) + " m" +
-                        (!why.text.empty() ? ": " + why.text
-                         : by              ? ": blocked by " + state.name_of(*by)
-                                           : ""),
-                    {},
-                    why.at};
+        Stop stop{step.mark, "blocked", "there is no headroom for " + fixed(step.height, 2) + " m"};
+        stop.reason = reason_of_low_headroom(state.campus, body);
+        if (const auto by = state.body.obstruction(step.height, state.statistics)) {
+            stop.object = state.name_of(*by);
+        }
+        stop.message += stop.reason           ? ": " + text_of(*stop.reason)
+                        : stop.object.empty() ? ""
+                                              : ": blocked by " + stop.object;
+        stop.at = stop.reason ? look_at(*stop.reason) : std::nullopt;
+        return stop;
     }
     const bool down = step.height < state.walk.avatar.height;
     state.events.add(down ? EventKind::avatar_crouch : EventKind::avatar_stand, state.walk.name,
@@ -70,10 +70,10 @@ std::optional<Stop> execute_step(const EnableStep& step, SimulationState& state)
     if (step.enabled) {
         const Body::Adjustment adjustment = state.body.adjust_to_enabled(state.statistics);
         if (adjustment.enclosed_by) {
-            const StopReason why =
-                reason_of_enclosure(state.campus, state.body.in_place(), *adjustment.enclosed_by);
-            stop =
-                Stop{step.mark, "enclosed", why.text + "; move the avatar away before 'enable'", {}, why.at};
+            stop = Stop{step.mark, "enclosed", ""};
+            stop->reason = reason_of_enclosure(state.campus, state.body.in_place(), *adjustment.enclosed_by);
+            stop->message = text_of(*stop->reason) + "; move the avatar away before 'enable'";
+            stop->at = look_at(*stop->reason);
         }
         if (adjustment.push) {
             state.report_push(*adjustment.push, state.walk.name);
@@ -89,9 +89,16 @@ std::optional<Stop> execute_step(const EnableStep& step, SimulationState& state)
 /// The expectations have seen the ticks before this one; they are shown this one so far.
 std::optional<Stop> execute_step(const ExpectStep& step, SimulationState& state) {
     auto failure = state.expectations.evaluate(step, state.record());
-    return failure ? std::optional(Stop{failure->mark, std::move(failure->code), std::move(failure->message),
-                                        std::move(failure->scene)})
-                   : std::nullopt;
+    if (!failure) {
+        return std::nullopt;
+    }
+    Stop stop{failure->mark, std::move(failure->code), std::move(failure->message),
+              std::move(failure->scene)};
+    stop.reason = std::move(failure->reason);
+    stop.object = std::move(failure->object);
+    stop.actual = std::move(failure->actual);
+    stop.expected = std::move(failure->expected);
+    return stop;
 }
 
 /// The other steps are played by intents.

@@ -82,9 +82,14 @@ void summarize(const Simulation& simulation, const scene::Campus& campus, const 
         if (stop->at) {
             scene.contact = stop->at;
         }
-        summary.failures.insert(summary.failures.begin(),
-                                {stop->mark, stop->code,
-                                 stop->message + describe_undecided(verdicts.undecided), std::move(scene)});
+        Failure failure{
+            stop->mark,       stop->code,   stop->message + describe_undecided(verdicts.undecided),
+            std::move(scene), stop->reason, stop->object,
+            stop->route,      stop->actual, stop->expected};
+        if (!stop->scene) {
+            add_obstacle(expectations.now(), failure);
+        }
+        summary.failures.insert(summary.failures.begin(), std::move(failure));
         summary.undecided = std::move(verdicts.undecided);
     } else {
         summary.failures = expectations.verdicts();

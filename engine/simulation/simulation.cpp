@@ -122,8 +122,8 @@ void Simulation::report_motion(const Intent& intent, const Motion& motion) {
         if (std::string by = obstacle(); !by.empty()) {
             event.fields.push_back({"by", std::move(by)});
         }
-        if (const std::string& why = reason(intent.move).text; !why.empty()) {
-            event.fields.push_back({kWhy, Text{why}});
+        if (const std::optional<Reason>& why = reason(intent.move)) {
+            event.fields.push_back({kWhy, *why});
         }
     }
 }
@@ -137,14 +137,14 @@ Stop Simulation::stop_of_fall() const {
         stop.message += "; it never stood on any ground since it was placed";
         return stop;
     }
-    const StopReason why = reason_of_fall(state_.campus, *stood);
-    const Eigen::Vector3d ground = why.at.value_or(stood->at.foot);
+    stop.reason = reason_of_fall(state_.campus, *stood);
+    stop.at = stop.reason ? *stop.reason->at : stood->at.foot;
     stop.message +=
-        (why.text.empty() ? "" : " " + why.text) + "; it last stood at " + coordinates_text(ground);
+        (stop.reason ? " " + text_of(*stop.reason) : "") + "; it last stood at " + coordinates_text(*stop.at);
     if (const auto goal = goal_of(steps[step])) {
-        stop.message += routes_.describe_route_round(*goal->target, goal->within, ground);
+        stop.route = routes_.route_round(*goal->target, goal->within, *stop.at);
+        stop.message += stop.route ? "; from there " + text_of(*stop.route) : "";
     }
-    stop.at = ground;
     return stop;
 }
 
@@ -174,28 +174,32 @@ void Simulation::settle_steps() {
 
 void Simulation::report_step_end(const StepEnd& end) {
     const bool blocked = end.kind == EventKind::avatar_blocked;
-    const std::string by = blocked ? obstacle() : "";
-    StopReason why;
+    Stop stop{end.mark != nullptr ? *end.mark : state_.walk.mark, end.code, end.message};
+    stop.object = blocked ? obstacle() : "";
+    stop.reason = end.reason;
     if (blocked && end.target != nullptr) {
         const Eigen::Vector3d heading = flat(end.target->point - state_.body.foot());
-        why = heading.norm() > end.within ? reason(heading) : StopReason();
+        stop.reason = heading.norm() > end.within ? reason(heading) : std::nullopt;
     }
     if (end.kind) {
         Event& event = state_.events.add(*end.kind, *end.label, {{"pos", state_.body.foot()}});
-        if (!by.empty()) {
-            event.fields.push_back({"by", by});
+        if (!stop.object.empty()) {
+            event.fields.push_back({"by", stop.object});
         }
-        if (!why.text.empty()) {
-            event.fields.push_back({kWhy, Text{why.text}});
+        if (stop.reason) {
+            event.fields.push_back({kWhy, *stop.reason});
         }
     }
     if (end.fatal) {
-        std::string message = end.message;
-        message += !why.text.empty() ? ": " + why.text : by.empty() ? "" : ": blocked by " + by;
+        stop.message += stop.reason           ? ": " + text_of(*stop.reason)
+                        : stop.object.empty() ? ""
+                                              : ": blocked by " + stop.object;
         if (blocked && end.target != nullptr) {
-            message += routes_.describe_route_round(*end.target, end.within);
+            stop.route = routes_.route_round(*end.target, end.within);
+            stop.message += stop.route ? "; from there " + text_of(*stop.route) : "";
         }
-        stop_ = Stop{*end.mark, end.code, std::move(message), {}, end.at ? end.at : why.at};
+        stop.at = stop.reason ? look_at(*stop.reason) : std::nullopt;
+        stop_ = std::move(stop);
     }
 }
 
@@ -226,11 +230,11 @@ void Simulation::end_tick() {
     finished_ = stop_ || intents_.finished();
 }
 
-const StopReason& Simulation::reason(const Eigen::Vector3d& heading) {
+const std::optional<Reason>& Simulation::reason(const Eigen::Vector3d& heading) {
     const auto body = state_.body.stopped(heading);
     if (!body) {
         stopped_.reset();
-        stop_reason_ = {};
+        stop_reason_.reset();
         return stop_reason_;
     }
     constexpr double kSamePlace = 0.01;      // metres

@@ -53,7 +53,7 @@ private:
     std::string obstacle() const;
     /// Why the avatar doesn't get on towards `heading`.
     Stop stop_of_fall() const;
-    const StopReason& reason(const Eigen::Vector3d& heading);
+    const std::optional<Reason>& reason(const Eigen::Vector3d& heading);
 
     SimulationState state_;
     BodyRoutes routes_;
@@ -63,7 +63,7 @@ private:
     TickRecord record_;
     /// Where the avatar was last stopped, and why: it is often stuck first and then gives up.
     std::optional<StoppedBody> stopped_;
-    StopReason stop_reason_;
+    std::optional<Reason> stop_reason_;
     bool finished_ = false;
     std::optional<Stop> stop_;
     StateHash hash_;

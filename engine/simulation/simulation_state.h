@@ -21,7 +21,12 @@ struct Stop {
     std::string code;  ///< "blocked", "enclosed", "fell", "timeout", "unreachable" or an expectation's
     std::string message;
     std::optional<FailureScene> scene = {};  ///< none: the end of the walk
-    std::optional<Eigen::Vector3d> at = {};  ///< where the reason was measured
+    std::optional<Reason> reason = {};       ///< as the message words it
+    std::string object = {};                 ///< the one that it is about; may be empty
+    std::optional<RouteHint> route = {};     ///< as the message words it
+    std::string actual = {};                 ///< as the message words it, with `expected`
+    std::string expected = {};
+    std::optional<Eigen::Vector3d> at = {};  ///< what to look at
 };
 
 /// All state that a walk changes, and what has happened in the current tick so far.

@@ -7,8 +7,7 @@
 
 #include "collision/world/obstacle.h"
 #include "collision/world/placement.h"
-#include "engine/events/decimals.h"
-#include "engine/walkspace/barrier_text.h"
+#include "engine/walkspace/barrier_reason.h"
 #include "engine/walkspace/explore.h"
 #include "engine/walkspace/opposing_contact.h"
 #include "engine/walkspace/why_not.h"
@@ -38,24 +37,24 @@ public:
         settings_.max_nodes = kMostNodes;
     }
 
-    StopReason reason() {
+    std::optional<Reason> reason() {
         PassageQuery query;
         query.from = {body_.at};
         query.is_beyond = [this](const GridCell& cell, double y) { return is_beyond(cell, y); };
         const Vec3 around(kAround, kHeight, kAround);
         query.within = {body_.at.foot - around, body_.at.foot + around};
-        StopReason contact = contact_reason();
+        std::optional<Reason> contact = contact_reason();
         if (const auto round = path_round(query)) {
-            contact.text += contact.text.empty() ? "" : "; " + fixed(*round, 1) + " m lead round it";
+            if (contact) {
+                contact->detour = round;
+            }
             return contact;
         }
         const scene::NodeTriangles nodes(campus_, query.within);
         query.nodes = &nodes;
         query.changes = Changes::single;
         const auto barrier = why_not(worlds_, settings_, query);
-        return !barrier || barrier->kind == BarrierKind::solid
-                   ? contact
-                   : StopReason{barrier_text(campus_, *barrier), barrier->at};
+        return !barrier || barrier->kind == BarrierKind::solid ? contact : reason_of(campus_, *barrier);
     }
 
 private:
@@ -82,16 +81,13 @@ private:
         return length_of(space.chain(*space.goal, strider));
     }
 
-    StopReason contact_reason() const {
+    std::optional<Reason> contact_reason() const {
         const auto contact =
             opposing_contact(campus_.world, body_.solids, body_.strides.body, body_.at.foot, ahead_);
         if (!contact) {
-            return {};
+            return std::nullopt;
         }
-        return {object_text(campus_, contact->object, contact->at) + " is in the way at " +
-                    fixed(contact->at.x(), 2) + ", " + fixed(contact->at.y(), 2) + ", " +
-                    fixed(contact->at.z(), 2),
-                contact->at};
+        return reason_about(ReasonKind::contact, campus_, contact->object, contact->at);
     }
 
     const scene::Campus& campus_;
@@ -121,23 +117,21 @@ Vec3 carrying_point(const collision::World& world, collision::ObjectId object,
 
 }  // namespace
 
-StopReason reason_of_stop(const scene::Campus& campus, const StoppedBody& body) {
-    return body.heading.isZero(0.0) ? StopReason() : StopQuery(campus, body).reason();
+std::optional<Reason> reason_of_stop(const scene::Campus& campus, const StoppedBody& body) {
+    return body.heading.isZero(0.0) ? std::nullopt : StopQuery(campus, body).reason();
 }
 
-StopReason reason_of_fall(const scene::Campus& campus, const StoppedBody& stood) {
+std::optional<Reason> reason_of_fall(const scene::Campus& campus, const StoppedBody& stood) {
     constexpr double kInto = 0.02;  // metres: beside walls there is more room than below the feet
     const collision::MoverSettings& body = stood.strides.body;
     const Vec3 lowered = stood.at.foot - Vec3(0, kInto, 0);
     const auto carried_by =
         collision::obstruction(campus.world, stood.solids, lowered, body.radius, body.height);
     if (!carried_by) {
-        return {};
+        return std::nullopt;
     }
     const Vec3 edge = carrying_point(campus.world, *carried_by, body, lowered);
-    return {"from the edge of " + object_text(campus, *carried_by, edge) + " at a height of " +
-                fixed(edge.y(), 2) + " m",
-            edge};
+    return reason_about(ReasonKind::edge, campus, *carried_by, edge);
 }
 
 }  // namespace campuswalk::engine

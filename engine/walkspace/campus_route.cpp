@@ -29,9 +29,8 @@ std::optional<collision::MoverState> body_at(const collision::Vec3& start, const
     return TrialWalk(campus.world, settings.strides, settings.solids, {}).put_down(start);
 }
 
-std::variant<Route, UnreachableReason> route_or_reason(const scene::Campus& campus,
-                                                       const RouteSettings& settings,
-                                                       const RouteRequest& request) {
+std::variant<Route, Reason> route_or_reason(const scene::Campus& campus, const RouteSettings& settings,
+                                            const RouteRequest& request) {
     auto found = plan_route(campus.world, settings, request);
     if (auto* route = std::get_if<Route>(&found)) {
         return std::move(*route);

@@ -22,8 +22,7 @@ std::optional<collision::MoverState> body_at(const collision::Vec3& start, const
                                              const RouteSettings& settings);
 
 /// The route, or why there is none, as `why_unreachable` says it.
-std::variant<Route, UnreachableReason> route_or_reason(const scene::Campus& campus,
-                                                       const RouteSettings& settings,
-                                                       const RouteRequest& request);
+std::variant<Route, Reason> route_or_reason(const scene::Campus& campus, const RouteSettings& settings,
+                                            const RouteRequest& request);
 
 }  // namespace campuswalk::engine

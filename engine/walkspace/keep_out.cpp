@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "collision/world/overlap_span.h"
-#include "engine/events/decimals.h"
 #include "engine/script/avatar_body.h"
 #include "engine/script/travel.h"
 #include "scene/base/glob.h"
@@ -40,12 +39,11 @@ bool is_around(const Avoided& avoided, const Vec3& foot) {
            (!avoided.center.has_height || std::abs(apart.y()) <= std::max(avoided.radius, kTargetLevel));
 }
 
-std::string name_of_avoided(const Avoided& avoided) {
-    if (avoided.objects) {
-        const bool is_pattern = avoided.objects->glob.find_first_of("*?[") != std::string::npos;
-        return (is_pattern ? "objects '" : "object '") + avoided.objects->glob + "'";
-    }
-    return "the circle of " + fixed(avoided.radius, 2) + " m around " + avoided.center.label;
+Reason reason_of(const Avoided& avoided) {
+    return avoided.objects ? Reason{.kind = ReasonKind::avoided_objects, .name = avoided.objects->glob}
+                           : Reason{.kind = ReasonKind::avoided_circle,
+                                    .name = avoided.center.label,
+                                    .measured = avoided.radius};
 }
 
 /// As few of those that close every way as do so, too: none of them can be left out.
@@ -96,17 +94,17 @@ std::function<bool(const Vec3& foot)> keep_out_of(const scene::Campus& campus,
     };
 }
 
-std::string why_avoided(const scene::Campus& campus, const RouteSettings& settings,
-                        const RouteRequest& request) {
+Reason why_avoided(const scene::Campus& campus, const RouteSettings& settings, const RouteRequest& request) {
     const std::vector<Avoided> closing = blocking_all(campus, settings, request);
-    std::string text = "every way leads through what is to be avoided: ";
-    for (std::size_t i = 0; i < closing.size() && i < kMostNamed; ++i) {
-        const bool is_last = i + 1 == closing.size();
-        text += (i == 0 ? "" : is_last ? " or " : ", ") + name_of_avoided(closing[i]);
+    Reason reason{.kind = ReasonKind::avoided};
+    for (const Avoided& each : closing) {
+        if (reason.parts.size() < kMostNamed) {
+            reason.parts.push_back(reason_of(each));
+        } else {
+            ++reason.more;
+        }
     }
-    return closing.size() <= kMostNamed
-               ? text
-               : text + " or " + std::to_string(closing.size() - kMostNamed) + " more";
+    return reason;
 }
 
 }  // namespace campuswalk::engine

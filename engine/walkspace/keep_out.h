@@ -1,10 +1,10 @@
 #pragma once
 
 #include <functional>
-#include <string>
 #include <vector>
 
 #include "collision/mover/mover_settings.h"
+#include "engine/events/reason.h"
 #include "engine/script/step.h"
 #include "engine/walkspace/route.h"
 #include "scene/campus/campus.h"
@@ -17,10 +17,8 @@ std::function<bool(const collision::Vec3& foot)> keep_out_of(const scene::Campus
                                                              const std::vector<Avoided>& avoided,
                                                              const collision::MoverSettings& body);
 
-/// Of a request without a route, while there is one if nothing is avoided: "every way leads through what is
-/// to be avoided: object 'fence' or the circle of 2.00 m around 3,5". Names of `settings.avoided` only what
-/// it takes to close every way, so far as that is found out soon.
-std::string why_avoided(const scene::Campus& campus, const RouteSettings& settings,
-                        const RouteRequest& request);
+/// Of a request without a route, while there is one if nothing is avoided: what of `settings.avoided` it
+/// takes to close every way, so far as that is found out soon.
+Reason why_avoided(const scene::Campus& campus, const RouteSettings& settings, const RouteRequest& request);
 
 }  // namespace campuswalk::engine

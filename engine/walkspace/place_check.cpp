@@ -1,10 +1,9 @@
 #include "engine/walkspace/place_check.h"
 
 #include "collision/world/placement.h"
-#include "engine/events/decimals.h"
 #include "engine/script/avatar_body.h"
 #include "engine/script/travel.h"
-#include "engine/walkspace/barrier_text.h"
+#include "engine/walkspace/barrier_reason.h"
 
 namespace campuswalk::engine {
 
@@ -23,16 +22,18 @@ PlaceCheck check_place(const scene::Campus& campus, Strider& strider, const Vec3
                                                             body.height, kPlacementSearch);
         if (!free) {
             const Vec3 middle = point + 0.5 * body.height * Vec3::UnitY();
-            return {std::nullopt, "it is inside " + object_text(campus, *object, middle)};
+            Reason problem = reason_about(ReasonKind::inside, campus, *object, middle);
+            problem.at.reset();
+            return {std::nullopt, std::move(problem)};
         }
     }
     if (!grounded) {
-        return {std::nullopt, "there is no ground below it"};
+        return {std::nullopt, {.kind = ReasonKind::no_ground}};
     }
     if (const double drop = point.y() - end.at.foot.y(); drop > kTargetLevel) {
-        return {std::nullopt, "the ground is " + fixed(drop, 2) + " m below it"};
+        return {std::nullopt, {.kind = ReasonKind::ground_far_below, .measured = drop}};
     }
-    return {end.at, ""};
+    return {end.at};
 }
 
 }  // namespace campuswalk::engine

@@ -1,17 +1,17 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
+#include "engine/events/reason.h"
 #include "engine/walkspace/stride.h"
 #include "scene/campus/campus.h"
 
 namespace campuswalk::engine {
 
-/// Whether a body could stand at a point, whatever the way there: where, or why not ("it is inside library").
+/// Whether a body could stand at a point, whatever the way there: where, or else why not.
 struct PlaceCheck {
     std::optional<GroundState> ground;
-    std::string problem;
+    Reason problem = {};  ///< without the place
 };
 
 PlaceCheck check_place(const scene::Campus& campus, Strider& strider, const collision::Vec3& point);

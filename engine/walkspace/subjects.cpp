@@ -84,7 +84,7 @@ private:
     void explain_point(Subject& subject, double nearest) {
         const PlaceCheck place = check_place(s_.campus, strider_, subject.at);
         if (!place.ground) {
-            subject.reason = place.problem;
+            subject.reason = text_of(place.problem);
             return;
         }
         subject.island = island_at(place.ground->foot);

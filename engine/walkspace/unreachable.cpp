@@ -4,12 +4,12 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "collision/world/obstacle.h"
-#include "engine/events/decimals.h"
 #include "engine/script/travel.h"
-#include "engine/walkspace/barrier_text.h"
+#include "engine/walkspace/barrier_reason.h"
 #include "engine/walkspace/island_barriers.h"
 #include "engine/walkspace/keep_out.h"
 #include "engine/walkspace/node_numbers.h"
@@ -133,8 +133,8 @@ std::optional<Barrier> barrier_before_target(const WorkerWorlds& worlds, const E
 }
 
 /// How near one gets from the nearest node straight on, and what is in the way then.
-UnreachableReason nearest_reason(const scene::Campus& campus, const WalkSpace& reached, const Target& target,
-                                 Strider& strider) {
+Reason nearest_reason(const scene::Campus& campus, const WalkSpace& reached, const Target& target,
+                      Strider& strider) {
     constexpr double kSeconds = 2.0;
     const auto apart = [&](const Vec3& p) {
         return (target.has_height ? Vec3(target.point - p) : flat(target.point - p)).norm();
@@ -148,49 +148,50 @@ UnreachableReason nearest_reason(const scene::Campus& campus, const WalkSpace& r
         }
     });
     if (!nearest) {
-        return {"the avatar falls out of the world"};
+        return {.kind = ReasonKind::falls_out};
     }
     const GroundState node = reached.state_at(*nearest, strider);
     const StrideEnd end = strider.walk_to(node, target.point, 0.0, kSeconds);
     const bool is_nearer = end.kind == StrideEnd::Kind::grounded && apart(end.at.foot) < apart(node.foot);
     const Vec3 foot = is_nearer ? end.at.foot : node.foot;
-    std::string text =
-        "one gets no nearer than " + fixed(apart(foot), 2) + " m, to " + coordinates_text(foot);
+    Reason reason;
     if (const auto contact = opposing_contact(campus.world, strider.filter(), strider.settings().body, foot,
                                               flat(target.point - foot))) {
-        text += ": " + object_text(campus, contact->object, contact->at) + " is in the way";
+        reason = reason_about(ReasonKind::contact, campus, contact->object, contact->at);
     }
-    return {text, foot};
+    reason.kind = ReasonKind::no_nearer;
+    reason.at = foot;
+    reason.measured = apart(foot);
+    return reason;
 }
 
-/// What is wrong with the target itself.
-UnreachableReason reason_at(const Vec3& point, const std::string& problem, const StrideSettings& strides) {
-    return {problem + ", at " + coordinates_text(point),
-            Vec3(point + 0.5 * strides.body.height * Vec3::UnitY())};
+/// What is wrong with the target itself, and where it is.
+Reason reason_at(const Vec3& point, Reason problem, const StrideSettings& strides) {
+    problem.at = point;
+    problem.look_at = point + 0.5 * strides.body.height * Vec3::UnitY();
+    return problem;
 }
 
-UnreachableReason why_target_is_unreachable(const scene::Campus& campus, const RouteSettings& settings,
-                                            const RouteRequest& request, const NoRoute& none) {
+Reason why_target_is_unreachable(const scene::Campus& campus, const RouteSettings& settings,
+                                 const RouteRequest& request, const NoRoute& none) {
     Strider strider(campus.world, settings.strides, settings.solids);
     if (none.no_room) {
         const PlaceCheck place = check_place(campus, strider, none.target.point);
-        return reason_at(none.target.point, place.ground ? "there is no room to stand" : place.problem,
+        return reason_at(none.target.point,
+                         place.ground ? Reason{.kind = ReasonKind::no_room} : place.problem,
                          settings.strides);
     }
     if (none.reached.tiles.empty()) {
-        return {"the avatar falls out of the world"};
+        return {.kind = ReasonKind::falls_out};
     }
     if (none.incomplete) {
-        return {"the search ended after " + fixed(none.reached.area(), 0) +
-                    " m² of ground, the most that is explored, and there is more",
-                {},
-                true};
+        return {.kind = ReasonKind::unsearched, .measured = none.reached.area()};
     }
     if (settings.keep_out) {
         RouteSettings anywhere = settings;
         anywhere.keep_out = {};
         if (std::holds_alternative<Route>(plan_route(campus.world, anywhere, request))) {
-            return {why_avoided(campus, settings, request)};
+            return why_avoided(campus, settings, request);
         }
     }
     Vec3 point = none.target.point;
@@ -209,20 +210,18 @@ UnreachableReason why_target_is_unreachable(const scene::Campus& campus, const R
     const scene::NodeTriangles nodes(campus, ground.bounds.grown(kAroundGround));
     const auto barrier =
         barrier_before_target(worlds, exploration, *place.ground, none.reached, ground, nodes);
-    return barrier ? UnreachableReason{barrier_text(campus, *barrier), barrier->at}
-                   : nearest_reason(campus, none.reached, none.target, strider);
+    return barrier ? reason_of(campus, *barrier) : nearest_reason(campus, none.reached, none.target, strider);
 }
 
 }  // namespace
 
-UnreachableReason why_unreachable(const scene::Campus& campus, const RouteSettings& settings,
-                                  const RouteRequest& request, const NoRoute& none) {
-    UnreachableReason why = why_target_is_unreachable(campus, settings, request, none);
-    if (none.target.label != request.to.back().label) {
-        why.text = "the way goes through " + none.target.label +
-                   (why.incomplete ? "" : ", and that can't be reached") + ": " + why.text;
+Reason why_unreachable(const scene::Campus& campus, const RouteSettings& settings,
+                       const RouteRequest& request, const NoRoute& none) {
+    Reason why = why_target_is_unreachable(campus, settings, request, none);
+    if (none.target.label == request.to.back().label) {
+        return why;
     }
-    return why;
+    return {.kind = ReasonKind::through, .name = none.target.label, .parts = {std::move(why)}};
 }
 
 }  // namespace campuswalk::engine

@@ -11,12 +11,10 @@ import re
 import resource
 import shutil
 import struct
-import sys
-import unittest
 
 import jsonschema
 
-from program import WALK, ProgramCase, main
+from program import WALK, ProgramCase, main, png
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 CHUNK = re.compile(r'<script type="application/x-campuswalk" data-chunk="(\w+)"(?: data-type="([^"]*)")?>([^<]*)</script>')

@@ -3,7 +3,6 @@
 
 import json
 import os
-import unittest
 
 from program import ProgramCase, main
 

@@ -205,8 +205,7 @@ std::vector<StoreyPlan> plans_of_route(const scene::Campus& campus, const collis
     if (const auto* route = std::get_if<engine::Route>(&found)) {
         return route::route_plans(campus, settings, *route, "start", "goal");
     }
-    return route::barrier_plans(campus, settings, request, std::get<engine::UnreachableReason>(found),
-                                "start", "goal");
+    return route::barrier_plans(campus, settings, request, std::get<engine::Reason>(found), "start", "goal");
 }
 
 TEST(StoreyPlans, HaveTheirPartOfARoute) {

@@ -20,7 +20,7 @@ before(async () => {
     'data/filter',
     'data/groups',
     'data/link',
-    'data/reason',
+    'data/obstacle',
     'data/snippets',
     'data/spans',
     'data/text',
@@ -196,70 +196,54 @@ test('a link says where and when', () => {
   assert.deepEqual(modules.parseLink('#t=nonsense'), {});
 });
 
-describe('a reason', () => {
-  const ids = new Set(['fountain', 'planter/planter-01', 'tree/lime/tree-lime-009']);
-  const failure = (message, code = 'blocked') => ({ code, message, file: '', line: 0, column: 0, scene: { tick: 10 } });
+describe('an obstacle', () => {
+  const failure = (reason, scene = { tick: 10 }) => ({
+    code: 'blocked',
+    message: 'words that nobody reads, at 1.00, 2.00, 3.00',
+    file: '',
+    line: 0,
+    column: 0,
+    object: 'bench',
+    scene,
+    reason,
+  });
+  const riser = { kind: 'riser', object: 'stair', at: [1, 0.45, 2], measured: 0.45, allowed: 0.3 };
   test('has a place, an object and a measure', () => {
-    const reason = modules.reasonOf(
-      failure('go_to x: riser of 0.45 m at tree/lime/tree-lime-009, -4.44, -0.71, 58.00; the avatar steps 0.30 m'),
-      [],
-      ids,
-    );
-    assert.deepEqual(reason.at, [-4.44, -0.71, 58]);
-    assert.equal(reason.object, 'tree/lime/tree-lime-009');
-    assert.deepEqual(reason.measure, { kind: 'riser', unit: 'm', measured: 0.45, allowed: 0.3 });
+    assert.deepEqual(modules.obstacleOf(failure(riser)), {
+      at: [1, 0.45, 2],
+      object: 'stair',
+      measure: { kind: 'riser', unit: 'm', measured: 0.45, allowed: 0.3 },
+      tick: 10,
+    });
+  });
+  test('is where one should look', () => {
+    assert.deepEqual(modules.obstacleOf(failure(riser, { tick: 3, contact: [9, 9, 9] })).at, [9, 9, 9]);
+    assert.deepEqual(modules.obstacleOf(failure({ ...riser, look_at: [1, 1, 1] })).at, [1, 1, 1]);
   });
   test('is measured in metres or degrees', () => {
-    const measure = (text) => {
-      const { kind, measured, allowed } = modules.measureIn(text);
-      return [kind, measured, allowed];
-    };
-    assert.deepEqual(measure('headroom of 1.50 m under a, 1.00, 2.00, 3.00; the body needs 1.80 m'), [
-      'headroom',
-      1.5,
-      1.8,
-    ]);
-    assert.deepEqual(measure('slope of 61.0 degrees at 1.00, 2.00, 3.00; the avatar walks up 50.0'), ['slope', 61, 50]);
-    assert.deepEqual(measure('the opening at a, 1.00, 2.00, 3.00 is 0.50 m wide, the body needs 0.60 m'), [
-      'opening',
-      0.5,
-      0.6,
-    ]);
-    assert.deepEqual(measure('ledge of 2.00 m at a, 1.00, 2.00, 3.00; no way up'), ['ledge', 2, null]);
-    assert.equal(modules.measureIn('closed off'), null);
+    const measure = (reason) => modules.measureOf({ at: [0, 0, 0], ...reason });
+    assert.deepEqual(measure({ kind: 'slope', measured_deg: 61, allowed_deg: 50 }), {
+      kind: 'slope',
+      unit: '°',
+      measured: 61,
+      allowed: 50,
+    });
+    assert.deepEqual(measure({ kind: 'ledge', measured: 2 }).allowed, null);
+    assert.equal(measure({ kind: 'solid' }), null);
+    assert.equal(measure({ kind: 'no_nearer', measured: 3.5 }), null);
   });
-  test('of several barriers has the place and the measure of the first', () => {
-    const text =
-      'go_to x: slope of 61.0 degrees at fountain, 1.00, 2.00, 3.00; the avatar walks up 50.0; ' +
-      'then riser of 0.45 m at 4.00, 5.00, 6.00; the avatar steps 0.30 m';
-    const { at, measure } = modules.reasonOf(failure(text), [], ids);
-    assert.deepEqual(at, [1, 2, 3]);
-    assert.deepEqual(measure, { kind: 'slope', unit: '°', measured: 61, allowed: 50 });
-  });
-  test('comes from the last obstacle where the message has none', () => {
-    const log = modules.parseLog([
-      '000009 0.15 avatar.blocked desk pos=0,0,0 by=fountain why="riser of 0.52 m at fountain, 0.00, 0.36, 13.26; the avatar steps 0.30 m"',
-    ]);
-    const reason = modules.reasonOf(
-      failure('desk was not reached: the avatar came within 3.580 m', 'reaches'),
-      log,
-      ids,
-    );
-    assert.deepEqual([reason.object, reason.at, reason.measure.measured], ['fountain', [0, 0.36, 13.26], 0.52]);
-  });
-  test('of a fall is where it began', () => {
-    for (const place of ['-11.25, -0.27, 20.58', '-11.25,-0.27,20.58']) {
-      const fell = failure(`the avatar fell out of the world; it last stood at ${place}`, 'fell');
-      assert.deepEqual(modules.reasonOf(fell, [], ids).at, [-11.25, -0.27, 20.58]);
+  test('of several parts is the first', () => {
+    const parts = [
+      { kind: 'object', object: 'fountain', at: [1, 2, 3] },
+      { ...riser, object: 'step' },
+    ];
+    for (const kind of ['sequence', 'several', 'through']) {
+      const { at, object, measure } = modules.obstacleOf(failure({ kind, name: 'hall', parts }));
+      assert.deepEqual([at, object, measure.kind], [[1, 2, 3], 'fountain', 'riser']);
     }
   });
-  test('is split into expected and actual', () => {
-    assert.deepEqual(modules.expectedAndActual("'popup.open *' occurred once, expected at least 4"), {
-      actual: "'popup.open *' occurred once",
-      expected: 'at least 4',
-    });
-    assert.equal(modules.expectedAndActual('not expected, but 0,24 was reached'), null);
-    assert.equal(modules.expectedAndActual("'a b' never occurred"), null);
+  test('without a reason is what the failure is about', () => {
+    assert.deepEqual(modules.obstacleOf(failure(null, null)), { at: null, object: 'bench', measure: null, tick: null });
   });
 });
 

@@ -137,6 +137,32 @@ std::set<std::string> names_in(const Walk& walk) {
     return names;
 }
 
+/// Whether something kept the avatar from where it should have got: then the failure says what.
+bool is_about_obstacles(const std::string& code) {
+    const std::set<std::string> codes = {"blocked",    "enclosed",       "unreachable", "reachable",
+                                         "blocked_by", "not-blocked_by", "stuck",       "not-stuck"};
+    return codes.contains(code);
+}
+
+TEST(ExpectationWalks, HaveTheFactsOfObstacles) {
+    std::size_t checked = 0;
+    for (const Example& example : examples()) {
+        for (const Failure& failure : play(example).summary.failures) {
+            SCOPED_TRACE(example.file.filename().string() + ": " + failure.message);
+            const bool never_blocked = failure.message.find("the avatar was never") != std::string::npos;
+            if (is_about_obstacles(failure.code) && !never_blocked) {
+                EXPECT_TRUE(failure.reason || !failure.object.empty());
+                ++checked;
+            }
+            if (failure.reason && is_about_obstacles(failure.code)) {
+                EXPECT_NE(failure.message.find(text_of(*failure.reason)), std::string::npos);
+            }
+            EXPECT_EQ(failure.message.find(", expected ") != std::string::npos, !failure.expected.empty());
+        }
+    }
+    EXPECT_GE(checked, 8U);
+}
+
 TEST(ExpectationWalks, EndAsTheirStatusSays) {
     EXPECT_GE(examples().size(), 60U);
     for (const Example& example : examples()) {

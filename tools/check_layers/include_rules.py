@@ -3,7 +3,7 @@
 import re
 
 from .source import Diagnostic, code_only, includes
-from .table import (ANYWHERE, KERNEL_FOLDERS, PROJECT, REFUSED_STANDARD, OPTIONAL_PREFIXES, STRICTER, THIRD_PARTY,
+from .table import (KERNEL_FOLDERS, PROJECT, REFUSED_STANDARD, OPTIONAL_PREFIXES, STRICTER, THIRD_PARTY,
                     THREAD_DOORS, is_in, needs_same_bits, place_of)
 
 _PRAGMA_ONCE = re.compile(r"^[ \t]*#[ \t]*pragma[ \t]+once\b", re.MULTILINE)

@@ -110,15 +110,23 @@ TEST(BlockedByEvaluator, FailsIfNothingBlocked) {
 }
 
 TEST(BlockedByEvaluator, SaysWhyAsTheEventDoes) {
-    const Text why{"riser of 0.45 m at world (stage), 1.00, 0.45, -4.00; the avatar steps 0.30 m"};
+    const Reason why{.kind = ReasonKind::riser,
+                     .object = "world",
+                     .node = "stage",
+                     .at = Eigen::Vector3d(1, 0.45, -4),
+                     .measured = 0.45,
+                     .allowed = 0.3};
+    const std::string words = "riser of 0.45 m at world (stage), 1.00, 0.45, -4.00; the avatar steps 0.30 m";
     const std::vector<Event> blocked{
         made_event("avatar.blocked goal", {{"by", std::string("world")}, {"why", why}})};
     SingleEvaluator expected(ExpectBlockedBy{kMark, {kMark, "lamp"}});
     TickFeed(expected).with(blocked, {0, 0, 0});
-    expect_failure(expected.failure(), 7, "blocked_by", {"'lamp'", "world at 0.000 s: " + why.value});
+    expect_failure(expected.failure(), 7, "blocked_by", {"'lamp'", "world at 0.000 s: " + words});
+    EXPECT_EQ(expected.failure()->reason, why);
     SingleEvaluator unexpected(ExpectNot{kMark, ExpectBlockedBy{kMark, {kMark, "world"}}});
     TickFeed(unexpected).with(blocked, {0, 0, 0});
-    expect_failure(unexpected.failure(), 7, "not-blocked_by", {"blocked by world at 0.000 s: " + why.value});
+    expect_failure(unexpected.failure(), 7, "not-blocked_by", {"blocked by world at 0.000 s: " + words});
+    EXPECT_EQ(unexpected.failure()->reason, why);
 }
 
 TEST(StuckEvaluator, RequiresAnEventWithTheObject) {

@@ -43,12 +43,25 @@ public:
     void operator()(const char* /*name*/, Value&& value) {
         fill(value);
     }
+    template <typename Value>
+    void if_any(const char* /*name*/, Value& value) {
+        fill(value);
+    }
 
     std::size_t texts = 0;
 
 private:
     void fill(std::string& text) {
         text = words_;
+        ++texts;
+    }
+    void fill(std::optional<Reason>& reason) {
+        reason = Reason{.object = words_, .node = words_, .name = words_};
+        reason->parts = {*reason};
+        ++texts;
+    }
+    void fill(std::optional<RouteHint>& hint) {
+        hint = RouteHint{words_};
         ++texts;
     }
     template <typename Item>

@@ -83,6 +83,21 @@ TEST(ResultJson, RoundTripsEveryFieldOfAFailure) {
     EXPECT_EQ(is.scene.nearest_distance, was.scene.nearest_distance);
     EXPECT_EQ(is.scene.contact, was.scene.contact);
     EXPECT_EQ(is.scene.last_events, was.scene.last_events);
+    EXPECT_EQ(is.object, was.object);
+    EXPECT_EQ(is.route, was.route);
+    EXPECT_EQ(is.actual, was.actual);
+    EXPECT_EQ(is.expected, was.expected);
+}
+
+TEST(ResultJson, RoundTripsReasonsOfEveryKind) {
+    WalkResult result = full_result();
+    EXPECT_EQ(round_trip(result).failures[0].reason, result.failures[0].reason);
+    for (const ReasonKind kind : reason_kinds()) {
+        result.failures[0].reason = Reason{.kind = kind, .measured = 1.0 / 7.0, .allowed = 0.3};
+        EXPECT_EQ(round_trip(result).failures[0].reason, result.failures[0].reason) << name_of(kind);
+    }
+    result.failures[0].reason.reset();
+    EXPECT_EQ(to_json_line(result).find("\"reason\""), std::string::npos);
 }
 
 TEST(ResultJson, RoundTripsTheBitsOfEveryDouble) {

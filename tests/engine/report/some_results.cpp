@@ -18,6 +18,25 @@ WalkResult full_result() {
                      .contact = Eigen::Vector3d(1.0 / 7.0, 1.25, -7.5),
                      .last_events = {"000240    4.000000 ray.enter library/walls",
                                      "000243    4.050000 ray.exit library/walls"}};
+    const Eigen::Vector3d place(1.0 / 3.0, 0.45, -7.5);
+    failure.reason = Reason{.kind = ReasonKind::enclosed,
+                            .object = "library/walls",
+                            .node = "door",
+                            .is_node = true,
+                            .name = "library",
+                            .at = place,
+                            .measured = 1.0 / 7.0,
+                            .allowed = 0.3,
+                            .detour = 12.5,
+                            .from = place,
+                            .room = place,
+                            .look_at = place,
+                            .more = 2};
+    failure.reason->parts = {Reason{.kind = ReasonKind::slope, .measured = 61.0, .allowed = 50.0}};
+    failure.object = "library/walls";
+    failure.route = RouteHint{"library", 12.5, {{1.0 / 3.0, 0, 2}}, true};
+    failure.actual = "2";
+    failure.expected = "at least 3";
     WalkResult result;
     result.id = "walks/visit.walk.yaml kiosk #2";
     result.file = "walks/visit.walk.yaml";

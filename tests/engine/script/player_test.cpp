@@ -361,7 +361,7 @@ TEST(ScriptPlayer, ReportsTheLineOfTheCurrentStep) {
 /// Finds nothing, for the reason that it was given.
 struct NoRoutes final : RoutePlanner {
     PlannedRoute plan(const GoToStep& /*step*/, double /*speed*/) override {
-        return {{}, "why", {}, incomplete};
+        return {{}, Reason{.kind = incomplete ? ReasonKind::unsearched : ReasonKind::falls_out}};
     }
     bool incomplete = false;
 };
@@ -380,11 +380,13 @@ TEST(ScriptPlayer, TellsNoRouteFromASearchThatWasCut) {
         return *player.settle({}, instant);
     };
     EXPECT_EQ(end().code, "unreachable");
-    EXPECT_EQ(end().message, "go_to desk can't be reached: why");
+    EXPECT_EQ(end().message, "go_to desk can't be reached");
+    EXPECT_EQ(end().reason->kind, ReasonKind::falls_out);
     routes.incomplete = true;
     EXPECT_EQ(end().code, kRouteUnknown);
     EXPECT_TRUE(end().fatal);
-    EXPECT_EQ(end().message, "go_to desk: it isn't known whether a route leads there: why");
+    EXPECT_EQ(end().message, "go_to desk: it isn't known whether a route leads there");
+    EXPECT_EQ(end().reason->kind, ReasonKind::unsearched);
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ protected:
                 return first();
             });
         } catch (const std::runtime_error& error) {
-            own.why_not = error.what();
+            own.why_not = Reason{.name = error.what()};
         }
         return {own, other.get()};
     }
@@ -101,10 +101,10 @@ TEST_F(StoredRoute, TellsWhyThereIsNone) {
 }
 
 TEST_F(StoredRoute, TellsThatTheSearchWasCut) {
-    PlannedRoute cut = no_route();
-    cut.incomplete = true;
-    answer(cut);
-    EXPECT_TRUE(answer(searched_route()).incomplete);
+    answer({{}, Reason{.kind = ReasonKind::unsearched, .measured = 3.75e6}});
+    const PlannedRoute again = answer(searched_route());
+    ASSERT_TRUE(again.why_not);
+    EXPECT_TRUE(is_unsearched(*again.why_not));
 }
 
 TEST_F(StoredRoute, IsNotWorthAFileIfItWasGuessed) {
@@ -133,7 +133,7 @@ TEST_F(StoredRoute, IsPlannedOnceForWorkersThatAskAtOnce) {
 TEST_F(StoredRoute, IsPlannedByTheNextIfThatFails) {
     const auto fails = []() -> PlannedRoute { throw std::runtime_error("out of memory"); };
     const auto [own, other] = asked_at_once(fails, searched_route);
-    EXPECT_EQ(own.why_not, "out of memory");
+    EXPECT_EQ(own.why_not->name, "out of memory");
     expect_same(other, searched_route());
 }
 

@@ -21,7 +21,8 @@ std::string why_blocked(const scene::Campus& campus) {
     step.if_blocked = IfBlocked::proceed;
     const RecordedRun result = run(campus, walk_of({spawn_at({0, 0, 0}), step}));
     const std::vector<Event> blocked = result.recorder.events("avatar.blocked");
-    return blocked.size() == 1 && has_field(blocked[0], "why") ? field<Text>(blocked[0], "why").value : "";
+    return blocked.size() == 1 && has_field(blocked[0], "why") ? text_of(field<Reason>(blocked[0], "why"))
+                                                               : "";
 }
 
 TEST(StopReason, AnObstacleThatOneCanWalkRound) {
@@ -67,7 +68,7 @@ TEST(StopReason, TheFailureNamesARouteToTheTarget) {
                      "-3\\.[0-9]+\\].*: use go_to"));
     const std::vector<Event> blocked = result.recorder.events("avatar.blocked");
     ASSERT_EQ(blocked.size(), 1U);
-    EXPECT_THAT(field<Text>(blocked[0], "why").value, Not(HasSubstr("route of")))
+    EXPECT_THAT(text_of(field<Reason>(blocked[0], "why")), Not(HasSubstr("route of")))
         << "only what is in the way";
 }
 
@@ -96,9 +97,9 @@ TEST(StopReason, TheGroundIsNoObstacle) {
     campus.objects.push_back({"ramp", {}, {}});
     campus.world.add(ramp);
     StoppedBody body{{}, {collision::Detection::solid, 0}, {{0, 0.1, 0}, 0.1}, {0, 0, 1}};
-    EXPECT_EQ(reason_of_stop(campus, body).text, "");
+    EXPECT_FALSE(reason_of_stop(campus, body));
     body.heading = {0, 0, -1};
-    EXPECT_EQ(reason_of_stop(campus, body).text, "");
+    EXPECT_FALSE(reason_of_stop(campus, body));
 }
 
 TEST(StopReason, IsPartOfTheFailureButNotOfTheHash) {

@@ -105,16 +105,13 @@ int find_route(const RouteOptions& options) {
         route::parse_target(campus->description, options.from, "FROM"), campus->description);
     const engine::RouteRequest request = request_of(options, *campus, settings, start);
 
-    route::RouteAnswer answer{options.from, options.to, {}, {}, {}, false};
-    engine::UnreachableReason why;
+    route::RouteAnswer answer{options.from, options.to, {}, {}};
     auto found = engine::route_or_reason(*campus, settings, request);
     if (auto* route = std::get_if<engine::Route>(&found)) {
         answer.facts = engine::facts_of(*route, campus->world, settings.strides.body, settings.solids);
         answer.route = std::move(*route);
     } else {
-        why = std::get<engine::UnreachableReason>(found);
-        answer.why_not = why.text;
-        answer.incomplete = why.incomplete;
+        answer.why_not = std::get<engine::Reason>(std::move(found));
     }
     if (options.json) {
         print_lines(route::answer_json(answer));
@@ -126,11 +123,12 @@ int find_route(const RouteOptions& options) {
     }
     if (options.map) {
         const auto plans =
-            answer.route ? route::route_plans(*campus, settings, *answer.route, options.from, options.to)
-                         : route::barrier_plans(*campus, settings, request, why, options.from, options.to);
+            answer.route
+                ? route::route_plans(*campus, settings, *answer.route, options.from, options.to)
+                : route::barrier_plans(*campus, settings, request, *answer.why_not, options.from, options.to);
         draw_storey_plans(plans, *options.map);
     }
-    return answer.route ? kPass : answer.incomplete ? kRunFailed : kExpectationFailed;
+    return answer.route ? kPass : is_unknown(answer) ? kRunFailed : kExpectationFailed;
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "engine/events/decimals.h"
-#include "engine/walkspace/barrier_text.h"
+#include "engine/walkspace/barrier_reason.h"
 #include "tools/campuswalk/explore/bottleneck_text.h"
 #include "tools/campuswalk/explore/building_popups.h"
 #include "tools/campuswalk/explore/island_groups.h"
@@ -27,7 +27,7 @@ std::string area_text(double area) {
 }
 
 std::string why(const scene::Campus& campus, const engine::IslandReport& island) {
-    return island.barrier ? engine::barrier_text(campus, *island.barrier)
+    return island.barrier ? text_of(reason_of(campus, *island.barrier))
                           : "nothing that is reached lies near it";
 }
 
@@ -135,7 +135,7 @@ void add_traps(const scene::Campus& campus, const WalkReport& report, std::vecto
         findings.push_back({small ? FindingKind::stuck : FindingKind::trap,
                             (small ? "stuck spot of " : "trap of ") + area_text(area),
                             entry_text(trap.drop) + " and not out again" +
-                                (trap.out ? ": " + engine::barrier_text(campus, *trap.out) : ""),
+                                (trap.out ? ": " + text_of(reason_of(campus, *trap.out)) : ""),
                             trap.edge});
     }
 }
@@ -174,7 +174,7 @@ void add_narrow_passages(const scene::Campus& campus, const WalkReport& report,
         findings.push_back({FindingKind::narrow,
                             "narrow passage to " + area_text(entry.beyond.area(report.space.grid)) +
                                 (places.empty() ? "" : ", place " + places),
-                            entry.passage ? engine::barrier_text(campus, *entry.passage)
+                            entry.passage ? text_of(reason_of(campus, *entry.passage))
                                           : "nothing that a wide visitor reaches lies near it",
                             entry.passage ? entry.passage->at : foot, entry.passage});
     }

@@ -220,9 +220,8 @@ std::vector<StoreyPlan> route_plans(const scene::Campus& campus, const engine::R
 }
 
 std::vector<StoreyPlan> barrier_plans(const scene::Campus& campus, const engine::RouteSettings& settings,
-                                      const engine::RouteRequest& request,
-                                      const engine::UnreachableReason& why, const std::string& from,
-                                      const std::string& to) {
+                                      const engine::RouteRequest& request, const engine::Reason& why,
+                                      const std::string& from, const std::string& to) {
     const Vec3& start = request.from.foot;
     Vec3 goal = request.to.back().point;
     if (!request.to.back().has_height) {
@@ -234,18 +233,19 @@ std::vector<StoreyPlan> barrier_plans(const scene::Campus& campus, const engine:
             box.extend(point);
         }
     };
-    if (why.at) {
-        extend_to(*why.at, kFarBarrier);
+    const std::optional<Vec3> barrier = look_at(why);
+    if (barrier) {
+        extend_to(*barrier, kFarBarrier);
     }
     extend_to(goal, kFarGoal);
     GroundPlans plans(campus, settings, start, box);
     plans.add_point(start, from, engine::render::PlanPointKind::spawn);
     plans.add_point(goal, to, engine::render::PlanPointKind::place);
-    if (why.at) {
-        plans.add_finding(*why.at, why.text);
+    if (barrier) {
+        plans.add_finding(*barrier, text_of(why));
     }
     return std::move(plans).shown(campus.description.name + ", " + from + " to " + to,
-                                  why.at ? "no route" : "no route: " + why.text);
+                                  barrier ? "no route" : "no route: " + text_of(why));
 }
 
 }  // namespace campuswalk::tools::route

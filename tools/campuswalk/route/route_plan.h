@@ -23,7 +23,7 @@ std::vector<engine::render::StoreyPlan> route_plans(const scene::Campus& campus,
 std::vector<engine::render::StoreyPlan> barrier_plans(const scene::Campus& campus,
                                                       const engine::RouteSettings& settings,
                                                       const engine::RouteRequest& request,
-                                                      const engine::UnreachableReason& why,
-                                                      const std::string& from, const std::string& to);
+                                                      const engine::Reason& why, const std::string& from,
+                                                      const std::string& to);
 
 }  // namespace campuswalk::tools::route

@@ -43,11 +43,15 @@ std::string coordinate_text(double value) {
 
 }  // namespace
 
+bool is_unknown(const RouteAnswer& answer) {
+    return answer.why_not && is_unsearched(*answer.why_not);
+}
+
 void print_answer(const RouteAnswer& answer) {
     if (!answer.route) {
         print_line("%s from %s to %s: %s",
-                   answer.incomplete ? "it isn't known whether there is a route" : "no route",
-                   answer.from.c_str(), answer.to.c_str(), answer.why_not.c_str());
+                   is_unknown(answer) ? "it isn't known whether there is a route" : "no route",
+                   answer.from.c_str(), answer.to.c_str(), text_of(*answer.why_not).c_str());
         return;
     }
     const engine::Route& route = *answer.route;
@@ -74,9 +78,9 @@ std::string answer_json(const RouteAnswer& answer) {
     Json json = {{"campuswalk_route", 1},
                  {"from", answer.from},
                  {"to", answer.to},
-                 {"reachable", answer.incomplete ? Json() : Json(answer.route.has_value())}};
+                 {"reachable", is_unknown(answer) ? Json() : Json(answer.route.has_value())}};
     if (!answer.route) {
-        json["reason"] = answer.why_not;
+        json["reason"] = text_of(*answer.why_not);
         return json_text(json, 2) + "\n";
     }
     const engine::Route& route = *answer.route;

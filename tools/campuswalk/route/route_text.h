@@ -16,10 +16,12 @@ struct RouteAnswer {
     std::string from;
     std::string to;
     std::optional<engine::Route> route;
-    engine::RouteFacts facts;  ///< of the route
-    std::string why_not;       ///< no route
-    bool incomplete = false;   ///< none was found, but not everything was searched
+    engine::RouteFacts facts;                    ///< of the route
+    std::optional<engine::Reason> why_not = {};  ///< no route
 };
+
+/// None was found, but not everything was searched.
+bool is_unknown(const RouteAnswer& answer);
 
 void print_answer(const RouteAnswer& answer);
 std::string answer_json(const RouteAnswer& answer);

@@ -202,7 +202,7 @@ private:
     }
 
     void remember(const engine::RouteRequest& request, const Route& route) {
-        ask(request, [&] { return engine::PlannedRoute{route, ""}; });
+        ask(request, [&] { return engine::PlannedRoute{route}; });
         planned_.push_back({request, route.pieces});
     }
 
@@ -210,7 +210,7 @@ private:
         for (const Planned& planned : planned_) {
             const auto plan = [&] {
                 const auto found = plan_route(campus_.world(), settings_, planned.request);
-                return engine::PlannedRoute{std::get<Route>(found), ""};
+                return engine::PlannedRoute{std::get<Route>(found)};
             };
             engine::PlannedRoute again;
             times_again_.push_back(microseconds_of([&] { again = ask(planned.request, plan); }));

@@ -185,6 +185,29 @@ export interface Failure {
   line: number;
   column: number;
   scene?: FailureScene | null;
+  /** What kept the visitor from where it should have got; the message words it. */
+  reason?: Reason;
+  /** Id of the object that it is about. */
+  object?: string;
+  /** What happened, and what was expected instead, where the message has both in few words. */
+  actual?: string;
+  expected?: string;
+}
+
+/** engine/events/reason.h; members that are empty are left out. */
+export interface Reason {
+  /** "riser", "no_ground" … */
+  kind: string;
+  object?: string;
+  node?: string;
+  at?: Point;
+  look_at?: Point;
+  measured?: number;
+  allowed?: number;
+  /** Of slopes. */
+  measured_deg?: number;
+  allowed_deg?: number;
+  parts?: Reason[];
 }
 
 export interface FailureScene {

@@ -66,7 +66,7 @@ EvaluatedImages ImageWatch::evaluate() const {
 std::vector<engine::Artifact> ImageWatch::snapshot_files() const {
     std::vector<engine::Artifact> files;
     for (const engine::SnapshotStep* step : taken_) {
-        for (const std::string& file : files_of(*step)) {
+        for (const std::string& file : files_of(step->name, step->channels)) {
             files.push_back({std::filesystem::path(file).stem().string(), played_.folder + "/" + file,
                              file.ends_with(".png") ? "image/png" : "application/json"});
         }

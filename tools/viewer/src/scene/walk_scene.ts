@@ -17,7 +17,7 @@ import {
 } from 'three';
 import type { CampusObject, Finding } from '../format';
 import { isCrouching, isDuring } from '../data/spans';
-import type { Reason } from '../data/reason';
+import type { Obstacle } from '../data/obstacle';
 import type { WalkData } from '../data/report';
 import type { Layers } from '../store';
 import type { WalkContext } from '../walk/context';
@@ -134,14 +134,14 @@ export class WalkScene {
   }
 
   /** Lights what is in the way in red; null ends that. */
-  showObstacle(reason: Reason | null): void {
+  showObstacle(shown: Obstacle | null): void {
     this.obstacle.clear();
     for (const label of this.obstacleLabels.splice(0)) this.labels.remove(label);
-    const index = reason ? (this.context.objects.get(reason.object) ?? -1) : -1;
+    const index = shown ? (this.context.objects.get(shown.object) ?? -1) : -1;
     const object = this.context.campus?.objects[index];
     this.obstacleId = object?.id ?? '';
-    const at = reason?.at ? new Vector3(...reason.at) : null;
-    if (!reason || (!object && !at)) {
+    const at = shown?.at ? new Vector3(...shown.at) : null;
+    if (!shown || (!object && !at)) {
       this.loaded.obstacle.clear();
       return;
     }
@@ -153,9 +153,9 @@ export class WalkScene {
       this.obstacle.add(filled(object, colors.failure, 0.4));
     if (at) {
       this.obstacle.add(ball(at, 0.05, colors.failure));
-      const foot = reason.tick === null ? null : this.visitorAt(reason.tick).pose.y;
-      if (foot === null || !this.addMeasure(reason, at, foot)) {
-        this.obstacleLabels.push(this.labels.add(reason.object || 'here', at, 'failure', Infinity, 'below'));
+      const foot = shown.tick === null ? null : this.visitorAt(shown.tick).pose.y;
+      if (foot === null || !this.addMeasure(shown, at, foot)) {
+        this.obstacleLabels.push(this.labels.add(shown.object || 'here', at, 'failure', Infinity, 'below'));
       }
     }
   }
@@ -253,7 +253,7 @@ export class WalkScene {
   }
 
   /** Brackets as high as the riser and as what the visitor can step; false if there is nothing to measure so. */
-  private addMeasure({ measure, object }: Reason, at: Vector3, foot: number): boolean {
+  private addMeasure({ measure, object }: Obstacle, at: Vector3, foot: number): boolean {
     const isUp = measure !== null && /^(riser|ledge|headroom)$/.test(measure.kind);
     if (!isUp) return false;
     const bracket = (height: number, color: number, aside: number): Vector3 => {

@@ -2,7 +2,7 @@
 
 import type { CampusEntry, Failure } from '../format';
 import type { Report, WalkData } from '../data/report';
-import { reasonOf, type Reason } from '../data/reason';
+import { obstacleOf, type Obstacle } from '../data/obstacle';
 import { eventsOf, spansOf, type Span, type TimedEvent } from '../data/spans';
 import type { Campuses } from '../scene/campuses';
 import type { Store } from '../store';
@@ -15,7 +15,7 @@ export interface WalkContext {
   campus: CampusEntry | null;
   /** Ids of the campus' objects to their indexes. */
   objects: ReadonlyMap<string, number>;
-  failures: { failure: Failure; reason: Reason }[];
+  failures: { failure: Failure; obstacle: Obstacle }[];
   spans: Span[];
   events: TimedEvent[];
   ticksPerSecond: number;
@@ -34,7 +34,6 @@ export function contextOf(
   const { result, recording } = data.details;
   const campus = report.campusOf(data.row);
   const objects = new Map((campus?.objects ?? []).map((object, index) => [object.id, index]));
-  const ids = new Set(objects.keys());
   const lastTick = Math.max(recording?.ticks ?? 0, result.ticks, data.path?.lastTick ?? 0);
   return {
     report,
@@ -45,7 +44,7 @@ export function contextOf(
     objects,
     other,
     lastTick,
-    failures: result.failures.map((failure) => ({ failure, reason: reasonOf(failure, data.log, ids) })),
+    failures: result.failures.map((failure) => ({ failure, obstacle: obstacleOf(failure) })),
     spans: spansOf(data.log, lastTick),
     events: eventsOf(data.log, result.failures),
     ticksPerSecond: recording?.ticks_per_second ?? result.ticks_per_second,

@@ -2,7 +2,7 @@
 
 import { button, copyable } from '../ui/controls';
 import { element, name, type Child } from '../ui/dom';
-import { expectedAndActual, type Measure } from '../data/reason';
+import type { Measure } from '../data/obstacle';
 import { parseLogLine } from '../data/log';
 import { replayCommand } from '../data/snippets';
 import type { Complaint } from '../format';
@@ -46,9 +46,8 @@ function failureCard(
   index: number,
   show: (failure: number) => void,
 ): HTMLElement {
-  const { failure, reason } = context.failures[index]!;
+  const { failure, obstacle } = context.failures[index]!;
   const { scene } = failure;
-  const parts = expectedAndActual(failure.message);
   return element(
     'section',
     { class: 'failure', attributes: { 'aria-label': `Failure ${index + 1}` } },
@@ -66,22 +65,22 @@ function failureCard(
       button({ icon: 'search', label: 'Show where', text: 'Show where', class: 'small', act: () => show(index) }),
     ),
     element('p', { class: 'message', text: failure.message, attributes: { dir: 'auto' } }),
-    parts &&
+    failure.expected !== undefined &&
       element(
         'dl',
         { class: 'expected' },
         element('dt', { text: 'expected' }),
-        element('dd', { text: parts.expected }),
+        element('dd', { text: failure.expected }),
         element('dt', { text: 'came' }),
-        element('dd', { text: parts.actual }),
+        element('dd', { text: failure.actual }),
       ),
-    reason.measure && measureBar(reason.measure),
+    obstacle.measure && measureBar(obstacle.measure),
     scene &&
       facts(
         failure.scene
           ? [
               ['where', scene.position.map((value) => value.toFixed(2)).join(', ')],
-              ['object', reason.object],
+              ['object', obstacle.object],
               ['in or near', scene.building],
               ['nearest', scene.nearest ? `${scene.nearest}, ${scene.nearest_distance.toFixed(2)} m` : ''],
             ]

@@ -23,8 +23,8 @@ export function walkPlan(context: WalkContext, scope: Scope, follows: boolean): 
     const style = getComputedStyle(root);
     if (context.other) drawTrack(plan, context.other.data, style.getPropertyValue('--other'), follows ? 1.5 : 2.5);
     drawTrack(plan, context.data, style.getPropertyValue('--trail'), follows ? 1.5 : 2.5);
-    for (const { reason, failure } of context.failures) {
-      const at = reason.at ?? failure.scene?.position;
+    for (const { obstacle, failure } of context.failures) {
+      const at = obstacle.at ?? failure.scene?.position;
       if (at) plan.drawMark({ x: at[0], z: at[2], color: style.getPropertyValue('--failed') }, 4);
     }
     if (pose) plan.drawMark({ ...pose, color: '#ff4a2e' }, follows ? 6 : 8);

@@ -80,20 +80,19 @@ export class Viewport {
   showFailure(index: number): void {
     const entry = this.context.failures[index];
     if (!entry) return;
-    const { failure, reason } = entry;
+    const { failure, obstacle } = entry;
     const tick = failure.scene?.tick ?? this.context.lastTick;
     this.context.store.set({ tick, playing: false });
-    this.scene.showObstacle(reason);
+    this.scene.showObstacle(obstacle);
     const { pose, height } = this.scene.visitorAt(tick);
     const body = new Vector3(pose.x, pose.y + height * 0.55, pose.z);
-    const at = reason.at ? new Vector3(...reason.at) : body.clone().add(directionOf(pose.yaw, 0).multiplyScalar(0.5));
-    const obstacle = at;
-    const ahead = obstacle.clone().sub(body).setY(0);
+    const at = obstacle.at ? new Vector3(...obstacle.at) : body.clone().add(directionOf(pose.yaw, 0).multiplyScalar(0.5));
+    const ahead = at.clone().sub(body).setY(0);
     // What can't be reached may be far away: then as if the visitor stood before it.
     if (at.distanceTo(body) > 6) body.copy(at).addScaledVector(ahead.clone().normalize(), -1.2);
     if (ahead.lengthSq() < 1e-4) ahead.copy(directionOf(pose.yaw, 0));
     this.context.store.set({ camera: 'orbit' });
-    this.rig.lookFrom(viewOf(this.loaded.picker, body, obstacle, ahead.normalize()));
+    this.rig.lookFrom(viewOf(this.loaded.picker, body, at, ahead.normalize()));
     this.stage.invalidate();
   }
 

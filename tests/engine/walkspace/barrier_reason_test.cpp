@@ -1,4 +1,4 @@
-#include "engine/walkspace/barrier_text.h"
+#include "engine/walkspace/barrier_reason.h"
 
 #include <memory>
 #include <numbers>
@@ -19,10 +19,10 @@ std::string text_of(BarrierKind kind, double measured, double allowed) {
     barrier.kind = kind;
     barrier.measured = measured;
     barrier.allowed = allowed;
-    return barrier_text(campus, barrier);
+    return text_of(reason_of(campus, barrier));
 }
 
-TEST(BarrierText, NumbersHaveSoManyDecimalsThatTheyDiffer) {
+TEST(BarrierReason, NumbersHaveSoManyDecimalsThatTheyDiffer) {
     EXPECT_EQ(text_of(BarrierKind::riser, 0.17, 0.1),
               "riser of 0.17 m at 0.00, 0.00, 0.00; the avatar steps 0.10 m");
     EXPECT_EQ(text_of(BarrierKind::riser, 0.17, 0.165),
@@ -35,7 +35,7 @@ TEST(BarrierText, NumbersHaveSoManyDecimalsThatTheyDiffer) {
                 HasSubstr("slope of 50.04 degrees at 0.00, 0.00, 0.00; the avatar walks up 50.00"));
 }
 
-TEST(BarrierText, NumbersThatAreEqualToATenthOfAMillimetreStayReadable) {
+TEST(BarrierReason, NumbersThatAreEqualToATenthOfAMillimetreStayReadable) {
     EXPECT_THAT(text_of(BarrierKind::riser, 0.30000001, 0.3), HasSubstr("riser of 0.3000 m"));
 }
 
@@ -48,16 +48,16 @@ Barrier barrier_at(BarrierKind kind, double measured, double allowed, double x) 
     return barrier;
 }
 
-TEST(BarrierText, OfASequenceWhatTheBodyManagesIsSaidOnceForEachKind) {
+TEST(BarrierReason, OfASequenceWhatTheBodyManagesIsSaidOnceForEachKind) {
     const scene::Campus campus{{}, {}, {}, collision::World(std::make_unique<collision::LinearBroadPhase>())};
     Barrier all;
     all.kind = BarrierKind::sequence;
     all.parts = {barrier_at(BarrierKind::riser, 0.45, 0.3, 1), barrier_at(BarrierKind::riser, 0.5, 0.3, 2)};
-    EXPECT_EQ(barrier_text(campus, all),
+    EXPECT_EQ(text_of(reason_of(campus, all)),
               "riser of 0.45 m at 1.00, 0.00, 0.00, then riser of 0.50 m at 2.00, 0.00, 0.00; "
               "the avatar steps 0.30 m");
     all.parts.push_back(barrier_at(BarrierKind::opening, 0.55, 0.6, 3));
-    EXPECT_THAT(barrier_text(campus, all),
+    EXPECT_THAT(text_of(reason_of(campus, all)),
                 HasSubstr("the avatar steps 0.30 m; then the opening at 3.00, 0.00, 0.00 is 0.55 m wide"));
 }
 
