@@ -6,8 +6,8 @@
 
 #include "engine/events/decimals.h"
 #include "engine/expect/route_evaluators.h"
-#include "engine/walkspace/campus_route.h"
-#include "engine/walkspace/route_facts.h"
+#include "engine/walkspace/route/campus_route.h"
+#include "engine/walkspace/route/route_facts.h"
 
 namespace campuswalk::engine {
 

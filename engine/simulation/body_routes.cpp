@@ -5,11 +5,11 @@
 
 #include "engine/script/travel.h"
 #include "engine/simulation/cached_route.h"
-#include "engine/walkspace/keep_out.h"
-#include "engine/walkspace/route.h"
-#include "engine/walkspace/tight_places.h"
-#include "engine/walkspace/trial_walk.h"
-#include "engine/walkspace/unreachable.h"
+#include "engine/walkspace/route/keep_out.h"
+#include "engine/walkspace/route/route.h"
+#include "engine/walkspace/route/unreachable.h"
+#include "engine/walkspace/stride/tight_places.h"
+#include "engine/walkspace/stride/trial_walk.h"
 
 namespace campuswalk::engine {
 

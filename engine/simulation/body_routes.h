@@ -7,7 +7,7 @@
 #include "engine/script/walk.h"
 #include "engine/simulation/body.h"
 #include "engine/simulation/route_memory.h"
-#include "engine/walkspace/route.h"
+#include "engine/walkspace/route/route.h"
 #include "scene/campus/campus.h"
 
 namespace campuswalk::engine {

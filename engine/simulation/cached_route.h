@@ -5,7 +5,7 @@
 #include "collision/mover/mover.h"
 #include "engine/script/step.h"
 #include "engine/simulation/route_memory.h"
-#include "engine/walkspace/route.h"
+#include "engine/walkspace/route/route.h"
 
 namespace campuswalk::engine {
 

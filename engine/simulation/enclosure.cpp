@@ -10,8 +10,8 @@
 #include "collision/world/obstacle.h"
 #include "collision/world/placement.h"
 #include "engine/events/decimals.h"
-#include "engine/walkspace/barrier_reason.h"
-#include "engine/walkspace/stride.h"
+#include "engine/walkspace/barrier/barrier_reason.h"
+#include "engine/walkspace/stride/stride.h"
 
 namespace campuswalk::engine {
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "engine/script/route_planner.h"
-#include "engine/walkspace/ground_map.h"
+#include "engine/walkspace/route/ground_map.h"
 
 namespace campuswalk::engine {
 

@@ -7,10 +7,10 @@
 
 #include "collision/world/obstacle.h"
 #include "collision/world/placement.h"
-#include "engine/walkspace/barrier_reason.h"
-#include "engine/walkspace/explore.h"
-#include "engine/walkspace/opposing_contact.h"
-#include "engine/walkspace/why_not.h"
+#include "engine/walkspace/barrier/barrier_reason.h"
+#include "engine/walkspace/barrier/why_not.h"
+#include "engine/walkspace/explore/explore.h"
+#include "engine/walkspace/stride/opposing_contact.h"
 
 namespace campuswalk::engine {
 

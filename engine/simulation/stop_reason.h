@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "engine/events/reason.h"
-#include "engine/walkspace/stride.h"
+#include "engine/walkspace/stride/stride.h"
 #include "scene/campus/campus.h"
 
 namespace campuswalk::engine {

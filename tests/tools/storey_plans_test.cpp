@@ -11,8 +11,9 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/walkspace/campus_route.h"
-#include "engine/walkspace/walk_report.h"
+#include "engine/walkspace/explore/campus_settings.h"
+#include "engine/walkspace/report/walk_report.h"
+#include "engine/walkspace/route/campus_route.h"
 #include "scene/base/diagnostic.h"
 #include "tests/engine/small_campus.h"
 #include "tools/campuswalk/route/route_plan.h"

@@ -32,8 +32,17 @@ PROJECT = {
     "scene/cache": ["scene/import", "scene/model", "scene/base", "collision"],
     "scene/campus": ["scene/cache", "scene/import", "scene/model", "scene/base", "collision"],
     "scene/suggest": ["scene/campus", "scene/lint", "scene/model", "scene/base", "collision"],
-    # Where a body can get to: what the simulation's go_to and "why not" build on.
-    "engine/walkspace": ["engine/script", "engine/events", "scene", "collision"],
+    # Where a body can get to: what the simulation's go_to and "why not" build on. Each room knows those before it.
+    "engine/walkspace/stride": ["engine/script", "engine/events", "scene", "collision"],
+    "engine/walkspace/space": ["engine/walkspace/stride", "engine/script", "engine/events", "scene", "collision"],
+    "engine/walkspace/explore": ["engine/walkspace/space", "engine/walkspace/stride", "engine/script", "engine/events", "scene", "collision"],
+    "engine/walkspace/barrier": ["engine/walkspace/explore", "engine/walkspace/space", "engine/walkspace/stride", "engine/script", "engine/events", "scene", "collision"],
+    "engine/walkspace/route": ["engine/walkspace/barrier", "engine/walkspace/explore", "engine/walkspace/space", "engine/walkspace/stride",
+                               "engine/script", "engine/events", "scene", "collision"],
+    "engine/walkspace/passage": ["engine/walkspace/barrier", "engine/walkspace/explore", "engine/walkspace/space", "engine/walkspace/stride",
+                                 "engine/script", "engine/events", "scene", "collision"],
+    "engine/walkspace/report": ["engine/walkspace/passage", "engine/walkspace/barrier", "engine/walkspace/explore", "engine/walkspace/space",
+                                "engine/walkspace/stride", "engine/script", "engine/events", "scene", "collision"],
     # The simulation core: it emits records and doesn't depend on their readers.
     "engine/events": ["scene", "collision"],
     "engine/script": ["engine/events", "scene", "collision"],
@@ -209,7 +218,7 @@ REFUSED_STANDARD = {
 KERNEL_FOLDERS = ["collision/bvh8/kernels"]
 
 # The one door to threads in what must be the same everywhere; without the file's ending.
-THREAD_DOORS = ["engine/walkspace/worker_threads"]
+THREAD_DOORS = ["engine/walkspace/stride/worker_threads"]
 
 CODE_FOLDERS = ("collision", "scene", "engine", "config", "tools", "tests")
 

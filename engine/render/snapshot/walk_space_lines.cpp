@@ -5,8 +5,9 @@
 #include <utility>
 
 #include "engine/script/walk.h"
-#include "engine/walkspace/explore.h"
-#include "engine/walkspace/walk_report.h"
+#include "engine/walkspace/explore/campus_settings.h"
+#include "engine/walkspace/explore/explore.h"
+#include "engine/walkspace/report/walk_report.h"
 
 namespace campuswalk::engine::render {
 

@@ -8,10 +8,10 @@
 
 #include "engine/events/decimals.h"
 #include "engine/report/result_json.h"
-#include "engine/walkspace/barrier_reason.h"
+#include "engine/walkspace/barrier/barrier_reason.h"
 #include "tests/engine/short_walk.h"
 #include "tests/engine/small_campus.h"
-#include "tests/engine/walkspace/barrier_course.h"
+#include "tests/engine/walkspace/barrier/barrier_course.h"
 
 namespace campuswalk::engine {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "collision/mesh/mesh_collider.h"
 #include "collision/mesh/mesh_query.h"
-#include "engine/walkspace/report_file.h"
+#include "engine/walkspace/report/report_file.h"
 #include "scene/base/checksum.h"
 #include "scene/cache/tree_file.h"
 #include "scene/campus/bake_mesh.h"

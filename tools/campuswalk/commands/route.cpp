@@ -7,8 +7,8 @@
 
 #include "config/loader/load_run.h"
 #include "engine/events/decimals.h"
-#include "engine/walkspace/campus_route.h"
-#include "engine/walkspace/tight_places.h"
+#include "engine/walkspace/route/campus_route.h"
+#include "engine/walkspace/stride/tight_places.h"
 #include "scene/base/atomic_file.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/print.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/script/travel.h"
-#include "engine/walkspace/campus_route.h"
+#include "engine/walkspace/route/campus_route.h"
 #include "scene/base/glob.h"
 
 namespace campuswalk::tools::explore {

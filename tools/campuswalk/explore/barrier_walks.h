@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "engine/walkspace/why_not.h"
+#include "engine/walkspace/barrier/why_not.h"
 #include "tools/campuswalk/explore/walk_draft.h"
 #include "tools/campuswalk/explore/walk_starts.h"
 

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "engine/events/decimals.h"
-#include "engine/walkspace/barrier_reason.h"
+#include "engine/walkspace/barrier/barrier_reason.h"
 
 namespace campuswalk::tools::explore {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/walkspace/report_file.h"
+#include "engine/walkspace/report/report_file.h"
 #include "scene/base/binary_archive.h"
 
 namespace campuswalk::tools::explore {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "engine/script/avatar.h"
-#include "engine/walkspace/walk_report.h"
+#include "engine/walkspace/report/walk_report.h"
 #include "scene/cache/cache_folder.h"
 #include "scene/cache/content_hash.h"
 

@@ -8,7 +8,7 @@
 
 #include "engine/report/outcome.h"
 #include "engine/simulation/run_walk.h"
-#include "engine/walkspace/node_numbers.h"
+#include "engine/walkspace/space/node_numbers.h"
 
 namespace campuswalk::tools::explore {
 

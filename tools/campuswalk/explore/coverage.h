@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/script/walk.h"
-#include "engine/walkspace/walk_report.h"
+#include "engine/walkspace/report/walk_report.h"
 #include "scene/campus/campus.h"
 
 namespace campuswalk::tools::explore {

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "engine/events/decimals.h"
-#include "engine/walkspace/barrier_reason.h"
+#include "engine/walkspace/barrier/barrier_reason.h"
 #include "tools/campuswalk/explore/bottleneck_text.h"
 #include "tools/campuswalk/explore/building_popups.h"
 #include "tools/campuswalk/explore/island_groups.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "collision/geometry/shapes.h"
-#include "engine/walkspace/walk_report.h"
+#include "engine/walkspace/report/walk_report.h"
 #include "scene/campus/campus.h"
 
 namespace campuswalk::tools::explore {

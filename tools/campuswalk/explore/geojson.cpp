@@ -4,7 +4,7 @@
 #include <optional>
 #include <set>
 
-#include "engine/walkspace/node_numbers.h"
+#include "engine/walkspace/space/node_numbers.h"
 #include "scene/model/projection.h"
 #include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/explore/cell_outlines.h"

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "engine/walkspace/barrier_reason.h"
+#include "engine/walkspace/barrier/barrier_reason.h"
 
 namespace campuswalk::tools::explore {
 

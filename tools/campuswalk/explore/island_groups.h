@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/walkspace/walk_report.h"
+#include "engine/walkspace/report/walk_report.h"
 #include "scene/campus/campus.h"
 
 namespace campuswalk::tools::explore {

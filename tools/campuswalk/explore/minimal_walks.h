@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/walkspace/walk_report.h"
+#include "engine/walkspace/report/walk_report.h"
 #include "tools/campuswalk/explore/findings.h"
 #include "tools/campuswalk/explore/walk_draft.h"
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "engine/walkspace/walk_report.h"
+#include "engine/walkspace/report/walk_report.h"
 #include "tools/campuswalk/explore/walk_draft.h"
 #include "tools/campuswalk/explore/walk_starts.h"
 

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "engine/events/decimals.h"
-#include "engine/walkspace/barrier_reason.h"
+#include "engine/walkspace/barrier/barrier_reason.h"
 #include "scene/campus/node_at.h"
 #include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/explore/building_popups.h"

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "engine/walkspace/walk_report.h"
+#include "engine/walkspace/report/walk_report.h"
 #include "tools/campuswalk/explore/findings.h"
 
 namespace campuswalk::tools::explore {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "engine/events/decimals.h"
-#include "engine/walkspace/node_numbers.h"
+#include "engine/walkspace/space/node_numbers.h"
 #include "scene/base/diagnostic.h"
 #include "tools/campuswalk/explore/storey_marks.h"
 

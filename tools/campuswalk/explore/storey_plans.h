@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "engine/render/plan/storey_plan.h"
-#include "engine/walkspace/walk_report.h"
+#include "engine/walkspace/report/walk_report.h"
 #include "scene/campus/campus.h"
 #include "tools/campuswalk/explore/findings.h"
 

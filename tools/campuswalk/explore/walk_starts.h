@@ -3,7 +3,7 @@
 #include <set>
 #include <vector>
 
-#include "engine/walkspace/walk_report.h"
+#include "engine/walkspace/report/walk_report.h"
 
 namespace campuswalk::tools::explore {
 

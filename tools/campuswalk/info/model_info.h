@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/walkspace/ground_cover.h"
+#include "engine/walkspace/report/ground_cover.h"
 #include "scene/lint/model_report.h"
 #include "scene/suggest/suggested_buildings.h"
 #include "tools/campuswalk/base/json_text.h"

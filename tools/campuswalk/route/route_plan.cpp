@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "engine/events/decimals.h"
-#include "engine/walkspace/explore.h"
-#include "engine/walkspace/storeys.h"
-#include "engine/walkspace/worker_worlds.h"
+#include "engine/walkspace/explore/explore.h"
+#include "engine/walkspace/space/storeys.h"
+#include "engine/walkspace/stride/worker_worlds.h"
 
 namespace campuswalk::tools::route {
 

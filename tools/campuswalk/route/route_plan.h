@@ -5,8 +5,8 @@
 
 #include "engine/render/plan/storey_plan.h"
 #include "engine/script/route.h"
-#include "engine/walkspace/route.h"
-#include "engine/walkspace/unreachable.h"
+#include "engine/walkspace/route/route.h"
+#include "engine/walkspace/route/unreachable.h"
 #include "scene/campus/campus.h"
 
 namespace campuswalk::tools::route {

@@ -6,7 +6,7 @@
 
 #include "engine/script/avatar.h"
 #include "engine/script/route.h"
-#include "engine/walkspace/route_facts.h"
+#include "engine/walkspace/route/route_facts.h"
 #include "scene/campus/campus.h"
 
 namespace campuswalk::tools::route {

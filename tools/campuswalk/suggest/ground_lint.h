@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "engine/walkspace/ground_cover.h"
+#include "engine/walkspace/report/ground_cover.h"
 #include "scene/lint/model_report.h"
 #include "scene/model/model.h"
 

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "engine/walkspace/rooms.h"
-#include "engine/walkspace/walk_space.h"
+#include "engine/walkspace/space/rooms.h"
+#include "engine/walkspace/space/walk_space.h"
 #include "scene/campus/campus.h"
 #include "scene/suggest/suggested_buildings.h"
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "engine/walkspace/reach_point.h"
+#include "engine/walkspace/space/reach_point.h"
 
 namespace campuswalk::tools {
 

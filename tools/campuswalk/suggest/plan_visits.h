@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/walkspace/walk_space.h"
+#include "engine/walkspace/space/walk_space.h"
 #include "scene/suggest/suggested_buildings.h"
 #include "tools/campuswalk/suggest/campus_text.h"
 #include "tools/campuswalk/suggest/interiors.h"

@@ -8,7 +8,7 @@
 
 #include "collision/geometry/trigonometry.h"
 #include "collision/mover/mover.h"
-#include "engine/walkspace/worker_threads.h"
+#include "engine/walkspace/stride/worker_threads.h"
 #include "tools/campuswalk_bench/explore/explored_campus.h"
 #include "tools/campuswalk_bench/procedural/split_mix.h"
 

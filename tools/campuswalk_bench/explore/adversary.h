@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/walkspace/explore.h"
+#include "engine/walkspace/explore/explore.h"
 
 namespace campuswalk::tools::bench {
 

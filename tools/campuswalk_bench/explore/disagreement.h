@@ -5,7 +5,7 @@
 
 #include "collision/geometry/shapes.h"
 #include "collision/geometry/triangle_mesh.h"
-#include "engine/walkspace/walk_space.h"
+#include "engine/walkspace/space/walk_space.h"
 
 namespace campuswalk::tools::bench {
 

@@ -8,7 +8,7 @@
 #include <memory>
 #include <utility>
 
-#include "engine/walkspace/walk_report.h"
+#include "engine/walkspace/report/walk_report.h"
 #include "tools/campuswalk_bench/engines/peer_engines.h"
 #include "tools/campuswalk_bench/explore/solid_triangles.h"
 #include "tools/campuswalk_bench/measure/heap.h"

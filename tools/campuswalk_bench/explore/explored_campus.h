@@ -9,7 +9,7 @@
 #include "collision/geometry/triangle_mesh.h"
 #include "collision/world/world.h"
 #include "engine/script/avatar.h"
-#include "engine/walkspace/explore.h"
+#include "engine/walkspace/explore/explore.h"
 #include "scene/campus/campus.h"
 
 namespace campuswalk::tools::bench {

@@ -8,7 +8,7 @@
 #include "collision/mover/mover.h"
 #include "engine/script/travel.h"
 #include "engine/simulation/cached_route.h"
-#include "engine/walkspace/route.h"
+#include "engine/walkspace/route/route.h"
 #include "tools/campuswalk_bench/measure/measurement.h"
 #include "tools/campuswalk_bench/measure/shuffled_runs.h"
 #include "tools/campuswalk_bench/procedural/split_mix.h"

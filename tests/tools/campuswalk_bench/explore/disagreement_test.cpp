@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/walkspace/explore.h"
+#include "engine/walkspace/explore/explore.h"
 #include "tests/support/mesh_pieces.h"
 
 namespace campuswalk::tools::bench {

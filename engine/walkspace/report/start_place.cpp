@@ -1,0 +1,188 @@
+#include "engine/walkspace/report/start_place.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <queue>
+#include <tuple>
+#include <vector>
+
+#include "collision/world/cast.h"
+#include "engine/walkspace/explore/unreached_ground.h"
+
+namespace campuswalk::engine {
+
+using collision::Vec3;
+
+namespace {
+
+/// Coarser than the walk space: any good place will do.
+constexpr double kStartCell = 0.5;    // metres
+constexpr double kLeastGround = 1.0;  // m²
+/// Farther from an edge is no better, cells.
+constexpr std::uint32_t kFarEnough = 16;
+/// Ground in the next cell that is no higher or lower goes on, metres: as steep as anyone walks.
+constexpr double kGoesOn = 0.6;
+/// Ground in one cell so much higher is another floor, metres.
+constexpr double kNextFloor = 1.0;
+
+class IslandGround {
+public:
+    IslandGround(const Island& island, const WalkGrid& grid) : spots_(island.spots), grid_(grid) {
+        for (std::size_t i = 0; i < spots_.size(); ++i) {
+            by_cell_[cell_of(i)].push_back(i);
+        }
+        measure_edge_distances();
+    }
+
+    /// In cells, to the nearest spot that hasn't ground on all four sides. Ground on other ground, such as a
+    /// carpet, is as far from an edge as that.
+    std::uint32_t edge_distance(std::size_t spot) const {
+        std::uint32_t least = edge_distances_[spot];
+        for (const std::size_t other : by_cell_.at(cell_of(spot))) {
+            if (goes_on(spot, other)) {
+                least = std::min(least, edge_distances_[other]);
+            }
+        }
+        return least;
+    }
+
+private:
+    GridCell cell_of(std::size_t spot) const { return grid_.cell_at(spots_[spot].at.foot); }
+
+    bool goes_on(std::size_t a, std::size_t b) const {
+        return std::abs(spots_[a].at.foot.y() - spots_[b].at.foot.y()) <= kGoesOn;
+    }
+
+    /// On its four sides.
+    std::vector<std::size_t> neighbours(std::size_t spot) const {
+        std::vector<std::size_t> found;
+        const GridCell cell = cell_of(spot);
+        for (const auto& [dx, dz] : {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)}) {
+            const auto beside = by_cell_.find({cell.x + dx, cell.z + dz});
+            if (beside == by_cell_.end()) {
+                continue;
+            }
+            for (const std::size_t other : beside->second) {
+                if (goes_on(spot, other)) {
+                    found.push_back(other);
+                    break;
+                }
+            }
+        }
+        return found;
+    }
+
+    void measure_edge_distances() {
+        constexpr std::uint32_t kUnknown = std::numeric_limits<std::uint32_t>::max();
+        edge_distances_.assign(spots_.size(), kUnknown);
+        std::queue<std::size_t> open;
+        for (std::size_t i = 0; i < spots_.size(); ++i) {
+            if (neighbours(i).size() < 4) {
+                edge_distances_[i] = 0;
+                open.push(i);
+            }
+        }
+        for (; !open.empty(); open.pop()) {
+            for (const std::size_t next : neighbours(open.front())) {
+                if (edge_distances_[next] == kUnknown) {
+                    edge_distances_[next] = edge_distances_[open.front()] + 1;
+                    open.push(next);
+                }
+            }
+        }
+    }
+
+    const std::vector<UnreachedSpot>& spots_;
+    const WalkGrid& grid_;
+    std::map<GridCell, std::vector<std::size_t>> by_cell_;
+    std::vector<std::uint32_t> edge_distances_;
+};
+
+class StartFinder {
+public:
+    StartFinder(const WorkerWorlds& worlds, const ExploreSettings& settings,
+                const StartPreference& preference)
+        : world_(worlds[0]), settings_(settings), preference_(preference), grid_{kStartCell} {
+        const WalkSpace nothing_reached(grid_);
+        islands_ = find_unreached_ground(worlds, settings, nothing_reached, kLeastGround)
+                       .value_or(std::vector<Island>());
+        for (const Island& island : islands_) {
+            for (const UnreachedSpot& spot : island.spots) {
+                double& lowest = lowest_.try_emplace(grid_.cell_at(spot.at.foot), 1e300).first->second;
+                lowest = std::min(lowest, spot.at.foot.y());
+            }
+        }
+    }
+
+    std::optional<Vec3> best() const {
+        const Island* most = nullptr;
+        std::size_t most_weight = 0;
+        for (const Island& island : islands_) {
+            if (const std::size_t weight = weight_of(island); weight > most_weight) {
+                most_weight = weight;
+                most = &island;
+            }
+        }
+        if (most == nullptr) {
+            return std::nullopt;
+        }
+        const IslandGround ground(*most, grid_);
+        std::size_t best = 0;
+        Score best_score;
+        for (std::size_t i = 0; i < most->spots.size(); ++i) {
+            const Score score = score_of(most->spots[i].at.foot, ground.edge_distance(i));
+            if (i == 0 || score > best_score) {
+                best = i;
+                best_score = score;
+            }
+        }
+        return most->spots[best].at.foot;
+    }
+
+private:
+    /// Compared from the first to the last.
+    using Score = std::tuple<bool, bool, bool, std::uint32_t, double>;
+
+    Score score_of(const Vec3& foot, std::uint32_t edge_distance) const {
+        const bool inside = preference_.is_inside && preference_.is_inside(foot);
+        return {!is_upstairs(foot), is_under_the_sky(foot), !inside, std::min(edge_distance, kFarEnough),
+                -(foot - preference_.near).squaredNorm()};
+    }
+
+    std::size_t weight_of(const Island& island) const {
+        std::size_t weight = 0;
+        for (const UnreachedSpot& spot : island.spots) {
+            weight += is_upstairs(spot.at.foot) ? 1U : is_under_the_sky(spot.at.foot) ? 8U : 2U;
+        }
+        return weight;
+    }
+
+    bool is_upstairs(const Vec3& foot) const {
+        return foot.y() - lowest_.at(grid_.cell_at(foot)) > kNextFloor;
+    }
+
+    bool is_under_the_sky(const Vec3& foot) const {
+        const Vec3 eye = foot + Vec3(0, settings_.strides.body.height, 0);
+        const Vec3 sky(eye.x(), std::max(world_.bounds().max.y(), eye.y()) + 1.0, eye.z());
+        return !collision::cast(world_, settings_.solids, {eye, sky}, collision::Detection::solid);
+    }
+
+    const collision::World& world_;
+    const ExploreSettings& settings_;
+    const StartPreference& preference_;
+    const WalkGrid grid_;
+    std::vector<Island> islands_;
+    std::map<GridCell, double> lowest_;  ///< by cell: its lowest ground
+};
+
+}  // namespace
+
+std::optional<Vec3> best_start(const WorkerWorlds& worlds, const ExploreSettings& settings,
+                               const StartPreference& preference) {
+    return StartFinder(worlds, settings, preference).best();
+}
+
+}  // namespace campuswalk::engine

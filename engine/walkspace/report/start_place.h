@@ -1,0 +1,25 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "engine/walkspace/explore/explore.h"
+#include "engine/walkspace/stride/worker_worlds.h"
+
+namespace campuswalk::engine {
+
+/// What a good place to start from is like.
+struct StartPreference {
+    collision::Vec3 near = collision::Vec3::Zero();  ///< better near here
+    /// Better where this is false: inside a building. May be empty.
+    std::function<bool(const collision::Vec3& foot)> is_inside = {};
+};
+
+/// Where to put a visitor down on a campus that says nothing of it: on the connected walkable ground that
+/// there is most of (under the open sky it counts four times, above other ground half) within
+/// `settings.within`. In this order: not above other ground, under the open sky, not inside, far from its
+/// edges (up to 8 m), near. Feet; none without walkable ground.
+std::optional<collision::Vec3> best_start(const WorkerWorlds& worlds, const ExploreSettings& settings,
+                                          const StartPreference& preference);
+
+}  // namespace campuswalk::engine

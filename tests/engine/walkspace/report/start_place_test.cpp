@@ -1,0 +1,99 @@
+#include "engine/walkspace/report/start_place.h"
+#include "engine/walkspace/explore/campus_settings.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "engine/walkspace/report/walk_report.h"
+#include "scene/model/upright_box.h"
+#include "tests/engine/small_campus.h"
+
+namespace campuswalk::engine {
+namespace {
+
+using collision::Vec3;
+
+std::optional<Vec3> start_on(const scene::Campus& campus, const StartPreference& preference = {},
+                             const collision::Aabb& within = {}) {
+    ExploreSettings settings = explore_settings(campus, AvatarProfile(), 60);
+    settings.within = within;
+    return best_start(WorkerWorlds(campus.world, 1, {}), settings, preference);
+}
+
+scene::Campus lawn() {
+    scene::Campus campus = empty_campus();
+    add_box(campus, "lawn", {-20, -0.2, -20}, {20, 0, 20});
+    return campus;
+}
+
+TEST(BestStart, IsNearTheMiddleOfALawn) {
+    const auto foot = start_on(lawn(), {.near = {3, 0, 3}});
+    ASSERT_TRUE(foot);
+    EXPECT_NEAR(foot->y(), 0.0, 0.01);
+    EXPECT_LE(foot->cwiseAbs().maxCoeff(), 20.0 - 8.0 + 0.5) << "far from its edges";
+    EXPECT_LT((*foot - Vec3(3, 0, 3)).norm(), 1.0);
+}
+
+TEST(BestStart, IsUnderTheOpenSky) {
+    scene::Campus campus = lawn();
+    add_box(campus, "hall", {-8, 3, -8}, {8, 3.3, 8});  // a roof on nothing, with room below
+    const auto foot = start_on(campus);
+    ASSERT_TRUE(foot);
+    EXPECT_NEAR(foot->y(), 0.0, 0.01);
+    EXPECT_GT(foot->cwiseAbs().maxCoeff(), 8.0);
+}
+
+TEST(BestStart, IsOnTheLowestFloorWithoutGround) {
+    scene::Campus campus = empty_campus();
+    for (int storey = 0; storey < 4; ++storey) {
+        add_box(campus, "floor-" + std::to_string(storey), {-10, 3.0 * storey - 0.2, -10},
+                {10, 3.0 * storey, 10});
+    }
+    const auto foot = start_on(campus);
+    ASSERT_TRUE(foot);
+    EXPECT_NEAR(foot->y(), 0.0, 0.01);
+}
+
+TEST(BestStart, IsOutsideOfBuildings) {
+    scene::UprightBox box;
+    box.size = {10, 4, 10};
+    const auto foot = start_on(lawn(), {.is_inside = [&](const Vec3& p) { return box.depth_of(p) > -0.5; }});
+    ASSERT_TRUE(foot);
+    EXPECT_LE(box.depth_of(*foot), -0.5);
+    EXPECT_LT(foot->norm(), 13.0);
+}
+
+TEST(BestStart, IsAwayFromWalls) {
+    scene::Campus campus = lawn();
+    add_box(campus, "tower", {-2, 0, -2}, {2, 30, 2});
+    const auto foot = start_on(campus);
+    ASSERT_TRUE(foot);
+    EXPECT_NEAR(foot->y(), 0.0, 0.01);
+    const Vec3 outside = (foot->cwiseAbs() - Vec3(2, 0, 2)).cwiseMax(0.0);
+    EXPECT_GT(outside.norm(), 5.5);  // eight metres along the axes, less across
+}
+
+TEST(BestStart, IsOnTheLargestGround) {
+    scene::Campus campus = empty_campus();
+    add_box(campus, "small", {-10, -0.2, -10}, {-5, 0, -5});
+    add_box(campus, "large", {5, -0.2, -10}, {25, 0, 10});
+    const auto foot = start_on(campus, {.near = {-7, 0, -7}});
+    ASSERT_TRUE(foot);
+    EXPECT_GT(foot->x(), 5.0);
+}
+
+TEST(BestStart, IsWithinTheLimits) {
+    const auto foot = start_on(lawn(), {.near = {-15, 0, -15}}, {{0, -1, 0}, {10, 3, 10}});
+    ASSERT_TRUE(foot);
+    EXPECT_TRUE(foot->x() >= 0.0 && foot->z() >= 0.0 && foot->maxCoeff() <= 10.0);
+}
+
+TEST(BestStart, IsNowhereOnABareWall) {
+    scene::Campus campus = empty_campus();
+    add_box(campus, "wall", {-3, 0, -0.025}, {3, 4, 0.025});
+    EXPECT_FALSE(start_on(campus));
+}
+
+}  // namespace
+}  // namespace campuswalk::engine
