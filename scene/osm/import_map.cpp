@@ -5,21 +5,21 @@
 #include <set>
 #include <utility>
 
-#include "scene/osm/areas.h"
-#include "scene/osm/barriers.h"
-#include "scene/osm/box_index.h"
-#include "scene/osm/bridge_piers.h"
-#include "scene/osm/bridges.h"
-#include "scene/osm/compose.h"
-#include "scene/osm/decks.h"
-#include "scene/osm/furniture.h"
-#include "scene/osm/ground.h"
-#include "scene/osm/heights.h"
-#include "scene/osm/meaning.h"
-#include "scene/osm/relief.h"
-#include "scene/osm/steps.h"
-#include "scene/osm/surfaces.h"
-#include "scene/osm/unreadable_lengths.h"
+#include "scene/osm/bridges/bridge_piers.h"
+#include "scene/osm/bridges/bridges.h"
+#include "scene/osm/bridges/decks.h"
+#include "scene/osm/geometry/areas.h"
+#include "scene/osm/geometry/box_index.h"
+#include "scene/osm/geometry/heights.h"
+#include "scene/osm/meaning/meaning.h"
+#include "scene/osm/objects/barriers.h"
+#include "scene/osm/objects/furniture.h"
+#include "scene/osm/objects/steps.h"
+#include "scene/osm/read/unreadable_lengths.h"
+#include "scene/osm/ways/compose.h"
+#include "scene/osm/ways/ground.h"
+#include "scene/osm/ways/relief.h"
+#include "scene/osm/ways/surfaces.h"
 
 namespace campuswalk::scene::osm {
 namespace {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "scene/model/model.h"
-#include "scene/osm/campus_draft.h"
-#include "scene/osm/read_map.h"
+#include "scene/osm/read/read_map.h"
+#include "scene/osm/ways/campus_draft.h"
 
 namespace campuswalk::scene::osm {
 

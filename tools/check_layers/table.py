@@ -8,6 +8,12 @@ ANYWHERE = "anywhere"
 # The layers below the tools.
 _CORE = ["config/loader", "engine", "scene", "collision"]
 
+
+def _rooms(folder, names, below):
+    """Folders in `folder`, each of which may include those before it, and what is below."""
+    return {"%s/%s" % (folder, name): ["%s/%s" % (folder, earlier) for earlier in names[:i]] + below for i, name in enumerate(names)}
+
+
 # Who may include whom: place -> places of the project, including their subfolders. Every place may include itself.
 PROJECT = {
     "collision/base": [],
@@ -28,21 +34,15 @@ PROJECT = {
     "scene/process": ["scene/base"],
     "scene/import": ["scene/model", "scene/process", "scene/base", "collision"],
     # Makes campuses from maps; import knows nothing of it.
+    **_rooms("scene/osm", ["read", "geometry", "buildings", "ways", "bridges", "meaning", "objects"],
+             ["scene/export", "scene/import", "scene/model", "scene/base", "collision"]),
     "scene/osm": ["scene/export", "scene/import", "scene/model", "scene/base", "collision"],
     "scene/cache": ["scene/import", "scene/model", "scene/base", "collision"],
     "scene/campus": ["scene/cache", "scene/import", "scene/model", "scene/base", "collision"],
     "scene/suggest": ["scene/campus", "scene/lint", "scene/model", "scene/base", "collision"],
-    # Where a body can get to: what the simulation's go_to and "why not" build on. Each room knows those before it.
-    "engine/walkspace/stride": ["engine/script", "engine/events", "scene", "collision"],
-    "engine/walkspace/space": ["engine/walkspace/stride", "engine/script", "engine/events", "scene", "collision"],
-    "engine/walkspace/explore": ["engine/walkspace/space", "engine/walkspace/stride", "engine/script", "engine/events", "scene", "collision"],
-    "engine/walkspace/barrier": ["engine/walkspace/explore", "engine/walkspace/space", "engine/walkspace/stride", "engine/script", "engine/events", "scene", "collision"],
-    "engine/walkspace/route": ["engine/walkspace/barrier", "engine/walkspace/explore", "engine/walkspace/space", "engine/walkspace/stride",
-                               "engine/script", "engine/events", "scene", "collision"],
-    "engine/walkspace/passage": ["engine/walkspace/barrier", "engine/walkspace/explore", "engine/walkspace/space", "engine/walkspace/stride",
-                                 "engine/script", "engine/events", "scene", "collision"],
-    "engine/walkspace/report": ["engine/walkspace/passage", "engine/walkspace/barrier", "engine/walkspace/explore", "engine/walkspace/space",
-                                "engine/walkspace/stride", "engine/script", "engine/events", "scene", "collision"],
+    # Where a body can get to: what the simulation's go_to and "why not" build on.
+    **_rooms("engine/walkspace", ["stride", "space", "explore", "barrier", "route", "passage", "report"],
+             ["engine/script", "engine/events", "scene", "collision"]),
     # The simulation core: it emits records and doesn't depend on their readers.
     "engine/events": ["scene", "collision"],
     "engine/script": ["engine/events", "scene", "collision"],

@@ -4,7 +4,7 @@
 
 #include "scene/base/binary_archive.h"
 #include "scene/base/diagnostic.h"
-#include "scene/osm/campus_draft.h"
+#include "scene/osm/ways/campus_draft.h"
 
 namespace campuswalk::scene::osm {
 

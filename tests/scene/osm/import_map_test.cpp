@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/osm/areas.h"
-#include "scene/osm/plan_geometry.h"
-#include "scene/osm/tag_values.h"
+#include "scene/osm/geometry/areas.h"
+#include "scene/osm/geometry/plan_geometry.h"
+#include "scene/osm/read/tag_values.h"
 #include "tests/scene/osm/imported_map.h"
 
 namespace campuswalk::scene::osm {

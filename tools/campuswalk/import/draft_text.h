@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "scene/osm/campus_draft.h"
+#include "scene/osm/ways/campus_draft.h"
 
 namespace campuswalk::tools {
 

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "scene/osm/bridges/deck_parts.h"
+#include "scene/osm/ways/compose.h"
+
+namespace campuswalk::scene::osm {
+
+/// What holds bridges up where the map says so: nodes and areas with "bridge:support", from the ground to the
+/// lowest deck above them; nodes are called "bridge-pier/node-123". What no deck is above becomes a warning.
+void add_piers(const std::vector<Deck>& decks, Composition& composition);
+
+}  // namespace campuswalk::scene::osm

@@ -1,0 +1,117 @@
+#include "scene/osm/buildings/buildings.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "scene/osm/buildings/building_looks.h"
+#include "scene/osm/buildings/facade.h"
+
+namespace campuswalk::scene::osm {
+namespace {
+
+void add_ceiling(const Look& look, const Polygons& area, double height, const PlanGeometry& geometry,
+                 ObjectMesh& mesh) {
+    for (const Polygon& polygon : area) {
+        mesh.ceiling(look, geometry.triangulated(polygon), height);
+    }
+}
+
+/// A slab on posts at its vertices.
+void add_open_roof(const Volume& volume, const PlanGeometry& geometry, const Terrain& terrain,
+                   ObjectMesh& mesh) {
+    constexpr double kSlab = 0.25;
+    constexpr double kPost = 0.1;
+    constexpr double kInset = 0.4;
+    const Look look = roof_look(volume);
+    const double eaves = volume.base + volume.eaves;
+    const double under = eaves - std::min(kSlab, 0.5 * volume.eaves);
+    mesh.walls(look, volume.footprint, under, eaves);
+    add_ceiling(look, volume.footprint, under, geometry, mesh);
+    add_roof(volume.footprint, volume.roof, eaves, look, look, geometry, mesh);
+    const Polygons inner = geometry.grown(volume.footprint, -kInset);
+    for (const Polygon& polygon : inner) {
+        for (const Point& p : polygon.outer) {
+            mesh.box({{120, 120, 122}, 200, 255}, p, Point(1, 0), Point(kPost, kPost), terrain.height(p),
+                     under);
+        }
+    }
+}
+
+/// Where paths lead through a volume.
+struct Opening {
+    const Polygons* area = nullptr;
+    double bottom = 0.0;
+    double top = 0.0;
+};
+
+std::vector<Opening> openings_of(const Volume& volume, const std::vector<const Passage*>& passages,
+                                 const PlanGeometry& geometry, const Terrain& terrain) {
+    constexpr double kSlab = 0.3;  // that stays below the roof
+    constexpr double kHeadroom = 2.2;
+    const double bottom = volume.base + volume.bottom;
+    const double eaves = volume.base + volume.eaves;
+    const double highest = eaves - kSlab < bottom + kHeadroom ? eaves : eaves - kSlab;
+    std::vector<Opening> openings;
+    for (const Passage* passage : passages) {
+        const double floor = std::max(bottom, passage->floor.value_or(bottom));
+        const double ground =
+            passage->floor.value_or(terrain.highest(geometry.intersection(passage->area, volume.footprint)));
+        const double top = std::min(highest, ground + passage->height);
+        if (top > floor) {
+            openings.push_back({&passage->area, floor, top});
+        }
+    }
+    return openings;
+}
+
+/// What is open all the way between two heights.
+Polygons open_area(const std::vector<Opening>& openings, double low, double high, const Polygons& footprint,
+                   const PlanGeometry& geometry) {
+    std::vector<const Polygons*> areas;
+    for (const Opening& opening : openings) {
+        if (opening.bottom <= low && opening.top >= high) {
+            areas.push_back(opening.area);
+        }
+    }
+    return areas.empty() ? Polygons() : geometry.intersection(geometry.united(areas), footprint);
+}
+
+}  // namespace
+
+void add_volume(const Volume& volume, const std::vector<const Passage*>& passages,
+                const PlanGeometry& geometry, const Terrain& terrain, ModelBuilder& model) {
+    geometry.charge_to(volume.node);
+    ObjectMesh& mesh = model.object(volume.node);
+    if (volume.open) {
+        add_open_roof(volume, geometry, terrain, mesh);
+        return;
+    }
+    const Look wall = wall_look(volume);
+    const Facade facade(volume, wall, terrain, mesh);
+    const double eaves = volume.base + volume.eaves;
+    const double bottom = volume.base + volume.bottom;
+    const std::vector<Opening> openings = openings_of(volume, passages, geometry, terrain);
+    std::vector<double> heights = {bottom, eaves};
+    for (const Opening& opening : openings) {
+        heights.push_back(opening.bottom);
+        heights.push_back(opening.top);
+    }
+    std::ranges::sort(heights);
+    heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
+    Polygons below = volume.bottom > 0.0 ? Polygons() : volume.footprint;  // what is solid there
+    for (std::size_t i = 1; i < heights.size(); ++i) {
+        const Polygons open = open_area(openings, heights[i - 1], heights[i], volume.footprint, geometry);
+        const Polygons solid = open.empty() ? volume.footprint : geometry.difference(volume.footprint, open);
+        facade.add(solid, heights[i - 1], heights[i]);
+        if (i > 1 || volume.bottom > 0.0) {
+            add_ceiling(wall, geometry.difference(solid, below), heights[i - 1], geometry, mesh);
+            for (const Polygon& polygon : i > 1 ? geometry.difference(below, solid) : Polygons()) {
+                mesh.level(wall, geometry.triangulated(polygon), heights[i - 1]);
+            }
+        }
+        below = solid;
+    }
+    add_roof(volume.footprint, volume.roof, eaves, roof_look(volume), wall, geometry, mesh);
+}
+
+}  // namespace campuswalk::scene::osm

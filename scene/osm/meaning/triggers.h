@@ -1,0 +1,52 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/osm/geometry/box_index.h"
+#include "scene/osm/ways/compose.h"
+
+namespace campuswalk::scene::osm {
+
+/// Knows where visitors can be placed.
+class FreeGround {
+public:
+    explicit FreeGround(const Composition& composition);
+
+    /// Whether a visitor at `p` touches no building and no obstacle that is there by now.
+    bool at(const Point& p) const;
+    /// And stands on no flight of steps.
+    bool is_start(const Point& p) const;
+    /// How far a visitor at `p` looks in a unit direction before a building, something near or the map's edge
+    /// is in the way, metres.
+    double sight(const Point& p, const Point& direction, double farthest) const;
+
+private:
+    bool is_clear_of(const Polygons& area, const Point& p) const;
+
+    const Composition& composition_;
+    BoxIndex volumes_;
+    BoxIndex obstacles_;
+    BoxIndex flights_;
+};
+
+/// Degrees about +Y of a visitor who looks in a direction of the plan.
+double yaw_towards(const Point& direction);
+/// Degrees about +Y of a box whose length runs in a direction of the plan.
+double yaw_along(const Point& direction);
+
+/// A trigger over an area and `margin` metres around it.
+void add_area_trigger(Composition& composition, const std::string& id, const std::string& building,
+                      const Polygons& area, double margin, double height);
+
+/// A trigger at a point; of one inside a building at the outside of the nearest wall.
+void add_node_trigger(Composition& composition, const BoxIndex& volumes, const std::string& id,
+                      const std::string& building, const Point& at);
+
+/// The volume whose ground floor is at a point; null for none.
+const Volume* volume_at(const Composition& composition, const BoxIndex& volumes, const Point& at);
+
+/// All volumes by their place in the composition.
+BoxIndex index_of_volumes(const Composition& composition);
+
+}  // namespace campuswalk::scene::osm
