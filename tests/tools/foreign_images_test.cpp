@@ -1,4 +1,4 @@
-#include "tools/campuswalk/html/foreign_images.h"
+#include "tools/campuswalk/run/html/foreign_images.h"
 
 #include <map>
 #include <optional>

@@ -10,7 +10,7 @@ foreach(text IN ITEMS script style)
     endif()
 endforeach()
 file(WRITE ${OUTPUT} "// Written by tools/cmake/EmbedViewer.cmake.
-#include \"tools/campuswalk/html/viewer_bundle.h\"
+#include \"tools/campuswalk/run/html/viewer_bundle.h\"
 
 namespace campuswalk::tools {
 

@@ -19,7 +19,7 @@
 #include "tools/campuswalk/base/repository.h"
 #include "tools/campuswalk/cluster/merge_of_tasks.h"
 #include "tools/campuswalk/commands/commands.h"
-#include "tools/campuswalk/html/html_reports.h"
+#include "tools/campuswalk/run/html/html_reports.h"
 #include "tools/campuswalk/run/output/output_folder.h"
 #include "tools/campuswalk/run/output/shard_artifacts.h"
 #include "tools/campuswalk/run/plan/find_walks.h"

@@ -1,4 +1,4 @@
-#include "tools/campuswalk/html/html_reports.h"
+#include "tools/campuswalk/run/html/html_reports.h"
 
 #include <set>
 
@@ -13,12 +13,12 @@
 #include "tools/campuswalk/base/read_below.h"
 #include "tools/campuswalk/base/read_lines.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
-#include "tools/campuswalk/html/campus_bundle.h"
-#include "tools/campuswalk/html/compared_run.h"
-#include "tools/campuswalk/html/foreign_images.h"
-#include "tools/campuswalk/html/viewer_bundle.h"
 #include "tools/campuswalk/loading/model_importer.h"
 #include "tools/campuswalk/loading/walk_loader.h"
+#include "tools/campuswalk/run/html/campus_bundle.h"
+#include "tools/campuswalk/run/html/compared_run.h"
+#include "tools/campuswalk/run/html/foreign_images.h"
+#include "tools/campuswalk/run/html/viewer_bundle.h"
 
 namespace campuswalk::tools {
 

@@ -6,7 +6,7 @@
 
 #include "engine/html_report/html_reporter.h"
 #include "scene/campus/campus.h"
-#include "tools/campuswalk/html/html_reports.h"
+#include "tools/campuswalk/run/html/html_reports.h"
 
 namespace campuswalk::tools {
 

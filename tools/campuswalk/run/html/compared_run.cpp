@@ -1,4 +1,4 @@
-#include "tools/campuswalk/html/compared_run.h"
+#include "tools/campuswalk/run/html/compared_run.h"
 
 #include <string>
 #include <unordered_map>

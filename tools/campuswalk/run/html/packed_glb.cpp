@@ -1,4 +1,4 @@
-#include "tools/campuswalk/html/packed_glb.h"
+#include "tools/campuswalk/run/html/packed_glb.h"
 
 #include <cstdint>
 #include <optional>

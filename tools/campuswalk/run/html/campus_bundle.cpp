@@ -1,4 +1,4 @@
-#include "tools/campuswalk/html/campus_bundle.h"
+#include "tools/campuswalk/run/html/campus_bundle.h"
 
 #include <span>
 #include <utility>
@@ -11,7 +11,7 @@
 #include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/base/read_below.h"
 #include "tools/campuswalk/base/text.h"
-#include "tools/campuswalk/html/packed_glb.h"
+#include "tools/campuswalk/run/html/packed_glb.h"
 #include "tools/campuswalk/run/output/output_folder.h"
 
 namespace campuswalk::tools {

@@ -1,5 +1,5 @@
 #include "tools/campuswalk/base/report_diagnostics.h"
-#include "tools/campuswalk/html/html_reports.h"
+#include "tools/campuswalk/run/html/html_reports.h"
 
 namespace campuswalk::tools {
 
