@@ -6,6 +6,7 @@ set(CAMPUSWALK_VIEWER_BUNDLE "" CACHE PATH "Folder with a viewer.js and viewer.c
 set(viewer ${PROJECT_SOURCE_DIR}/tools/viewer)
 set(built ${PROJECT_BINARY_DIR}/viewer)
 set(CAMPUSWALK_VIEWER_SOURCE ${built}/viewer_bundle.cpp)
+file(MAKE_DIRECTORY ${built}) # make changes into a working directory before the first command could make it
 
 if(CAMPUSWALK_VIEWER_BUNDLE)
     set(bundle ${CAMPUSWALK_VIEWER_BUNDLE})
@@ -20,7 +21,6 @@ else()
     # Packages are installed beside a copy of their list: nothing is written into the sources.
     add_custom_command(
         OUTPUT ${built}/package-lock.json
-        COMMAND ${CMAKE_COMMAND} -E make_directory ${built}
         COMMAND ${CMAKE_COMMAND} -E copy ${viewer}/package.json ${viewer}/package-lock.json ${built}
         COMMAND ${CAMPUSWALK_NPM} ci --ignore-scripts --omit=dev --no-audit --no-fund --loglevel=error
         WORKING_DIRECTORY ${built}
