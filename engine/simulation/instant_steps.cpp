@@ -30,10 +30,7 @@ std::optional<Stop> execute_step(const CrouchStep& step, SimulationState& state)
         if (const auto by = state.body.obstruction(step.height, state.statistics)) {
             stop.object = state.name_of(*by);
         }
-        stop.message += stop.reason           ? ": " + text_of(*stop.reason)
-                        : stop.object.empty() ? ""
-                                              : ": blocked by " + stop.object;
-        stop.at = stop.reason ? look_at(*stop.reason) : std::nullopt;
+        name_obstacle(stop);
         return stop;
     }
     const bool down = step.height < state.walk.avatar.height;

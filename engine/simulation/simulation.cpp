@@ -191,14 +191,11 @@ void Simulation::report_step_end(const StepEnd& end) {
         }
     }
     if (end.fatal) {
-        stop.message += stop.reason           ? ": " + text_of(*stop.reason)
-                        : stop.object.empty() ? ""
-                                              : ": blocked by " + stop.object;
+        name_obstacle(stop);
         if (blocked && end.target != nullptr) {
             stop.route = routes_.route_round(*end.target, end.within);
             stop.message += stop.route ? "; from there " + text_of(*stop.route) : "";
         }
-        stop.at = stop.reason ? look_at(*stop.reason) : std::nullopt;
         stop_ = std::move(stop);
     }
 }

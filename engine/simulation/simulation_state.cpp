@@ -2,6 +2,15 @@
 
 namespace campuswalk::engine {
 
+void name_obstacle(Stop& stop) {
+    if (stop.reason) {
+        stop.message += ": " + text_of(*stop.reason);
+        stop.at = look_at(*stop.reason);
+    } else if (!stop.object.empty()) {
+        stop.message += ": blocked by " + stop.object;
+    }
+}
+
 SimulationState::SimulationState(const scene::Campus& at, const Walk& played)
     : campus(at),
       walk(played),

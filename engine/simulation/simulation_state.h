@@ -29,6 +29,9 @@ struct Stop {
     std::optional<Eigen::Vector3d> at = {};  ///< what to look at
 };
 
+/// Ends the message with the reason, or with the object if there is none, and looks at that.
+void name_obstacle(Stop& stop);
+
 /// All state that a walk changes, and what has happened in the current tick so far.
 struct SimulationState {
     /// Both must outlive it.
