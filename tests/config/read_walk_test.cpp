@@ -41,15 +41,6 @@ TEST_F(ReadWalk, ReadsTheSimulation) {
                                                                        ::testing::HasSubstr("'tree'"))));
 }
 
-TEST_F(ReadWalk, WarnsAboutADeprecatedSeed) {
-    EXPECT_THAT(about_sim("{seed: 7}"), ElementsAre());
-    const SharedRun run = RunLoader({}).load(folder_.path("a.walk.yaml"));
-    const auto warning = std::ranges::find(run.warnings, "deprecated", &scene::Diagnostic::code);
-    ASSERT_NE(warning, run.warnings.end());
-    EXPECT_EQ(warning->mark.line, 2);
-    EXPECT_THAT(warning->message, HasSubstr("'seed'"));
-}
-
 TEST_F(ReadWalk, DiagnosesTheSimulation) {
     EXPECT_THAT(about_sim("{ticks_per_second: 0, stay_every: -1, dt: 1}"),
                 ElementsAre(says("a.walk.yaml:2:25: error bad-value", {"'ticks_per_second'", "'0'"}),

@@ -41,13 +41,6 @@ class Diff(Compare):
         self.write("c.jsonl", reformatted)
         self.assertEqual(self.passes("diff", "a.jsonl", "c.jsonl").code, 0)
 
-    def test_logs_that_still_have_a_seed(self):
-        lines = self.lines("a.jsonl")
-        self.write("c.jsonl", "\n".join([lines[0].replace('"tps":60', '"tps":60,"seed":0')] + lines[1:]) + "\n")
-        self.assertIn('"seed":0', self.lines("c.jsonl")[0])
-        self.assertEqual(self.passes("diff", "a.jsonl", "c.jsonl").code, 0)
-        self.assertEqual(self.passes("replay", "c.jsonl", "--walk", "short.walk.yaml", "--verify").code, 0)
-
     def test_the_first_divergence_with_both_sides(self):
         outcome = self.run_program("diff", "a.jsonl", "b.jsonl")
         self.assertEqual((outcome.code, outcome.err), (1, ""))

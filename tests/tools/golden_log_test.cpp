@@ -68,11 +68,6 @@ protected:
     const Lines other_ = {kHeader, kStart, end_line("pass", 0)};
 };
 
-TEST_F(GoldenLog, IgnoresASeedInTheHeader) {
-    const std::string header = kHeader.substr(0, kHeader.size() - 1);
-    EXPECT_EQ(diagnostic({header + R"(,"seed":0})", kStart, kEnter, end_line("pass", 1)}), "");
-}
-
 TEST_F(GoldenLog, IgnoresATimeoutThatWasNotReached) {
     const std::string header = kHeader.substr(0, kHeader.size() - 1);
     EXPECT_EQ(diagnostic({header + R"(,"timeout":60.0})", kStart, kEnter, end_line("pass", 1)}), "");

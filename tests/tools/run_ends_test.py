@@ -95,12 +95,6 @@ class Order(ManyWalks):
                          ["a.walk.yaml #1", "a.walk.yaml #2", "a.walk.yaml #3"])
         self.assertEqual(len({result["hash"] for result in self.results("r.jsonl")}), 1)
 
-    def test_a_seed_is_deprecated(self):
-        outcome = self.run_walks("a.walk.yaml", "--seed", "7")
-        self.assertEqual(outcome.code, 0)
-        self.assertNotIn("seed", outcome.out)
-        self.assertRegex(outcome.err, "deprecated.*--seed")
-
     def test_unwritable_reports_are_refused(self):
         before = self.contents()
         for target, code in (("avatars", "report-unwritable"), ("room.obj/a.xml", "report-unwritable"),

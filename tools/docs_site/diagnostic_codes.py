@@ -13,7 +13,7 @@ from check_layers.source import without_comments
 FOLDERS = ("collision", "scene", "engine", "config/loader", "tools/campuswalk")
 TABLE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "diagnostics.toml")
 # Codes of a single word.
-PLAIN_CODES = {"deprecated", "strict", "unreadable", "xfail"}
+PLAIN_CODES = {"strict", "unreadable", "xfail"}
 # Names of commands, help topics, options, files, formats and attributes; tags of maps and what is made of them.
 NOT_CODES = {"also-called", "assumed-entrance", "bicycle-stand", "bridge-pier", "campuswalk-import-request", "campuswalk-import-response",
              "cycle-barrier", "exit-codes", "half-hipped", "image-helper", "import-helper", "jsonl-log", "map-helper", "merge-reports",

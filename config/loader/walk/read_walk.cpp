@@ -18,17 +18,12 @@ engine::SimSettings read_sim(const CheckedNode& node) {
     constexpr int kMaxTicksPerSecond = 10'000;
     constexpr std::array kTrees = {Choice<collision::TreeKind>{"bvh8", collision::TreeKind::bvh8},
                                    Choice<collision::TreeKind>{"hybrid", collision::TreeKind::hybrid}};
-    constexpr Range kSeed{0.0, 18446744073709551615.0, false, ""};
     engine::SimSettings sim;
     CheckedMap map(node, "'sim'");
     map.as_int("ticks_per_second", 1, kMaxTicksPerSecond, sim.ticks_per_second);
     map.number("stay_every", kSeconds, sim.stay_every);
     map.number("gaze_hold", kSeconds, sim.gaze_hold);
     map.choice("tree", kTrees, sim.tree);
-    if (const auto seed = map.find("seed"); seed && seed->number(kSeed)) {
-        seed->diagnostics().warning(seed->mark(), "deprecated",
-                                    "'seed' is ignored, nothing draws random numbers; remove it");
-    }
     map.refuse_other_keys();
     return sim;
 }

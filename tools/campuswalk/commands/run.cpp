@@ -90,14 +90,6 @@ void add_running(Command& command, const SharedRunOptions& options) {
                    options->repeat_each, kTimes);
     command.flag({.names = "--require-identical", .help = "Repetitions that differ are failures"},
                  options->require_identical);
-    command.option({.names = "--seed",
-                    .help = "Ignored: nothing draws random numbers; it will be removed in the next version",
-                    .value = "N"},
-                   [](const std::string&) {
-                       print_error_line(
-                           "warning deprecated: --seed is ignored, nothing draws random numbers; "
-                           "leave it out");
-                   });
     add_tree(command, options->tree);
     command.option(
         {.names = "--timeout",

@@ -18,17 +18,10 @@ bool is_header(const Json& json) {
     return json.is_object() && json.value("walk_log", Json()) == 1;
 }
 
-/// Headers without the seed, which logs contained while walks had one. Discarded if it isn't JSON, or is more
-/// complex than any log's line.
+/// Discarded if it isn't JSON, or is more complex than any log's line.
 Json parsed(std::string_view line) {
-    if (!scene::why_too_complex(line).empty()) {
-        return Json(Json::value_t::discarded);
-    }
-    Json json = Json::parse(line, nullptr, false);
-    if (is_header(json)) {
-        json.erase("seed");
-    }
-    return json;
+    return scene::why_too_complex(line).empty() ? Json::parse(line, nullptr, false)
+                                                : Json(Json::value_t::discarded);
 }
 
 bool is_event(const Json& json) {
