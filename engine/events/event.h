@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -63,8 +64,10 @@ struct Text {
     std::string value;
 };
 
-/// Positions are printed with three decimals, a reason as the text that words it.
-using FieldValue = std::variant<std::int64_t, Decimal, Eigen::Vector3d, std::string, Text, Reason>;
+/// Positions are printed with three decimals, a reason as the text that words it. Reasons are large and rare:
+/// they are shared.
+using FieldValue =
+    std::variant<std::int64_t, Decimal, Eigen::Vector3d, std::string, Text, std::shared_ptr<const Reason>>;
 
 /// A named detail of an event, printed `name=value` in text and as a member in JSON, in this order.
 struct Field {
@@ -97,6 +100,12 @@ template <typename Value>
 const Value* find_field(const Event& event, std::string_view name) {
     const auto field = std::ranges::find(event.fields, name, &Field::name);
     return field == event.fields.end() ? nullptr : std::get_if<Value>(&field->value);
+}
+
+/// The reason that explains it; null if it has none.
+inline const Reason* reason_of(const Event& event) {
+    const auto* why = find_field<std::shared_ptr<const Reason>>(event, kWhy);
+    return why != nullptr ? why->get() : nullptr;
 }
 
 /// The events of one tick, in log order.

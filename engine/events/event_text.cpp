@@ -53,8 +53,8 @@ std::string text_of(const Text& value) {
 std::string text_of_field(const auto& value) {
     return text_of(value);
 }
-std::string text_of_field(const Reason& value) {
-    return in_quotes(text_of(value));
+std::string text_of_field(const std::shared_ptr<const Reason>& value) {
+    return in_quotes(text_of(*value));
 }
 
 }  // namespace

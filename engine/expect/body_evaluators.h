@@ -156,7 +156,7 @@ public:
             return;
         }
         object_ = obstacle_of(event);
-        const auto* why = find_field<Reason>(event, kWhy);
+        const Reason* why = reason_of(event);
         reason_ = why != nullptr ? std::optional(*why) : std::nullopt;
         const std::string what = verb + (object_.empty() ? " " : " by " + object_ + " ") + at_time(now.time) +
                                  (reason_ ? ": " + text_of(*reason_) : "");

@@ -102,7 +102,7 @@ void add_obstacle(const StateSnapshot& state, Failure& failure) {
     if (!state.obstacle || failure.reason || !failure.object.empty()) {
         return;
     }
-    if (const auto* why = find_field<Reason>(state.obstacle->event, kWhy)) {
+    if (const Reason* why = reason_of(state.obstacle->event)) {
         failure.reason = *why;
     }
     if (const auto* by = find_field<std::string>(state.obstacle->event, "by")) {

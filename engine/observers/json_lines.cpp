@@ -36,8 +36,8 @@ Json json_of(const std::string& value) {
 Json json_of(const Text& value) {
     return value.value;
 }
-Json json_of(const Reason& value) {
-    return text_of(value);
+Json json_of(const std::shared_ptr<const Reason>& value) {
+    return text_of(*value);
 }
 
 Json exactly(const Eigen::Vector3d& value) {

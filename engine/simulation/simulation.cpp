@@ -123,7 +123,7 @@ void Simulation::report_motion(const Intent& intent, const Motion& motion) {
             event.fields.push_back({"by", std::move(by)});
         }
         if (const std::optional<Reason>& why = reason(intent.move)) {
-            event.fields.push_back({kWhy, *why});
+            event.fields.push_back({kWhy, std::make_shared<const Reason>(*why)});
         }
     }
 }
@@ -187,7 +187,7 @@ void Simulation::report_step_end(const StepEnd& end) {
             event.fields.push_back({"by", stop.object});
         }
         if (stop.reason) {
-            event.fields.push_back({kWhy, *stop.reason});
+            event.fields.push_back({kWhy, std::make_shared<const Reason>(*stop.reason)});
         }
     }
     if (end.fatal) {

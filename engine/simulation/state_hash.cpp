@@ -22,8 +22,8 @@ void add_value(StateHash& hash, const std::string& value) {
 void add_value(StateHash& hash, const Text& value) {
     hash.add(std::string_view(value.value));
 }
-void add_value(StateHash& hash, const Reason& value) {
-    hash.add(std::string_view(text_of(value)));
+void add_value(StateHash& hash, const std::shared_ptr<const Reason>& value) {
+    hash.add(std::string_view(text_of(*value)));
 }
 
 }  // namespace

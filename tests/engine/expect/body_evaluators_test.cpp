@@ -117,8 +117,8 @@ TEST(BlockedByEvaluator, SaysWhyAsTheEventDoes) {
                      .measured = 0.45,
                      .allowed = 0.3};
     const std::string words = "riser of 0.45 m at world (stage), 1.00, 0.45, -4.00; the avatar steps 0.30 m";
-    const std::vector<Event> blocked{
-        made_event("avatar.blocked goal", {{"by", std::string("world")}, {"why", why}})};
+    const std::vector<Event> blocked{made_event(
+        "avatar.blocked goal", {{"by", std::string("world")}, {"why", std::make_shared<const Reason>(why)}})};
     SingleEvaluator expected(ExpectBlockedBy{kMark, {kMark, "lamp"}});
     TickFeed(expected).with(blocked, {0, 0, 0});
     expect_failure(expected.failure(), 7, "blocked_by", {"'lamp'", "world at 0.000 s: " + words});

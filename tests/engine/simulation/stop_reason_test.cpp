@@ -21,8 +21,7 @@ std::string why_blocked(const scene::Campus& campus) {
     step.if_blocked = IfBlocked::proceed;
     const RecordedRun result = run(campus, walk_of({spawn_at({0, 0, 0}), step}));
     const std::vector<Event> blocked = result.recorder.events("avatar.blocked");
-    return blocked.size() == 1 && has_field(blocked[0], "why") ? text_of(field<Reason>(blocked[0], "why"))
-                                                               : "";
+    return blocked.size() == 1 && reason_of(blocked[0]) != nullptr ? text_of(*reason_of(blocked[0])) : "";
 }
 
 TEST(StopReason, AnObstacleThatOneCanWalkRound) {
@@ -68,8 +67,7 @@ TEST(StopReason, TheFailureNamesARouteToTheTarget) {
                      "-3\\.[0-9]+\\].*: use go_to"));
     const std::vector<Event> blocked = result.recorder.events("avatar.blocked");
     ASSERT_EQ(blocked.size(), 1U);
-    EXPECT_THAT(text_of(field<Reason>(blocked[0], "why")), Not(HasSubstr("route of")))
-        << "only what is in the way";
+    EXPECT_THAT(text_of(*reason_of(blocked[0])), Not(HasSubstr("route of"))) << "only what is in the way";
 }
 
 TEST(StopReason, TheFailureNamesARouteToAnotherLevel) {
