@@ -75,16 +75,24 @@ std::vector<Eigen::Matrix4d> instances_of(const JsonObject& instancing, Accessor
     std::vector<float> translations;
     std::vector<float> rotations;
     std::vector<float> scales;
-    std::size_t count = 0;
+    std::optional<std::size_t> counted;
     const auto read = [&](const char* name, std::size_t components, std::vector<float>& out) {
         if (const auto at = attributes->uint(name)) {
             out = accessors.floats(*at, static_cast<int>(components));
-            count = std::max(count, out.size() / components);
+            if (counted && *counted != out.size() / components) {
+                instancing.fail("has attributes for different numbers of instances");
+            }
+            counted = out.size() / components;
         }
     };
     read("TRANSLATION", 3, translations);
     read("ROTATION", 4, rotations);
     read("SCALE", 3, scales);
+    if (!counted) {
+        instancing.fail(
+            "has no TRANSLATION, ROTATION or SCALE, so that nothing says where its instances are");
+    }
+    const std::size_t count = *counted;
     if (count > kMaxNodes) {
         instancing.fail("places " + std::to_string(count) + " instances; a model may have " +
                         std::to_string(kMaxNodes));

@@ -11,6 +11,7 @@
 
 #include "scene/import/source/mtl_text.h"
 #include "scene/import/source/obj_text.h"
+#include "scene/import/source/off_text.h"
 #include "scene/import/source/ply_header.h"
 #include "scene/import/source/stl_text.h"
 
@@ -113,6 +114,11 @@ Assimp::IOStream* ConfinedFiles::open_mtl(const std::filesystem::path& path) {
     return open_unchanged(path);
 }
 
+Assimp::IOStream* ConfinedFiles::open_off(const std::filesystem::path& path) {
+    fault_ = fault_of_off(read_bytes(path).value_or(std::vector<std::uint8_t>()));
+    return fault_.empty() ? open_unchanged(path) : nullptr;
+}
+
 Assimp::IOStream* ConfinedFiles::Open(const char* name, const char* mode) {
     const bool for_reading = std::strchr(mode, 'w') == nullptr && std::strchr(mode, 'a') == nullptr;
     const auto path = for_reading ? folder_.find_file(name) : std::nullopt;
@@ -121,6 +127,7 @@ Assimp::IOStream* ConfinedFiles::Open(const char* name, const char* mode) {
                                : extension == ".dae" ? open_collada(*path)
                                : extension == ".obj" ? open_obj(*path)
                                : extension == ".mtl" ? open_mtl(*path)
+                               : extension == ".off" ? open_off(*path)
                                : extension == ".ply" ? open_ply(*path)
                                : extension == ".stl" ? open_stl(*path)
                                                      : open_unchanged(*path);

@@ -31,7 +31,7 @@ public:
     /// What move_vertices_near subtracted from an OBJ's vertices, in its units.
     const Eigen::Vector3d& origin() const { return origin_; }
     const ColladaGeography& geographic() const { return collada_.geography; }
-    /// Why a COLLADA or OBJ file wasn't opened; empty if it was.
+    /// Why a COLLADA, OBJ or OFF file wasn't opened; empty if it was.
     const std::string& fault() const { return fault_; }
     /// Whether drop_absent_uvs changed an OBJ.
     bool dropped_uvs() const { return dropped_uvs_; }
@@ -44,6 +44,7 @@ private:
     Assimp::IOStream* open_collada(const std::filesystem::path& path);
     Assimp::IOStream* open_obj(const std::filesystem::path& path);
     Assimp::IOStream* open_mtl(const std::filesystem::path& path);
+    Assimp::IOStream* open_off(const std::filesystem::path& path);
 
     SceneFolder folder_;
     double metres_per_unit_;

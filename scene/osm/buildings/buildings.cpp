@@ -24,7 +24,8 @@ void add_open_roof(const Volume& volume, const PlanGeometry& geometry, const Ter
     constexpr double kInset = 0.4;
     const Look look = roof_look(volume);
     const double eaves = volume.base + volume.eaves;
-    const double under = eaves - std::min(kSlab, 0.5 * volume.eaves);
+    const double thin = eaves - std::min(kSlab, 0.5 * volume.eaves);
+    const double under = volume.bottom > 0.0 ? std::min(thin, volume.base + volume.bottom) : thin;
     mesh.walls(look, volume.footprint, under, eaves);
     add_ceiling(look, volume.footprint, under, geometry, mesh);
     add_roof(volume.footprint, volume.roof, eaves, look, look, geometry, mesh);
@@ -110,6 +111,9 @@ void add_volume(const Volume& volume, const std::vector<const Passage*>& passage
             }
         }
         below = solid;
+    }
+    if (heights.size() == 1 && volume.bottom > 0.0) {  // all of it is roof
+        add_ceiling(wall, volume.footprint, bottom, geometry, mesh);
     }
     add_roof(volume.footprint, volume.roof, eaves, roof_look(volume), wall, geometry, mesh);
 }

@@ -66,12 +66,14 @@ void set_heights(const PlanGeometry& geometry, Volume& volume) {
     double roof_height = 0.0;
     if (volume.roof.shape != RoofShape::flat) {
         const auto tagged = length_of(tags, "roof:height");
+        constexpr double kNoStorey = 1.0;  // metres: a roof under which nobody can stand
         const auto roof_levels = levels_of(tags, "roof:levels");
         const double span = half_span(volume.footprint, volume.roof, geometry);
         const double usual = volume.roof.shape == RoofShape::dome || volume.roof.shape == RoofShape::onion
                                  ? (volume.roof.shape == RoofShape::dome ? span : 2.5 * span)
                                  : std::min(0.6 * span, 6.0);
-        roof_height = tagged ? *tagged : roof_levels ? *roof_levels * kStorey : usual;
+        const double by_levels = roof_levels ? std::max(*roof_levels * kStorey, kNoStorey) : usual;
+        roof_height = tagged ? *tagged : by_levels;
         if (const auto angle = degrees_of(tags, "roof:angle");
             !tagged && angle && *angle > 0 && *angle < 80) {
             const collision::SinCos turn = collision::sin_cos(*angle * kDegree);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -40,6 +41,16 @@ std::vector<Point> part_of(const MapWay& way, std::size_t place, bool forwards, 
     return part;
 }
 
+/// As tagged, metres.
+std::optional<double> half_width(const Tags& tags) {
+    for (const char* key : {"maxwidth:physical", "width"}) {
+        if (const auto width = length_of(tags, key)) {
+            return std::clamp(0.5 * *width, 0.15, 10.0);
+        }
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 bool is_gate(const Tags& tags) {
@@ -58,9 +69,12 @@ double sine_between(const Point& a, const Point& b) {
     return std::max(kLeast, std::abs(a.x() * b.y() - a.y() * b.x()));
 }
 
-std::vector<Point> gate_opening(const MapWay& barrier, std::size_t place, const PathNode& path) {
+std::vector<Point> gate_opening(const MapWay& barrier, std::size_t place, const MapNode& gate,
+                                const PathNode& path) {
     double half = kHalfGate;
-    if (path.path != nullptr) {
+    if (const auto tagged = half_width(gate.tags)) {
+        half = *tagged;
+    } else if (path.path != nullptr) {
         half = std::max(
             half, 0.5 * path.path->width / sine_between(direction_at(barrier.points, place), path.along));
     }
@@ -81,10 +95,11 @@ std::vector<Point> gate_opening(const MapWay& barrier, std::size_t place, const 
     return opening;
 }
 
-std::vector<Point> gate_opening(const MapNode& node, const PathNode& path) {
-    const double half = path.path == nullptr ? kHalfGate : std::max(kHalfGate, 0.5 * path.path->width);
+std::vector<Point> gate_opening(const MapNode& gate, const PathNode& path) {
+    const double usual = path.path == nullptr ? kHalfGate : std::max(kHalfGate, 0.5 * path.path->width);
+    const double half = half_width(gate.tags).value_or(usual);
     const Point across = left_of(path.along);
-    return {node.at - half * across, node.at + half * across};
+    return {gate.at - half * across, gate.at + half * across};
 }
 
 std::vector<Point> gate_opening(const MapWay& gate) {

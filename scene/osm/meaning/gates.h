@@ -16,10 +16,12 @@ bool is_closed(const Tags& tags);
 /// Of the angle between two unit directions, at least a third: gaps for paths that run along a barrier end.
 double sine_between(const Point& a, const Point& b);
 
-/// What a gate takes of its barrier: the part of its line as wide as the path that leads through.
-std::vector<Point> gate_opening(const MapWay& barrier, std::size_t place, const PathNode& path);
+/// What a gate takes of its barrier: the part of its line as wide as the gate is tagged, or as the path that
+/// leads through.
+std::vector<Point> gate_opening(const MapWay& barrier, std::size_t place, const MapNode& gate,
+                                const PathNode& path);
 /// The same of a gate on no barrier: across the path.
-std::vector<Point> gate_opening(const MapNode& node, const PathNode& path);
+std::vector<Point> gate_opening(const MapNode& gate, const PathNode& path);
 
 /// The same of a gate that is drawn as a way: its line; of one drawn around, from end to end.
 std::vector<Point> gate_opening(const MapWay& gate);

@@ -78,7 +78,7 @@ public:
         }
         for (const MapNode& node : composition.map.nodes) {
             if (is_gate(node.tags)) {
-                gates_.emplace(node.id, is_closed(node.tags));
+                gates_.emplace(node.id, &node);
             }
         }
         for (const MapWay& way : composition.map.ways) {
@@ -87,8 +87,9 @@ public:
                 gate_ways_.push_back(&way);
             }
             for (std::size_t i = 0; is_line(way) && i < way.nodes.size(); ++i) {
-                if (gates_.contains(way.nodes[i])) {
-                    openings_.try_emplace(way.nodes[i], gate_opening(way, i, path_at(way.nodes[i])));
+                if (const auto gate = gates_.find(way.nodes[i]); gate != gates_.end()) {
+                    openings_.try_emplace(gate->first,
+                                          gate_opening(way, i, *gate->second, path_at(gate->first)));
                 }
             }
         }
@@ -250,9 +251,10 @@ private:
         std::vector<Point> gates;
         for (std::size_t i = 0; i < way.nodes.size(); ++i) {
             if (const auto gate = gates_.find(way.nodes[i]); gate != gates_.end()) {
-                if (!gate->second) {  // where two barriers end, the gap is in both
-                    gaps.push_back(composition_.geometry.buffer(gate_opening(way, i, path_at(way.nodes[i])),
-                                                                0.5 * thickness + kDeep, Caps::flat));
+                if (!is_closed(gate->second->tags)) {  // where two barriers end, the gap is in both
+                    gaps.push_back(composition_.geometry.buffer(
+                        gate_opening(way, i, *gate->second, path_at(way.nodes[i])), 0.5 * thickness + kDeep,
+                        Caps::flat));
                 }
                 gaps.push_back(composition_.geometry.buffer(openings_.at(way.nodes[i]),
                                                             0.5 * thickness + kDeep, Caps::flat));
@@ -350,7 +352,7 @@ public:
 private:
     Composition& composition_;
     std::unordered_map<std::int64_t, PathNode> on_path_;
-    std::unordered_map<std::int64_t, bool> gates_;                   ///< whether they are closed
+    std::unordered_map<std::int64_t, const MapNode*> gates_;         ///< by number
     std::unordered_map<std::int64_t, std::vector<Point>> openings_;  ///< by gate: along the barrier
     std::vector<const MapWay*> gate_ways_;
     BoxIndex gate_lines_;  ///< into them

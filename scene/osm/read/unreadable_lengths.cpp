@@ -11,7 +11,7 @@ namespace campuswalk::scene::osm {
 namespace {
 
 /// Those that the import reads.
-constexpr std::array<std::string_view, 11> kKeys = {"height",
+constexpr std::array<std::string_view, 12> kKeys = {"height",
                                                     "min_height",
                                                     "roof:height",
                                                     "maxheight",
@@ -21,7 +21,8 @@ constexpr std::array<std::string_view, 11> kKeys = {"height",
                                                     "sidewalk:width",
                                                     "sidewalk:both:width",
                                                     "sidewalk:left:width",
-                                                    "sidewalk:right:width"};
+                                                    "sidewalk:right:width",
+                                                    "maxwidth:physical"};
 
 /// Words such as "default" or "narrow" say something else than a length.
 bool is_word(std::string_view value) {

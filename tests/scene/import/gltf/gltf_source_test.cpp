@@ -202,6 +202,24 @@ TEST_F(GltfSourceTest, PlacesInstances) {
     EXPECT_EQ(warnings(), "");
 }
 
+TEST_F(GltfSourceTest, RefusesInstancesOfUnknownNumberOrPlace) {
+    for (const bool mismatched : {false, true}) {
+        GltfText text;
+        Json attributes = {{"_ID", text.add_floats({1, 2}, "SCALAR")}};
+        if (mismatched) {
+            attributes = {{"TRANSLATION", text.add_floats({1, 0, 0, 2, 0, 0, 3, 0, 0}, "VEC3")},
+                          {"SCALE", text.add_floats({1, 1, 1, 2, 2, 2}, "VEC3")}};
+        }
+        text.add_node({{"mesh", text.add_triangle_mesh()},
+                       {"extensions", {{"EXT_mesh_gpu_instancing", {{"attributes", attributes}}}}}});
+        const auto errors = test::errors_of([&] { import(text); });
+        ASSERT_EQ(errors.size(), 1U);
+        EXPECT_TRUE(
+            contains(errors[0].message, mismatched ? "different numbers of instances" : "no TRANSLATION"))
+            << errors[0].message;
+    }
+}
+
 TEST_F(GltfSourceTest, ReadsTheDefaultSceneAndWarnsAboutOthers) {
     GltfText text;
     const std::size_t mesh = text.add_triangle_mesh();

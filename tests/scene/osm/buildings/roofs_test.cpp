@@ -84,6 +84,58 @@ TEST_F(ImportMap, ReadsTheAngleOfARoof) {
     }
 }
 
+/// In the plan, of what faces down at a height.
+double underside_at(const Model& model, const std::string& name, double height) {
+    double area = 0.0;
+    for_triangles(model, *find(model, name), [&](const auto& a, const auto& b, const auto& c) {
+        const double down = -0.5 * (b - a).cross(c - a).y();
+        const bool there = std::abs(a.y() - height) < 0.01 && std::abs(b.y() - height) < 0.01 &&
+                           std::abs(c.y() - height) < 0.01;
+        area += there ? std::max(0.0, down) : 0.0;
+    });
+    return area;
+}
+
+TEST_F(ImportMap, ClosesBuildingsThatAreAllRoofFromBelow) {
+    for (const char* shape : {"dome", "pyramidal", "skillion"}) {
+        for (const char* roof_height : {"3", "2.9"}) {
+            MapText map;
+            const auto id = map.rectangle(-10, -5, 10, 5,
+                                          {{"building", "yes"},
+                                           {"height", "5"},
+                                           {"min_height", "2"},
+                                           {"roof:height", roof_height},
+                                           {"roof:shape", shape}});
+            const Model model = import(map.xml()).model;
+            EXPECT_NEAR(underside_at(model, "building/way-" + std::to_string(id), 2.0), 200.0, 0.2)
+                << shape << " " << roof_height;
+        }
+    }
+}
+
+TEST_F(ImportMap, PutsTheUndersideOfOpenRoofsAtTheirMinHeight) {
+    MapText map;
+    const auto low =
+        map.rectangle(-10, -5, 10, 5, {{"building", "roof"}, {"height", "4"}, {"min_height", "1.4"}});
+    const auto usual = map.rectangle(20, -5, 40, 5, {{"building", "roof"}, {"height", "4"}});
+    const Model model = import(map.xml()).model;
+    EXPECT_NEAR(underside_at(model, "building/way-" + std::to_string(low), 1.4), 200.0, 0.2);
+    EXPECT_NEAR(underside_at(model, "building/way-" + std::to_string(usual), 3.75), 200.0, 0.2);
+}
+
+TEST_F(ImportMap, KeepsALowRoofWithoutStoreys) {
+    for (const auto& [levels, top] : {std::pair{"0", 7.0}, {"1", 9.0}}) {
+        MapText map;
+        const auto id = map.rectangle(-10, -5, 10, 5,
+                                      {{"building", "yes"},
+                                       {"building:levels", "2"},
+                                       {"roof:levels", levels},
+                                       {"roof:shape", "gabled"}});
+        EXPECT_NEAR(bounds_of(import(map.xml()).model, "building/way-" + std::to_string(id)).max.y(), top,
+                    0.01);
+    }
+}
+
 TEST_F(ImportMap, ReportsARoofThatItsFootprintForbids) {
     MapText map;
     map.ring({{0, 0}, {40, 0}, {40, 4}, {4, 4}, {4, 40}, {0, 40}},

@@ -72,6 +72,18 @@ TEST_F(Barriers, AreOpenAtGatesForWalkers) {
     }
 }
 
+TEST_F(Barriers, HaveGatesAsWideAsTagged) {
+    for (const double degrees : {0.0, 45.0}) {
+        for (const char* path_width : {static_cast<const char*>(nullptr), "4"}) {
+            MapText narrow = fence_with_gate(degrees, {{"width", "0.9"}}, path_width);
+            EXPECT_NEAR(free_length(import(narrow.xml()).model), 0.9, 0.25) << degrees;
+            MapText physical =
+                fence_with_gate(degrees, {{"width", "3"}, {"maxwidth:physical", "1.4"}}, path_width);
+            EXPECT_NEAR(free_length(import(physical.xml()).model), 1.4, 0.25) << degrees;
+        }
+    }
+}
+
 TEST_F(Barriers, ReachFarBeyondTheMap) {
     MapText map;
     map.way({{0, 0}, {0, 2'000'000}}, {{"barrier", "fence"}});
