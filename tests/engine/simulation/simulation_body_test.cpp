@@ -240,5 +240,19 @@ TEST(Follow, ReturnsToItsCurveBehindAPole) {
     EXPECT_NEAR(result.recorder.states().back().avatar.position.x(), 0.0, 0.06);
 }
 
+/// As the reference says: the visit of a trigger that the avatar is in before and after has an end, too.
+TEST(Teleport, EndsContactsThatBeginAgain) {
+    scene::Campus campus = level_campus();
+    add_box(campus, "zone", {-3, 0, -3}, {3, 2, 3}, {.detection = collision::Detection::trigger});
+    const RecordedRun result = run(campus, walk_of({spawn_at({1, 0, 0}), teleport_to({-1, 0, 0})}));
+    const std::vector<Event> enters = result.recorder.events("trigger.enter");
+    const std::vector<Event> exits = result.recorder.events("trigger.exit");
+    ASSERT_EQ(enters.size(), 2U);
+    ASSERT_EQ(exits.size(), 2U);
+    EXPECT_EQ(field<std::string>(exits[0], "cause"), "teleport");
+    EXPECT_EQ(field<std::string>(enters[1], "cause"), "teleport");
+    EXPECT_EQ(field<std::string>(exits[1], "cause"), "end");
+}
+
 }  // namespace
 }  // namespace campuswalk::engine
