@@ -10,12 +10,12 @@
 namespace campuswalk::scene {
 namespace {
 
-/// A face of so many vertices, all around the origin.
+/// A convex face of so many vertices.
 std::string polygon(int vertices, const std::string& header) {
     std::string text = header + "\n# a floor\n" + std::to_string(vertices) + " 1 0\n\n";
     std::string face = std::to_string(vertices);
     for (int i = 0; i < vertices; ++i) {
-        text += std::to_string(i % 2 == 0 ? i : -i) + " 0 " + std::to_string(i * i) + "  # a vertex\n";
+        text += std::to_string(i) + " 0 " + std::to_string(i * i) + "  # a vertex\n";
         face += " " + std::to_string(i);
     }
     return text + face + "\n";
