@@ -145,7 +145,7 @@ THIRD_PARTY = {
     "btBulletDynamicsCommon.h": ["tests"],
     "assimp/": ["scene/import", "tools/campuswalk_bench/peers"],
     "stb/": ["scene/import"],
-    "utf8proc.h": ["scene/base"],
+    "utf8proc.h": ["scene/base", "tests/packed_walks/aarch64"],
     "xxhash.h": ["scene/base"],
     "nettle/": ["scene/cache"],
     "seccomp.h": ["scene/import/helper"],

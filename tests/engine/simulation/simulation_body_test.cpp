@@ -243,7 +243,7 @@ TEST(Follow, ReturnsToItsCurveBehindAPole) {
 /// As the reference says: the visit of a trigger that the avatar is in before and after has an end, too.
 TEST(Teleport, EndsContactsThatBeginAgain) {
     scene::Campus campus = level_campus();
-    add_box(campus, "zone", {-3, 0, -3}, {3, 2, 3}, {.detection = collision::Detection::trigger});
+    add_box(campus, "zone", {-3, 0, -3}, {3, 2, 3}, {collision::Detection::trigger, "", true, ""});
     const RecordedRun result = run(campus, walk_of({spawn_at({1, 0, 0}), teleport_to({-1, 0, 0})}));
     const std::vector<Event> enters = result.recorder.events("trigger.enter");
     const std::vector<Event> exits = result.recorder.events("trigger.exit");
