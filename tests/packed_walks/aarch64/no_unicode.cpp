@@ -1,6 +1,6 @@
-// utf8proc isn't there for this processor. Of it the core asks only whether characters of the packed walks' words are
-// seen; here all are letters. The logs are compared with the native ones, so that a character for which that is wrong
-// shows. Whatever calls the rest ends the test.
+// utf8proc isn't there for this processor. Of it the core asks only whether characters of the packed walks'
+// words are seen; here all are letters. The logs are compared with the native ones, so that a character for
+// which that is wrong shows. Whatever calls the rest ends the test.
 
 #include <cstdlib>
 

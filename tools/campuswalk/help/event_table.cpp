@@ -40,7 +40,7 @@ std::vector<EventDescription> event_descriptions() {
         {EventKind::walk_end, kWalkName, "the walk is over: the last line of every log"},
         {EventKind::avatar_spawn, "the spawn", "a program that uses the library has placed the avatar anew"},
         {EventKind::avatar_teleport, "where to",
-         "a teleport has placed the avatar; before, all contacts end, also those that begin again there"},
+         "a teleport has placed the avatar; before, all contacts end"},
         {EventKind::avatar_arrive, kTarget, "a walk_to, go_to or follow has got to its target"},
         {EventKind::avatar_blocked, kTarget, "a walk_to or follow has given up: something is in the way"},
         {EventKind::avatar_landed, kWalkName, "on the ground again, after a jump or a fall of 0.5 m or more"},
