@@ -74,7 +74,7 @@ std::string place_text(const Reason& reason, const char* before) {
     return before + (reason.object.empty() ? "" : object_text(reason) + ", ") + at_text(reason.at);
 }
 
-/// Of the place that is to be reached: what is wrong with it, and where it is if that isn't known already.
+/// The text, followed by where the reason's place is, unless it has none.
 std::string with_place(const std::string& text, const Reason& reason) {
     return reason.at ? text + ", at " + coordinates_text(*reason.at) : text;
 }

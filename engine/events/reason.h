@@ -12,7 +12,8 @@ namespace campuswalk::engine {
 
 /// What keeps a visitor from getting on, or to a place, with the members of Reason that say more.
 enum class ReasonKind : std::uint8_t {
-    // Of a passage: `measured` is what the body would have to manage, `allowed` what it manages or needs, in
+    // These are about a passage. `measured` is what the body would have to manage, `allowed` what it manages
+    // or needs, in
     // metres; at `at`, on `object` where that is known.
     riser,     ///< a step that is too high
     ledge,     ///< higher than any riser; nothing is allowed
@@ -25,14 +26,14 @@ enum class ReasonKind : std::uint8_t {
     gap,       ///< nothing to walk on from `from` to `at`, `measured` apart
     sequence,  ///< `parts`, in the order in which a visitor comes upon them
 
-    // Of where a body is.
+    // These are about where the avatar is.
     contact,   ///< `object` is in the way at `at`; `detour` if one leads round it
     edge,      ///< the avatar stepped off `object` at `at`
     enclosed,  ///< by `object`; `parts` may have the headroom or opening that it leaves. The nearest room is
                ///< at
                ///< `room`, `measured` away; without it, there is none within `allowed`
 
-    // Of the place that is to be reached, at `at`.
+    // These are about the place that is to be reached, `at`.
     inside,            ///< it is inside `object`
     no_ground,         ///< there is none below it
     ground_far_below,  ///< the ground is `measured` below it
@@ -78,7 +79,7 @@ struct RouteHint {
     friend bool operator==(const RouteHint&, const RouteHint&) = default;
 };
 
-/// As files have it: "riser", "no_ground".
+/// The kind's name in files, such as "riser" or "no_ground".
 std::string_view name_of(ReasonKind kind);
 /// All of them, in their order.
 std::vector<ReasonKind> reason_kinds();

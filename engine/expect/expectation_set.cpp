@@ -69,7 +69,7 @@ std::optional<Failure> Evaluator::failure(bool ended, const StateSnapshot& now) 
         failure.object = found.object;  // an event may be about the walk, or be a pattern
     }
     if (is_about_getting_there(name_) && !negated_) {
-        // A target isn't reached for what came after the nearest approach, too.
+        // What stopped the avatar after its nearest approach also kept it from the target.
         add_obstacle(name_ == ExpectReaches::kName ? now : when, failure);
     }
     return failure;

@@ -240,7 +240,7 @@ TEST(Follow, ReturnsToItsCurveBehindAPole) {
     EXPECT_NEAR(result.recorder.states().back().avatar.position.x(), 0.0, 0.06);
 }
 
-/// As the reference says: the visit of a trigger that the avatar is in before and after has an end, too.
+/// A teleport ends the visit of a trigger even if the avatar is inside it before and after.
 TEST(Teleport, EndsContactsThatBeginAgain) {
     scene::Campus campus = level_campus();
     add_box(campus, "zone", {-3, 0, -3}, {3, 2, 3}, {collision::Detection::trigger, "", true, ""});
