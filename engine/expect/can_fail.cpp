@@ -6,7 +6,7 @@
 #include <string>
 
 #include "engine/expect/certain_timeout.h"
-#include "engine/expect/expectation_set.h"
+#include "engine/expect/evaluator.h"
 #include "engine/expect/walk_bounds.h"
 
 namespace campuswalk::engine {

@@ -240,16 +240,8 @@ template <typename Kind>
 concept InstantStep = std::same_as<Kind, SnapshotStep> || std::same_as<Kind, CrouchStep> ||
     std::same_as<Kind, SpeedStep> || std::same_as<Kind, EnableStep> || std::same_as<Kind, ExpectStep>;
 
-inline bool is_instant(const Step& step) {
-    return std::visit([]<typename Kind>(const Kind&) { return InstantStep<Kind>; }, step);
-}
-
-inline const SourceMark& mark_of(const Step& step) {
-    return std::visit([](const auto& each) -> const SourceMark& { return each.mark; }, step);
-}
-
-inline StepPreview preview_of(const Step& step) {
-    return std::visit([](const auto& each) { return each.preview(); }, step);
-}
+bool is_instant(const Step& step);
+const SourceMark& mark_of(const Step& step);
+StepPreview preview_of(const Step& step);
 
 }  // namespace campuswalk::engine

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/expect/expectation_set.h"
+#include "engine/expect/evaluator.h"
 
 namespace campuswalk::engine {
 
