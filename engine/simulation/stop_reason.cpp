@@ -72,8 +72,7 @@ private:
         ExploreSettings settings = settings_;
         settings.more_starts = query.from;
         settings.within = query.within;
-        settings.is_goal = query.is_beyond;
-        const WalkSpace space = explore(worlds_, settings);
+        const WalkSpace space = explore(worlds_, settings, UntilCell{query.is_beyond});
         if (!space.goal) {
             return std::nullopt;
         }

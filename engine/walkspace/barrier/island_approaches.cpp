@@ -89,8 +89,10 @@ PassageQuery passage_to(const IslandQuestion& q, const std::vector<Approach>& ap
     query.within = query.within.grown(kAroundPassage);
     query.is_beyond = on_island(q.island, q.reached.grid, query.within);
     query.middle = q.island.bounds.center();
-    query.known = &q.reached;
-    query.also_known = q.also_known;
+    query.known = {&q.reached};
+    if (q.also_known != nullptr) {
+        query.known.push_back(q.also_known);
+    }
     query.nodes = q.nodes;
     return query;
 }

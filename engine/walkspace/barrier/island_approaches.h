@@ -55,7 +55,7 @@ struct IslandQuestion {
     const Island& island;
     const Rim& rim;
     const scene::NodeTriangles* nodes;      ///< see PassageQuery
-    const WalkSpace* also_known = nullptr;  ///< see ExploreSettings
+    const WalkSpace* also_known = nullptr;  ///< besides `reached`; may be null
 };
 
 /// A place on the rim and the island's nearest spot.

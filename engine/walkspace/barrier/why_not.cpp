@@ -53,12 +53,11 @@ public:
         settings_.starts.clear();
         settings_.within = query.within;
         settings_.known = query.known;
-        settings_.also_known = query.also_known;
-        settings_.is_goal = query.is_beyond;
+        // The query speaks of these cells.
+        settings_.grid = query.known.empty() ? WalkGrid() : query.known.front()->grid;
         settings_.max_nodes = std::min(settings.max_nodes, kMostNodes);
         settings_.max_ticks = static_cast<std::uint32_t>(
             query.longest_crossing / settings.strides.walk_speed / settings.strides.seconds);
-        settings_.keep_cell = true;  // the query speaks of these cells
         settings_.keep_rim = false;
         settings_.progress = {};
         settings_.solids.disabled = &disabled_;
@@ -125,7 +124,7 @@ private:
         ExploreSettings settings = settings_;
         settings.strides.body = body;
         settings.more_starts.assign(from.begin(), from.end());
-        const WalkSpace space = explore(worlds, settings);
+        const WalkSpace space = explore(worlds, settings, UntilCell{query_.is_beyond});
         nodes_in_all_ += space.node_count();
         touched_.clear();
         for (std::size_t i = 0; i < space.touched.size(); ++i) {
@@ -356,10 +355,11 @@ private:
         if (query_.middle) {
             length += collision::horizontal_norm(*query_.middle - path.feet.back());
         }
-        if (query_.known != nullptr) {
+        if (!query_.known.empty()) {
+            const WalkSpace& reached = *query_.known.front();
             const Vec3& foot = path.start.foot;
-            const auto node = query_.known->find(query_.known->grid.cell_at(foot), foot.y());
-            length += node ? query_.known->length_to(*node) : 0.0;
+            const auto node = reached.find(reached.grid.cell_at(foot), foot.y());
+            length += node ? reached.length_to(*node) : 0.0;
         }
         return length;
     }

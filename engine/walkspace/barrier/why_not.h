@@ -59,10 +59,10 @@ struct PassageQuery {
     std::vector<GroundState> from;
     /// Whether a node in this cell, at this height, is beyond the barrier.
     std::function<bool(const GridCell&, double y)> is_beyond;
-    std::optional<collision::Vec3> middle = {};   ///< of what is beyond: of like objects, the one on the way
-    collision::Aabb within;                       ///< where to look for ways, horizontally and vertically
-    const WalkSpace* known = nullptr;             ///< where the body got to; may be null
-    const WalkSpace* also_known = nullptr;        ///< see ExploreSettings; may be null
+    std::optional<collision::Vec3> middle = {};  ///< of what is beyond: of like objects, the one on the way
+    collision::Aabb within;                      ///< where to look for ways, horizontally and vertically
+    /// Where the body got to, and further ground on which no way is looked for, of one grid. May be empty.
+    std::vector<const WalkSpace*> known = {};
     const scene::NodeTriangles* nodes = nullptr;  ///< what meshes consist of; may be null
     /// Whether solids surround what is beyond, so that no body gets there: asked only where no single change
     /// helps. May be empty.

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "collision/geometry/shapes.h"
@@ -21,48 +23,56 @@ struct ExploreSettings {
     std::vector<GroundState> more_starts = {};  ///< bodies that stand already
     bool run = false;                           ///< may also run: off edges it gets farther
     bool jump = false;                          ///< may also jump, forward at the speed of its run
-    double cell = 0.25;      ///< metres; smaller for a body narrower than a cell's diagonal
-    bool keep_cell = false;  ///< not smaller, however narrow the body is: pockets may be taken for one
+    /// If none, one whose cells are no wider than the body: two pockets of free space in a cell may be taken
+    /// for one.
+    std::optional<WalkGrid> grid = {};
     /// Nothing is explored beyond this box; all of the world if it is empty.
     collision::Aabb within = {};
-    /// Cells that this space has reached already aren't explored again. May be null.
-    const WalkSpace* known = nullptr;
-    const WalkSpace* also_known = nullptr;  ///< likewise, besides `known`; of cells of the same size
+    /// Cells that these spaces have reached already aren't explored again. Their grid must be the `grid`.
+    std::vector<const WalkSpace*> known = {};
     bool steer_falls = true;  ///< also where that may lead to other ground; else Bound::steering
     bool keep_rim = false;    ///< fill WalkTile::rim
+    /// Where the body must not come to stand, by its feet; all workers ask it at once. May be empty.
+    std::function<bool(const collision::Vec3& foot)> keep_out = {};
     std::size_t max_nodes = 60'000'000;
     /// Nodes that take longer to get to than this aren't explored any further: for ways across something.
     std::uint32_t max_ticks = std::numeric_limits<std::uint32_t>::max();
     /// Called now and then, with the nodes so far. May be empty.
     std::function<void(std::size_t nodes)> progress = {};
-    /// Whether a node in this cell and at this height is what is looked for: the exploration ends soon after
-    /// one is reached, see WalkSpace::goal. May be empty.
-    std::function<bool(const GridCell&, double y)> is_goal = {};
-
-    // For the way to a point. With one worker only.
-
-    /// Takes the nodes in the order in which walking straight on from them would get to this point, so that
-    /// hardly more than what lies on the way is explored. Ways that fall count as longer than they are.
-    /// WalkNode::returns is then only set where that is obvious.
-    std::optional<collision::Vec3> towards = {};
-    /// As `is_goal`, by the exact state at a node. May be empty.
-    std::function<bool(const GroundState&)> is_goal_state = {};
-    /// Where the body must not come to stand, by its feet. May be empty.
-    std::function<bool(const collision::Vec3& foot)> keep_out = {};
-    /// Where it had rather not be: strides that end there count kTightFactor times. May be empty.
-    std::function<bool(const collision::Vec3& foot)> is_tight = {};
 
     /// Whether what is known has reached that cell at this height.
-    bool knows(const GridCell& there, double y, double tolerance = WalkNode::kLevel) const {
-        return (known != nullptr && known->find(there, y, tolerance)) ||
-               (also_known != nullptr && also_known->find(there, y, tolerance));
+    bool knows(const GridCell& there, double y) const {
+        return std::ranges::any_of(known,
+                                   [&](const WalkSpace* space) { return space->find(there, y).has_value(); });
     }
 };
 
-/// Walks everywhere: from each node to the cells around it that have none at its height, until nothing new is
-/// reached. The body leaves the ground where it can, and what it lands on is explored as well. The same
+/// The exploration ends where nothing new is reached.
+struct Everywhere {};
+
+/// The exploration ends soon after it has reached a node in a cell, and at a height, for which this is true.
+/// See WalkSpace::goal.
+struct UntilCell {
+    std::function<bool(const GridCell&, double y)> is_goal;
+};
+
+/// The exploration takes the nodes in the order in which walking straight on from them would get to the
+/// point, so that hardly more than what lies on the way is explored. Ways that fall count as longer than they
+/// are. With one worker only. WalkNode::returns is then only set where that is obvious.
+struct TowardsPoint {
+    collision::Vec3 point;
+    std::function<bool(const GroundState&)> is_goal;  ///< asked about the exact state at a node
+    /// Where the body had rather not be: strides that end there count kTightFactor times. May be empty.
+    std::function<bool(const collision::Vec3& foot)> is_tight = {};
+};
+
+using ExploreGoal = std::variant<Everywhere, UntilCell, TowardsPoint>;
+
+/// Walks to the goal: from each node to the cells around it that have none at its height, until nothing new
+/// is reached. The body leaves the ground where it can, and what it lands on is explored as well. The same
 /// result for any number of workers.
-WalkSpace explore(const WorkerWorlds& worlds, const ExploreSettings& settings);
+WalkSpace explore(const WorkerWorlds& worlds, const ExploreSettings& settings,
+                  const ExploreGoal& goal = Everywhere());
 
 /// A way that falls this far on a stride isn't longer for it, metres. Beyond that, visitors walk round it:
 /// so many seconds for each metre.

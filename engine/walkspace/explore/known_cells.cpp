@@ -11,9 +11,10 @@ namespace campuswalk::engine {
 
 using collision::Vec3;
 
-KnownCells::KnownCells(const ExploreSettings& settings, const WalkSpace& space,
+KnownCells::KnownCells(const ExploreSettings& settings, const GoalPolicy& policy, const WalkSpace& space,
                        const std::vector<Frontier>& frontiers)
     : settings_(settings),
+      policy_(policy),
       space_(space),
       frontiers_(frontiers),
       most_rise_(settings.strides.body.steepest_rise() * space.grid.cell / kDiagonal) {}
@@ -31,7 +32,7 @@ bool KnownCells::has(const GridCell& cell, double y, bool hangs, std::uint32_t t
             return true;
         }
     }
-    if (settings_.towards || side == 4) {
+    if (policy_.leads_to_point() || side == 4) {
         return false;
     }
     if (number != WalkTile::kNoTile) {
@@ -105,7 +106,7 @@ std::optional<double> KnownCells::level_in(const GridCell& cell, double y, doubl
     }
     std::optional<double> level;
     for (const std::uint32_t around : own.neighbours) {
-        if (around != WalkTile::kNoTile && !settings_.towards) {
+        if (around != WalkTile::kNoTile && !policy_.leads_to_point()) {
             if (const auto sent = frontiers_[around].level_sent(cell, y, tolerance)) {
                 level = sent;
                 tolerance = std::abs(*sent - y);

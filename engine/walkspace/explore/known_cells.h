@@ -6,6 +6,7 @@
 
 #include "engine/walkspace/explore/explore.h"
 #include "engine/walkspace/explore/frontier.h"
+#include "engine/walkspace/explore/goal_policy.h"
 #include "engine/walkspace/space/walk_space.h"
 
 namespace campuswalk::engine {
@@ -15,7 +16,7 @@ namespace campuswalk::engine {
 class KnownCells {
 public:
     /// `frontiers`: by tile. All of them must outlive it, where they are.
-    KnownCells(const ExploreSettings& settings, const WalkSpace& space,
+    KnownCells(const ExploreSettings& settings, const GoalPolicy& policy, const WalkSpace& space,
                const std::vector<Frontier>& frontiers);
 
     /// Whether the cell has a node for a body at this height; it is in the tile or beside it. What was
@@ -37,6 +38,7 @@ private:
                                    std::uint32_t tile) const;
 
     const ExploreSettings& settings_;
+    const GoalPolicy& policy_;
     const WalkSpace& space_;
     const std::vector<Frontier>& frontiers_;
     double most_rise_;  ///< of walkable ground, to the next cell, metres

@@ -73,8 +73,9 @@ void LandingPlaces::add(const Vec3& at) {
 /// The exploration doesn't go there.
 bool LandingPlaces::is_explored_elsewhere(const Vec3& at) const {
     return (!settings_.within.empty() && !settings_.within.overlaps({at, at})) ||
-           (settings_.known != nullptr &&
-            settings_.knows(settings_.known->grid.cell_at(at), at.y(), kSameLevel));
+           std::ranges::any_of(settings_.known, [&](const WalkSpace* known) {
+               return known->find(known->grid.cell_at(at), at.y(), kSameLevel).has_value();
+           });
 }
 
 /// Even if the body has no room to stand there: on a narrow ledge it may hang over the edge.

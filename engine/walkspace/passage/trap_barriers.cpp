@@ -106,7 +106,7 @@ private:
             const auto node = space_.find(cell, y, kSameNode);
             return node && !is_trapped_[numbers_(*node)];
         };
-        query.known = &own;
+        query.known = {&own};
         query.nodes = &nodes_;
         query.changes = Changes::single;
         query.longest_crossing = kLongestExit;

@@ -43,10 +43,8 @@ ExploreSettings settings_for_lint() {
     settings.strides.walk_speed = avatar.speed;
     settings.strides.seconds = 1.0 / 60.0;
     settings.solids = {collision::Detection::solid, 0, nullptr};
-    settings.cell = kGroundCell;
+    settings.grid = WalkGrid{kGroundCell};
     settings.steer_falls = false;
-    // None: but when it looks for a goal it explores in short rounds, and stops soon after the most nodes.
-    settings.is_goal = [](const GridCell&, double) { return false; };
     return settings;
 }
 
@@ -157,7 +155,7 @@ private:
         return lacks_ground(ground_) && nodes_left_ >= 1.0 && walked_.size() < kMostPlaces;
     }
 
-    double cell_area() const { return settings_.cell * settings_.cell; }
+    static double cell_area() { return kGroundCell * kGroundCell; }
 
     bool is_crowded(const Vec3& foot) const { return is_limited_ && density_.around(foot) > most_triangles_; }
 
@@ -178,8 +176,11 @@ private:
         const Vec3 start = take_start(island);
         settings_.starts = {start};
         settings_.max_nodes = is_limited_ ? affordable : static_cast<std::size_t>(nodes_left_);
+        // None: but when it looks for a goal it explores in short rounds, and stops soon after the most
+        // nodes.
+        const UntilCell goal{[](const GridCell&, double) { return false; }};
         WalkSpace space =
-            settings_.max_nodes > 0 ? explore(worlds_, settings_) : WalkSpace(WalkGrid{settings_.cell});
+            settings_.max_nodes > 0 ? explore(worlds_, settings_, goal) : WalkSpace(WalkGrid{kGroundCell});
         GroundCover cover = cover_of(worlds_[0], space, footprint_, start.y());
         if (is_limited_) {  // then the columns tell how much there would have been
             cover.is_cut_short = true;

@@ -175,7 +175,7 @@ private:
     std::optional<NoRoute> search() {
         route_.searched = true;
         for (int searches = 1;; ++searches) {
-            WalkSpace space = explore(worlds_, explore_settings());
+            WalkSpace space = explore(worlds_, explore_settings(), goal());
             if (!space.goal) {
                 const bool cut = space.is_cut_by(Bound::nodes);
                 return NoRoute{target_, std::move(space), cut};
@@ -307,9 +307,11 @@ private:
         if (settings_.keep_out) {
             settings.keep_out = [this](const Vec3& foot) { return is_close_to_what_is_avoided(foot); };
         }
-        settings.towards = target_.point;
-        settings.is_tight = settings_.is_tight;
-        settings.is_goal_state = [this](const GroundState& at) {
+        return settings;
+    }
+
+    TowardsPoint goal() {
+        const auto is_goal = [this](const GroundState& at) {
             RoutePiece piece = last_piece();
             if (!is_near_target(at.foot)) {
                 return false;
@@ -317,7 +319,7 @@ private:
             const auto end = trial_.walk(state_of(at), piece, last_ticks(), true);
             return end && end->falls <= kHarmlessFall;
         };
-        return settings;
+        return {target_.point, is_goal, settings_.is_tight};
     }
 
     /// So that there is room for straight pieces beside it.

@@ -63,7 +63,8 @@ bool is_beside_reached(const WalkSpace& reached, const Vec3& foot) {
 Island ground_of(const WorkerWorlds& worlds, ExploreSettings settings, const GroundState& target,
                  const WalkSpace& reached, Strider& strider) {
     settings.more_starts = {target};
-    settings.known = &reached;
+    settings.grid = reached.grid;
+    settings.known = {&reached};
     settings.max_nodes = kMostGround;
     const WalkSpace space = explore(worlds, settings);
     Island island;

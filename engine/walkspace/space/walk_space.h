@@ -45,7 +45,7 @@ public:
     std::vector<WalkNodeId> starts;     ///< of the given starts that have room and ground, in their order
     std::vector<std::size_t> start_of;  ///< by start: its number among those given
     std::vector<bool> touched;          ///< by object: some stride was seen to touch it
-    std::optional<WalkNodeId> goal;     ///< what was looked for, if it was reached: ExploreSettings::is_goal
+    std::optional<WalkNodeId> goal;     ///< what was looked for, if it was reached: see ExploreGoal
     std::vector<Bound> bounds;          ///< what cut the exploration short, ascending
     std::uint64_t ticks = 0;            ///< simulated, for statistics
     std::uint64_t strides = 0;

@@ -42,7 +42,7 @@ std::optional<Barrier> barrier_of(const BarrierCase& built) {
     query.within.extend(built.start);
     query.within.extend(built.goal);
     query.within = query.within.grown(5.0);
-    query.known = &reached;
+    query.known = {&reached};
     return why_not(worlds, settings, query);
 }
 

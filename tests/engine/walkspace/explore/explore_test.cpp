@@ -285,10 +285,10 @@ TEST(Explore, SaysWhatCutItShort) {
 
 TEST(Explore, EndsAtItsGoal) {
     const scene::Campus campus = level_campus(40.0);
-    ExploreSettings settings = explore_from({0, 0, 0});
+    const ExploreSettings settings = explore_from({0, 0, 0});
     const GridCell goal = WalkGrid{}.cell_at({5, 0, 5});
-    settings.is_goal = [&](const GridCell& cell, double) { return cell == goal; };
-    const WalkSpace space = explored(campus.world, settings);
+    const UntilCell until{[&](const GridCell& cell, double) { return cell == goal; }};
+    const WalkSpace space = explore(WorkerWorlds(campus.world, 1, {}), settings, until);
     ASSERT_TRUE(space.goal);
     EXPECT_EQ(space.cell_of(*space.goal), goal);
     EXPECT_FALSE(reaches(space, {39, 0, 39}));

@@ -1,4 +1,4 @@
-#include "engine/walkspace/explore/path_order.h"
+#include "engine/walkspace/explore/goal_policy.h"
 
 #include <algorithm>
 
@@ -17,35 +17,45 @@ constexpr double kJumpsLater = 2.0;
 
 }  // namespace
 
-PathOrder::PathOrder(const ExploreSettings& settings) : settings_(settings) {
+GoalPolicy::GoalPolicy(const StrideSettings& strides, const ExploreGoal& goal)
+    : strides_(strides), goal_(goal) {
     if (!has_goal()) {  // on a path to a goal they are as good
-        const StrideSettings& strides = settings.strides;
         diagonals_later_ = ticks_in(kDiagonalsLater / strides.walk_speed);
         jumps_later_ = ticks_in(kJumpsLater * jump_length(strides) / strides.walk_speed);
     }
 }
 
-std::uint32_t PathOrder::ticks_in(double seconds) const {
-    constexpr double kMost = 1e9;
-    return static_cast<std::uint32_t>(std::min(kMost, seconds / settings_.strides.seconds));
+bool GoalPolicy::is_goal(const GridCell& cell, const GroundState& at) const {
+    if (const TowardsPoint* towards = point()) {
+        return towards->is_goal(at);
+    }
+    const auto* until = std::get_if<UntilCell>(&goal_);
+    return until != nullptr && until->is_goal(cell, at.foot.y());
 }
 
-std::uint32_t PathOrder::ticks_to_goal(const Vec3& foot) const {
-    if (!settings_.towards) {
+std::uint32_t GoalPolicy::ticks_in(double seconds) const {
+    constexpr double kMost = 1e9;
+    return static_cast<std::uint32_t>(std::min(kMost, seconds / strides_.seconds));
+}
+
+std::uint32_t GoalPolicy::ticks_to_goal(const Vec3& foot) const {
+    const TowardsPoint* towards = point();
+    if (towards == nullptr) {
         return 0;
     }
-    const Vec3 apart = (*settings_.towards - foot).cwiseAbs();
+    const Vec3 apart = (towards->point - foot).cwiseAbs();
     const double less = std::min(apart.x(), apart.z());
     const double more = std::max(apart.x(), apart.z());
-    return ticks_in((more - less + less / kDiagonal) / settings_.strides.walk_speed);
+    return ticks_in((more - less + less / kDiagonal) / strides_.walk_speed);
 }
 
-std::uint32_t PathOrder::ticks_for_detour(const StrideEnd& end) const {
-    if (!settings_.towards) {
+std::uint32_t GoalPolicy::ticks_for_detour(const StrideEnd& end) const {
+    const TowardsPoint* towards = point();
+    if (towards == nullptr) {
         return 0;
     }
     const double fall = end.left_ground ? end.edge.y() - end.at.foot.y() - kHarmlessFall : 0.0;
-    const bool tight = settings_.is_tight && settings_.is_tight(end.at.foot);
+    const bool tight = towards->is_tight && towards->is_tight(end.at.foot);
     return (fall > 0.0 ? ticks_in(fall * kSecondsRoundAFall) : 0U) +
            (tight ? (kTightFactor - 1U) * static_cast<std::uint32_t>(end.ticks) : 0U);
 }
