@@ -53,7 +53,7 @@ public:
         const scene::NodeTriangles nodes(campus_, query.within);
         query.nodes = &nodes;
         query.changes = Changes::single;
-        const auto barrier = why_not(worlds_, settings_, query);
+        const auto barrier = barrier_in(why_not(worlds_, settings_, query));
         return !barrier || barrier->kind == BarrierKind::solid ? contact : reason_of(campus_, *barrier);
     }
 

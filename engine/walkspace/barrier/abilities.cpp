@@ -63,4 +63,33 @@ std::vector<Ability> abilities_of(const collision::MoverSettings& body) {
     return all;
 }
 
+std::vector<Ability> climbs_of(const collision::MoverSettings& body) {
+    std::vector<Ability> abilities = abilities_of(body);
+    for (Ability& ability : abilities) {
+        if (ability.kind == BarrierKind::riser) {
+            std::erase_if(ability.easier, [](double height) { return height > kHighestRiser; });
+        }
+    }
+    std::erase_if(abilities,
+                  [](const Ability& ability) { return is_about_size(ability) || ability.easier.empty(); });
+    return abilities;
+}
+
+std::vector<Ability> sizes_of(const collision::MoverSettings& body) {
+    std::vector<Ability> abilities = abilities_of(body);
+    std::erase_if(abilities, [](const Ability& ability) { return !is_about_size(ability); });
+    return abilities;
+}
+
+bool is_about_size(const Ability& ability) {
+    return ability.kind == BarrierKind::opening || ability.kind == BarrierKind::headroom;
+}
+
+collision::MoverSettings easiest_of(collision::MoverSettings body, const std::vector<Ability>& abilities) {
+    for (const Ability& ability : abilities) {
+        ability.apply(ability.easier.back(), body);
+    }
+    return body;
+}
+
 }  // namespace campuswalk::engine

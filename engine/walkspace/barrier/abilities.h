@@ -18,5 +18,13 @@ struct Ability {
 
 /// Step, slope, width and height, without those that can't be better.
 std::vector<Ability> abilities_of(const collision::MoverSettings& body);
+/// Only steps up to kHighestRiser, and slopes.
+std::vector<Ability> climbs_of(const collision::MoverSettings& body);
+/// Only width and height.
+std::vector<Ability> sizes_of(const collision::MoverSettings& body);
+bool is_about_size(const Ability& ability);
+
+/// The body with these abilities as good as can be.
+collision::MoverSettings easiest_of(collision::MoverSettings body, const std::vector<Ability>& abilities);
 
 }  // namespace campuswalk::engine

@@ -15,7 +15,7 @@ namespace {
 /// What keeps the body from the island where nothing of it is near.
 std::optional<Barrier> barrier_from_afar(const IslandQuestion& q, Changes changes) {
     const auto query = passage_from_afar(q, changes);
-    return query ? why_not(q.worlds, q.settings, *query) : std::nullopt;
+    return query ? barrier_in(why_not(q.worlds, q.settings, *query)) : std::nullopt;
 }
 
 std::optional<Barrier> gap_before(const IslandQuestion& q) {
@@ -71,7 +71,7 @@ std::optional<Barrier> barrier_from_nearby(const IslandQuestion& q, const std::v
     };
     if (is_wanted) {
         query.changes = Changes::single;
-        std::optional<Barrier> here = why_not(q.worlds, q.settings, query);
+        std::optional<Barrier> here = barrier_in(why_not(q.worlds, q.settings, query));
         if (here && here->kind != BarrierKind::solid && here->kind != BarrierKind::object) {
             return here;
         }
@@ -85,7 +85,7 @@ std::optional<Barrier> barrier_from_nearby(const IslandQuestion& q, const std::v
         }
         query.changes = Changes::any;
     }
-    std::optional<Barrier> barrier = why_not(q.worlds, q.settings, query);
+    std::optional<Barrier> barrier = barrier_in(why_not(q.worlds, q.settings, query));
     const bool is_ledge = is_closed_off(barrier) && ledge.measured > kHighestRiser && !query.is_enclosed();
     return is_ledge ? ledge : barrier;
 }

@@ -222,10 +222,11 @@ private:
                                 bool is_quick) const {
         passage.steer_falls = !is_quick;
         passage.changes = is_quick ? Changes::body : Changes::single;
-        auto barrier = why_not(q.worlds, q.settings, passage);
-        if (!barrier) {
+        const WhyNot answer = why_not(q.worlds, q.settings, passage);
+        if (std::holds_alternative<Passable>(answer)) {
             return Link{start_of_passage(q, passage), std::nullopt};
         }
+        std::optional<Barrier> barrier = barrier_in(answer);
         const bool is_said = is_one_change(barrier->kind) || (is_wanted(i) && is_ledge(*barrier));
         const bool is_better = is_said && says_more(*barrier, i);
         return is_better ? std::optional(Link{island_near(barrier->from, passage), std::move(barrier)})
@@ -262,7 +263,7 @@ private:
             std::ranges::copy_if(starts, std::back_inserter(passage.from), [&](const GroundState& start) {
                 return ground_.island_at(start.foot) == island;
             });
-            if (!why_not(q.worlds, q.settings, passage)) {
+            if (std::holds_alternative<Passable>(why_not(q.worlds, q.settings, passage))) {
                 return island;
             }
         }

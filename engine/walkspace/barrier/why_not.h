@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "collision/geometry/shapes.h"
@@ -74,11 +75,19 @@ struct PassageQuery {
     bool steer_falls = false;       ///< see ExploreSettings: of the body as it is
 };
 
+/// The body gets there as it is.
+struct Passable {};
+/// Only climbs were tried, and none helps.
+struct Unexplained {};
+using WhyNot = std::variant<Barrier, Passable, Unexplained>;
+
 /// The smallest change that would let the body through: of its step, its slope, its width or its height, or
 /// one object or node less. Found by walking with a changed body, measured to a millimetre and a tenth of a
-/// degree. None if the body gets through as it is, or if only climbs are tried and none helps.
-std::optional<Barrier> why_not(const WorkerWorlds& worlds, const ExploreSettings& settings,
-                               const PassageQuery& query);
+/// degree.
+WhyNot why_not(const WorkerWorlds& worlds, const ExploreSettings& settings, const PassageQuery& query);
+
+/// For what is said of a passage: nothing, whether the body gets there after all or nothing was found out.
+std::optional<Barrier> barrier_in(WhyNot answer);
 
 /// A ledge higher than this is climbed by no one, metres.
 inline constexpr double kHighestLedge = 3.0;

@@ -79,7 +79,7 @@ public:
         const PassageQuery query = query_of(trap, own, world);
         ExploreSettings settings = settings_;
         settings.max_nodes = kMostExitNodes;
-        std::optional<Barrier> barrier = why_not(own_world, settings, query);
+        std::optional<Barrier> barrier = barrier_in(why_not(own_world, settings, query));
         if (barrier && barrier->kind != BarrierKind::solid) {
             barrier = without_floors(std::move(*barrier), world);
         }

@@ -43,7 +43,7 @@ std::optional<Barrier> barrier_of(const BarrierCase& built) {
     query.within.extend(built.goal);
     query.within = query.within.grown(5.0);
     query.known = {&reached};
-    return why_not(worlds, settings, query);
+    return barrier_in(why_not(worlds, settings, query));
 }
 
 const Barrier* part_of(const Barrier& barrier, BarrierKind kind) {
