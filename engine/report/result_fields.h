@@ -1,15 +1,10 @@
 #pragma once
 
-#include <concepts>
-#include <type_traits>
-
+#include "engine/events/reason_fields.h"
 #include "engine/report/run_plan.h"
 #include "engine/report/walk_result.h"
 
 namespace campuswalk::engine {
-
-template <typename Struct, typename Plain>
-concept MaybeConst = std::same_as<std::remove_const_t<Struct>, Plain>;
 
 /// Marks a number that is written like the hashes in logs.
 template <typename Number>
@@ -34,25 +29,6 @@ void list_fields(Fields& fields, MaybeConst<FailureScene> auto& scene) {
     fields("nearest_distance", scene.nearest_distance);
     fields("contact", scene.contact);
     fields("last_events", scene.last_events);
-}
-
-template <typename Fields>
-void list_fields(Fields& fields, MaybeConst<Reason> auto& reason) {
-    fields("kind", reason.kind);
-    const bool is_angle = reason.kind == ReasonKind::slope;
-    fields.if_any("object", reason.object);
-    fields.if_any("node", reason.node);
-    fields.if_any("is_node", reason.is_node);
-    fields.if_any("name", reason.name);
-    fields.if_any("at", reason.at);
-    fields.if_any(is_angle ? "measured_deg" : "measured", reason.measured);
-    fields.if_any(is_angle ? "allowed_deg" : "allowed", reason.allowed);
-    fields.if_any("detour", reason.detour);
-    fields.if_any("from", reason.from);
-    fields.if_any("room", reason.room);
-    fields.if_any("look_at", reason.look_at);
-    fields.if_any("more", reason.more);
-    fields.if_any("parts", reason.parts);
 }
 
 template <typename Fields>

@@ -47,7 +47,7 @@ public:
         }
         const double above = foot_.y() + *most - radius_;  // the centre of the body's upper end
         Barrier barrier = touching(*most, radius_, [&](const Vec3& at) { return at.y() > above; });
-        barrier.kind = BarrierKind::headroom;
+        barrier.kind = ReasonKind::headroom;
         barrier.measured = *most + kOffGround;
         barrier.allowed = height_ + kOffGround;
         return barrier;
@@ -63,7 +63,7 @@ public:
             return std::nullopt;
         }
         Barrier barrier = touching(height_, *most, [](const Vec3&) { return true; });
-        barrier.kind = BarrierKind::opening;
+        barrier.kind = ReasonKind::opening;
         barrier.measured = 2.0 * *most;
         barrier.allowed = 2.0 * radius_;
         return barrier;

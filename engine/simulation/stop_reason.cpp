@@ -54,7 +54,7 @@ public:
         query.nodes = &nodes;
         query.changes = Changes::single;
         const auto barrier = barrier_in(why_not(worlds_, settings_, query));
-        return !barrier || barrier->kind == BarrierKind::solid ? contact : reason_of(campus_, *barrier);
+        return !barrier || barrier->kind == ReasonKind::solid ? contact : reason_of(campus_, *barrier);
     }
 
 private:

@@ -18,17 +18,17 @@ constexpr double kThinSkin = 0.002;
 std::vector<Ability> abilities_of(const collision::MoverSettings& body) {
     const double slope = collision::angle_of(std::sqrt(1.0 - body.min_up * body.min_up), body.min_up);
     std::vector<Ability> all{
-        {BarrierKind::riser,
+        {ReasonKind::riser,
          body.step_height,
          {0.35, 0.4, 0.5, 0.6, 0.8, 1.1, 1.5, 2.2, kHighestLedge},
          0.0005,
          [](double value, collision::MoverSettings& b) { b.step_height = value; }},
-        {BarrierKind::slope,
+        {ReasonKind::slope,
          slope,
          {},
          0.05 * kDegree,
          [](double value, collision::MoverSettings& b) { b.min_up = collision::sin_cos(value).cos; }},
-        {BarrierKind::opening,
+        {ReasonKind::opening,
          2.0 * body.radius,
          {},
          0.0005,
@@ -36,7 +36,7 @@ std::vector<Ability> abilities_of(const collision::MoverSettings& body) {
              b.radius = 0.5 * value;
              b.skin = std::min(b.skin, kThinSkin);  // or the opening would seem narrower by the skin
          }},
-        {BarrierKind::headroom,
+        {ReasonKind::headroom,
          body.height,
          {},
          0.0005,
@@ -66,7 +66,7 @@ std::vector<Ability> abilities_of(const collision::MoverSettings& body) {
 std::vector<Ability> climbs_of(const collision::MoverSettings& body) {
     std::vector<Ability> abilities = abilities_of(body);
     for (Ability& ability : abilities) {
-        if (ability.kind == BarrierKind::riser) {
+        if (ability.kind == ReasonKind::riser) {
             std::erase_if(ability.easier, [](double height) { return height > kHighestRiser; });
         }
     }
@@ -82,7 +82,7 @@ std::vector<Ability> sizes_of(const collision::MoverSettings& body) {
 }
 
 bool is_about_size(const Ability& ability) {
-    return ability.kind == BarrierKind::opening || ability.kind == BarrierKind::headroom;
+    return ability.kind == ReasonKind::opening || ability.kind == ReasonKind::headroom;
 }
 
 collision::MoverSettings easiest_of(collision::MoverSettings body, const std::vector<Ability>& abilities) {

@@ -9,7 +9,7 @@ namespace campuswalk::engine {
 
 /// One ability of a body, and how it could be better.
 struct Ability {
-    BarrierKind kind;            ///< of what it overcomes
+    ReasonKind kind;             ///< of what it overcomes
     double have;                 ///< metres or radians, as Barrier::allowed
     std::vector<double> easier;  ///< values that make it easier, step by step
     double precision;            ///< that the value which is needed is measured with

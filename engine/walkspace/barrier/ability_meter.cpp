@@ -26,7 +26,7 @@ std::optional<Barrier> AbilityMeter::measure(const Ability& ability) {
         return std::nullopt;
     }
     const std::optional<double>& likely_riser = probe_.query().likely_riser;
-    const bool is_guessed = ability.kind == BarrierKind::riser && likely_riser;
+    const bool is_guessed = ability.kind == ReasonKind::riser && likely_riser;
     const double likely = likely_riser.value_or(0.0) - collision::kHeightSlack;
     double fails = ability.have;
     double passes = ability.easier.back();
@@ -98,7 +98,7 @@ std::optional<Barrier> AbilityMeter::measure_together(const std::vector<Ability>
         path = std::move(exact);
     }
     Barrier barrier;
-    barrier.kind = BarrierKind::several;
+    barrier.kind = ReasonKind::several;
     for (std::size_t i = 0; i < abilities.size(); ++i) {
         if (values[i] != abilities[i].have) {
             barrier.parts.push_back(barrier_of(abilities[i], values[i], *path));
@@ -151,9 +151,9 @@ Barrier AbilityMeter::barrier_of(const Ability& ability, double needed, const Fo
     barrier.kind = ability.kind;
     barrier.measured = needed;
     barrier.allowed = ability.have;
-    if (ability.kind == BarrierKind::riser) {
+    if (ability.kind == ReasonKind::riser) {
         barrier.measured += collision::kHeightSlack;
-        barrier.kind = barrier.measured > kHighestRiser ? BarrierKind::ledge : BarrierKind::riser;
+        barrier.kind = barrier.measured > kHighestRiser ? ReasonKind::ledge : ReasonKind::riser;
     }
     probe_.locate(path, barrier);
     return barrier;

@@ -11,32 +11,6 @@ namespace campuswalk::engine {
 
 namespace {
 
-ReasonKind kind_of(BarrierKind kind) {
-    switch (kind) {
-        case BarrierKind::riser:
-            return ReasonKind::riser;
-        case BarrierKind::ledge:
-            return ReasonKind::ledge;
-        case BarrierKind::slope:
-            return ReasonKind::slope;
-        case BarrierKind::opening:
-            return ReasonKind::opening;
-        case BarrierKind::headroom:
-            return ReasonKind::headroom;
-        case BarrierKind::object:
-            return ReasonKind::object;
-        case BarrierKind::several:
-            return ReasonKind::several;
-        case BarrierKind::solid:
-            return ReasonKind::solid;
-        case BarrierKind::gap:
-            return ReasonKind::gap;
-        case BarrierKind::sequence:
-            return ReasonKind::sequence;
-    }
-    return ReasonKind::solid;
-}
-
 /// Its letters and digits: objects are often called after their nodes, "hedge/hedge-04" after "hedge_04".
 std::string letters_of(std::string name) {
     std::erase_if(name, [](char c) { return c == '_' || c == '-' || c == '/' || c == '.' || c == ' '; });
@@ -52,41 +26,36 @@ std::string telling_node(const scene::Campus& campus, collision::ObjectId object
     return says_more ? node : "";
 }
 
-bool has_measure(BarrierKind kind) {
-    return kind != BarrierKind::object && kind != BarrierKind::several && kind != BarrierKind::sequence &&
-           kind != BarrierKind::solid;
-}
-
-bool consists_of_parts(BarrierKind kind) {
-    return kind == BarrierKind::several || kind == BarrierKind::sequence;
+bool consists_of_parts(ReasonKind kind) {
+    return kind == ReasonKind::several || kind == ReasonKind::sequence;
 }
 
 /// Of an opening, the other change that would do as well there: to take an object away; and the reverse.
-std::optional<BarrierKind> alternative_to(BarrierKind kind) {
-    return kind == BarrierKind::opening  ? std::optional(BarrierKind::object)
-           : kind == BarrierKind::object ? std::optional(BarrierKind::opening)
-                                         : std::nullopt;
+std::optional<ReasonKind> alternative_to(ReasonKind kind) {
+    return kind == ReasonKind::opening  ? std::optional(ReasonKind::object)
+           : kind == ReasonKind::object ? std::optional(ReasonKind::opening)
+                                        : std::nullopt;
 }
 
 /// A barrier by itself.
 Reason single_reason(const scene::Campus& campus, const Barrier& barrier) {
     Reason reason;
     if (barrier.object) {
-        reason = reason_about(kind_of(barrier.kind), campus, *barrier.object, barrier.at);
+        reason = reason_about(barrier.kind, campus, *barrier.object, barrier.at);
         const scene::CampusObject& object = campus.objects[index_of(*barrier.object)];
-        reason.is_node = barrier.kind == BarrierKind::object &&
+        reason.is_node = barrier.kind == ReasonKind::object &&
                          (barrier.is_node || scene::nodes_of(campus.models, object.nodes).size() <= 1);
     }
-    reason.kind = kind_of(barrier.kind);
+    reason.kind = barrier.kind;
     reason.at = barrier.at;
     if (has_measure(barrier.kind)) {
-        const bool is_angle = barrier.kind == BarrierKind::slope;
+        const bool is_angle = barrier.kind == ReasonKind::slope;
         reason.measured = is_angle ? degrees(barrier.measured) : barrier.measured;
-        if (barrier.kind != BarrierKind::ledge && barrier.kind != BarrierKind::gap) {
+        if (barrier.kind != ReasonKind::ledge && barrier.kind != ReasonKind::gap) {
             reason.allowed = is_angle ? degrees(barrier.allowed) : barrier.allowed;
         }
     }
-    if (barrier.kind == BarrierKind::gap) {
+    if (barrier.kind == ReasonKind::gap) {
         reason.from = barrier.from;
     }
     return reason;
@@ -94,8 +63,9 @@ Reason single_reason(const scene::Campus& campus, const Barrier& barrier) {
 
 }  // namespace
 
-std::string_view name_of(BarrierKind kind) {
-    return name_of(kind_of(kind));
+bool has_measure(ReasonKind kind) {
+    return kind != ReasonKind::object && kind != ReasonKind::several && kind != ReasonKind::sequence &&
+           kind != ReasonKind::solid;
 }
 
 Reason reason_about(ReasonKind kind, const scene::Campus& campus, collision::ObjectId object,

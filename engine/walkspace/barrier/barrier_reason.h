@@ -8,9 +8,8 @@
 
 namespace campuswalk::engine {
 
-/// What it is called in files: "riser", "ledge", "slope", "opening", "headroom", "object", "several",
-/// "solid", "gap", "sequence".
-std::string_view name_of(BarrierKind kind);
+/// Whether a single barrier of this kind has a number.
+bool has_measure(ReasonKind kind);
 
 /// Of this kind, about the object at that point, with the node there that it comes from.
 Reason reason_about(ReasonKind kind, const scene::Campus& campus, collision::ObjectId object,

@@ -1,8 +1,10 @@
 #include "engine/walkspace/barrier/island_barriers.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
-#include "engine/walkspace/barrier/ground_gap.h"
+#include "collision/world/cast.h"
 #include "engine/walkspace/barrier/hollows.h"
 #include "engine/walkspace/barrier/island_approaches.h"
 #include "engine/walkspace/barrier/island_sequences.h"
@@ -10,7 +12,84 @@
 
 namespace campuswalk::engine {
 
+using collision::Ray;
+using collision::Vec3;
+
 namespace {
+
+/// Ground that is so much higher or lower at one end than at the other is a roof, or below one, metres.
+constexpr double kSameLevel = 1.0;
+/// Where there might be ground between is looked for this far above and below the line, metres.
+constexpr double kAboveLine = 0.9;
+constexpr double kBelowLine = 0.9;
+/// How far apart, and how near to both ends, metres.
+constexpr double kEvery = 0.25;
+constexpr double kEnds = 0.5;
+
+struct Pair {
+    const GroundState* from = nullptr;
+    const UnreachedSpot* to = nullptr;
+    double apart = std::numeric_limits<double>::max();
+};
+
+Pair nearest_pair(const Island& island, const std::vector<GroundState>& reached) {
+    Pair nearest;
+    for (const GroundState& from : reached) {
+        for (const UnreachedSpot& spot : island.spots) {
+            const double apart = collision::horizontal_norm(spot.at.foot - from.foot);
+            if (apart < nearest.apart && std::abs(spot.at.foot.y() - from.foot.y()) <= kSameLevel) {
+                nearest = {&from, &spot, apart};
+            }
+        }
+    }
+    return nearest;
+}
+
+/// Nothing in the way of a look from one to the other, and no ground below it but at its ends.
+bool is_void_between(const collision::World& world, const ExploreSettings& settings, const Vec3& from,
+                     const Vec3& to) {
+    const auto is_hit = [&](const Ray& ray) {
+        return collision::cast(world, settings.solids, ray, collision::Detection::solid).has_value();
+    };
+    const Vec3 eye(0, 0.5 * settings.strides.body.height, 0);
+    if (is_hit({from + eye, to + eye})) {
+        return false;
+    }
+    const auto is_ground_at = [&](double share) {
+        const Vec3 p = from + share * (to - from);
+        return is_hit({p + Vec3(0, kAboveLine, 0), p - Vec3(0, kBelowLine, 0)});
+    };
+    const double length = collision::horizontal_norm(to - from);
+    if (is_ground_at(0.5)) {
+        return false;
+    }
+    for (int i = 0; kEnds + i * kEvery < length - kEnds; ++i) {
+        if (is_ground_at((kEnds + i * kEvery) / length)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// Whether an island lies apart from the ground that is reached with nothing between, as one piece of a
+/// terrain beside another: from the nearest of these states that is at about its height to its nearest spot,
+/// over which one sees from there, and without ground below all that line. None if something stands between,
+/// or if there is ground.
+std::optional<Barrier> find_gap(const collision::World& world, const ExploreSettings& settings,
+                                const Island& island, const std::vector<GroundState>& reached) {
+    const Pair pair = nearest_pair(island, reached);
+    if (pair.to == nullptr || !is_void_between(world, settings, pair.from->foot, pair.to->at.foot)) {
+        return std::nullopt;
+    }
+    Barrier gap;
+    gap.kind = ReasonKind::gap;
+    gap.measured = pair.apart;
+    gap.at = pair.to->at.foot;
+    gap.from = pair.from->foot;
+    gap.object = pair.to->object;
+    gap.triangle = pair.to->triangle;
+    return gap;
+}
 
 /// What keeps the body from the island where nothing of it is near.
 std::optional<Barrier> barrier_from_afar(const IslandQuestion& q, Changes changes) {
@@ -30,7 +109,7 @@ std::optional<Barrier> gap_before(const IslandQuestion& q) {
 Barrier lowest_ledge(const std::vector<Approach>& approaches, double step_height) {
     const Approach& lowest = lowest_of(approaches);
     Barrier ledge;
-    ledge.kind = BarrierKind::ledge;
+    ledge.kind = ReasonKind::ledge;
     ledge.measured = lowest.rise();
     ledge.allowed = step_height;
     ledge.at = lowest.spot->at.foot;
@@ -41,7 +120,7 @@ Barrier lowest_ledge(const std::vector<Approach>& approaches, double step_height
 }
 
 bool is_closed_off(const std::optional<Barrier>& barrier) {
-    return barrier && barrier->kind == BarrierKind::solid;
+    return barrier && barrier->kind == ReasonKind::solid;
 }
 
 /// Whether it is an object, and the other one too, but a larger one.
@@ -50,7 +129,7 @@ bool is_smaller_object(const collision::World& world, const Barrier& barrier, co
         const collision::Aabb& box = world.bounds(*object.object);
         return (box.max - box.min).norm();
     };
-    return barrier.kind == BarrierKind::object && other.kind == BarrierKind::object &&
+    return barrier.kind == ReasonKind::object && other.kind == ReasonKind::object &&
            size_of(barrier) <= size_of(other);
 }
 
@@ -72,7 +151,7 @@ std::optional<Barrier> barrier_from_nearby(const IslandQuestion& q, const std::v
     if (is_wanted) {
         query.changes = Changes::single;
         std::optional<Barrier> here = barrier_in(why_not(q.worlds, q.settings, query));
-        if (here && here->kind != BarrierKind::solid && here->kind != BarrierKind::object) {
+        if (here && here->kind != ReasonKind::solid && here->kind != ReasonKind::object) {
             return here;
         }
         // One change that helps from afar is better than several here, or than to take away a wall.
@@ -99,7 +178,7 @@ std::optional<Barrier> barrier_before(const IslandQuestion& q, bool is_wanted) {
         return gap ? gap : barrier;
     }
     std::optional<Barrier> barrier = barrier_from_nearby(q, approaches, is_wanted);
-    if (is_wanted && barrier && barrier->kind == BarrierKind::ledge) {
+    if (is_wanted && barrier && barrier->kind == ReasonKind::ledge) {
         const auto climb = barrier_from_afar(q, Changes::climbs);
         return climb ? climb : barrier;
     }

@@ -28,11 +28,11 @@ constexpr double kSameMeasure = 0.002;
 
 /// The barrier that one comes upon last.
 const Barrier& last_of(const Barrier& barrier) {
-    return barrier.kind == BarrierKind::sequence ? barrier.parts.back() : barrier;
+    return barrier.kind == ReasonKind::sequence ? barrier.parts.back() : barrier;
 }
 
 bool is_ledge(const Barrier& barrier) {
-    return barrier.kind == BarrierKind::ledge;
+    return barrier.kind == ReasonKind::ledge;
 }
 
 /// How much harder than what the body manages.
@@ -165,8 +165,8 @@ private:
         if (is_top(i)) {
             return is_wanted(i) || area > kLargeTop;
         }
-        const bool says_nothing = !barriers_[i] || barriers_[i]->kind == BarrierKind::solid ||
-                                  barriers_[i]->kind == BarrierKind::several;
+        const bool says_nothing = !barriers_[i] || barriers_[i]->kind == ReasonKind::solid ||
+                                  barriers_[i]->kind == ReasonKind::several;
         return (is_wanted(i) || area > kNotableIsland) && says_nothing;
     }
 
@@ -282,11 +282,11 @@ private:
             return first;
         }
         Barrier all = first;
-        all.kind = BarrierKind::sequence;
+        all.kind = ReasonKind::sequence;
         all.measured = 0.0;
         all.allowed = 0.0;
         all.is_node = false;
-        if (first.kind != BarrierKind::sequence) {
+        if (first.kind != ReasonKind::sequence) {
             all.parts = {first};
         }
         all.parts.push_back(*next);

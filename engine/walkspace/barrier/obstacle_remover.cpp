@@ -71,7 +71,7 @@ void ObstacleRemover::try_nodes(double largest, std::vector<Change>& found) {
             barrier.triangle = node.triangle;
             barrier.is_node = true;
             std::erase_if(found, [&](const Change& other) {
-                return other.barrier.kind == BarrierKind::object && other.barrier.object == node.object;
+                return other.barrier.kind == ReasonKind::object && other.barrier.object == node.object;
             });
             found.push_back(std::move(change));
             return;
@@ -93,7 +93,7 @@ bool ObstacleRemover::carries_a_start(ObjectId id) const {
 Change ObstacleRemover::without(ObjectId id, const FoundPath& path) const {
     const Aabb& box = probe_.world().bounds(id);
     Change change{{}, (box.max - box.min).norm(), whole_length(path)};
-    change.barrier.kind = BarrierKind::object;
+    change.barrier.kind = ReasonKind::object;
     probe_.locate(path, change.barrier);
     return change;
 }

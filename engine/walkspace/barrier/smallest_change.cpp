@@ -20,10 +20,10 @@ constexpr double kMuchShorter = 0.8;
 /// How much the body would have to change: of heights, in metres; else the share of what it has.
 double amount_of(const Change& change) {
     const Barrier& barrier = change.barrier;
-    if (barrier.kind == BarrierKind::object) {
+    if (barrier.kind == ReasonKind::object) {
         return barrier.is_node ? kChangeOfNode : kChangeOfObject;
     }
-    const bool climb = barrier.kind == BarrierKind::riser || barrier.kind == BarrierKind::ledge;
+    const bool climb = barrier.kind == ReasonKind::riser || barrier.kind == ReasonKind::ledge;
     return std::abs(barrier.measured - barrier.allowed) / (climb ? 1.0 : barrier.allowed);
 }
 
@@ -43,9 +43,8 @@ void order(std::vector<Change>& changes) {
 }  // namespace
 
 bool is_small_climb(const Change& change) {
-    const BarrierKind kind = change.barrier.kind;
-    const bool is_climb =
-        kind == BarrierKind::riser || kind == BarrierKind::ledge || kind == BarrierKind::slope;
+    const ReasonKind kind = change.barrier.kind;
+    const bool is_climb = kind == ReasonKind::riser || kind == ReasonKind::ledge || kind == ReasonKind::slope;
     return is_climb && amount_of(change) <= kChangeOfNode;
 }
 

@@ -77,13 +77,13 @@ std::optional<Barrier> several_changes(PassageProbe& probe) {
 
 }  // namespace
 
-bool is_one_change(BarrierKind kind) {
+bool is_one_change(ReasonKind kind) {
     switch (kind) {
-        case BarrierKind::riser:
-        case BarrierKind::slope:
-        case BarrierKind::opening:
-        case BarrierKind::headroom:
-        case BarrierKind::object:
+        case ReasonKind::riser:
+        case ReasonKind::slope:
+        case ReasonKind::opening:
+        case ReasonKind::headroom:
+        case ReasonKind::object:
             return true;
         default:
             return false;

@@ -8,6 +8,7 @@
 
 #include "collision/geometry/shapes.h"
 #include "collision/world/broad_phase.h"
+#include "engine/events/reason.h"
 #include "engine/walkspace/explore/explore.h"
 #include "engine/walkspace/space/walk_space.h"
 #include "engine/walkspace/stride/worker_worlds.h"
@@ -15,26 +16,12 @@
 
 namespace campuswalk::engine {
 
-/// What keeps the body out.
-enum class BarrierKind : std::uint8_t {
-    riser,     ///< a step that is too high: `measured` and `allowed` are heights, metres
-    ledge,     ///< higher than any riser: no way up
-    slope,     ///< too steep: radians
-    opening,   ///< too narrow: widths, metres
-    headroom,  ///< too low: heights, metres
-    object,    ///< an object, or a node that is part of its mesh, stands in the way
-    several,   ///< more than one of these at once: see `parts`
-    solid,     ///< nothing that a change of the body would overcome
-    gap,       ///< nothing to walk on lies between: its length from the ground before it, metres
-    sequence,  ///< one behind the other, with ground between: see `parts`
-};
-
 /// A measured reason why the body doesn't get somewhere.
 struct Barrier {
-    BarrierKind kind = BarrierKind::solid;
-    double measured = 0.0;                           ///< what the body would have to manage
-    double allowed = 0.0;                            ///< what it manages
-    collision::Vec3 at = collision::Vec3::Zero();    ///< where it was stopped, on the barrier
+    ReasonKind kind = ReasonKind::solid;           ///< one of those that are about a passage
+    double measured = 0.0;                         ///< what the body would have to manage; slopes in radians
+    double allowed = 0.0;                          ///< what it manages
+    collision::Vec3 at = collision::Vec3::Zero();  ///< where it was stopped, on the barrier
     collision::Vec3 from = collision::Vec3::Zero();  ///< where it stood then, feet
     std::optional<collision::ObjectId> object;       ///< what it touched there, or what stands in the way
     std::uint32_t triangle = 0;                      ///< of the object's mesh
@@ -45,7 +32,7 @@ struct Barrier {
 };
 
 /// Whether it names one change that lets the body through: where it leads to, one could be led on from.
-bool is_one_change(BarrierKind kind);
+bool is_one_change(ReasonKind kind);
 
 /// Which changes are tried.
 enum class Changes : std::uint8_t {

@@ -90,7 +90,7 @@ std::vector<NarrowPassage> find_narrow_passages(const WorkerWorlds& worlds, cons
         find_island_barriers(worlds, wide, space, islands, islands.size(), nodes);
     std::vector<NarrowPassage> passages;
     for (std::size_t i = 0; i < islands.size(); ++i) {
-        if (barriers[i] && barriers[i]->kind == BarrierKind::opening) {
+        if (barriers[i] && barriers[i]->kind == ReasonKind::opening) {
             barriers[i]->parts.clear();  // without the wall it would be wide enough as well
         }
         passages.push_back({islands[i], std::move(barriers[i])});

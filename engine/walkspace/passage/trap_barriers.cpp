@@ -1,5 +1,3 @@
-#include "engine/walkspace/passage/trap_barriers.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -8,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "engine/walkspace/passage/traps.h"
 #include "engine/walkspace/space/node_numbers.h"
 #include "engine/walkspace/stride/removable_nodes.h"
 #include "engine/walkspace/stride/worker_threads.h"
@@ -80,10 +79,10 @@ public:
         ExploreSettings settings = settings_;
         settings.max_nodes = kMostExitNodes;
         std::optional<Barrier> barrier = barrier_in(why_not(own_world, settings, query));
-        if (barrier && barrier->kind != BarrierKind::solid) {
+        if (barrier && barrier->kind != ReasonKind::solid) {
             barrier = without_floors(std::move(*barrier), world);
         }
-        if (barrier && barrier->kind == BarrierKind::solid) {
+        if (barrier && barrier->kind == ReasonKind::solid) {
             return trap.drop > kHighestRiser ? std::optional(ledge_into(trap)) : std::nullopt;
         }
         return barrier;
@@ -169,7 +168,7 @@ private:
         std::vector<Barrier> changes = std::exchange(smallest.parts, {});
         changes.insert(changes.begin(), std::move(smallest));
         std::erase_if(changes, [&](const Barrier& change) {
-            return change.kind == BarrierKind::object && carries_ground(bounds_of_change(change, world));
+            return change.kind == ReasonKind::object && carries_ground(bounds_of_change(change, world));
         });
         if (changes.empty()) {
             return {};
@@ -198,7 +197,7 @@ private:
     /// The edge over which one got in.
     Barrier ledge_into(const Trap& trap) const {
         Barrier ledge;
-        ledge.kind = BarrierKind::ledge;
+        ledge.kind = ReasonKind::ledge;
         ledge.measured = trap.drop;
         ledge.allowed = settings_.strides.body.step_height;
         ledge.at = trap.edge;

@@ -17,7 +17,6 @@ struct Trap {
     collision::Vec3 edge;  ///< where the body stood before that, feet
     double drop = 0.0;     ///< from there down into it, metres; negative: up
     /// The smallest change that would let one out. If none is found, the edge if it is a ledge, or nothing.
-    /// See find_trap_barriers.
     std::optional<Barrier> out = {};
 };
 
@@ -25,5 +24,10 @@ struct Trap {
 /// them, and none leads away.
 std::vector<Trap> find_traps(const WorkerWorlds& worlds, const ExploreSettings& settings,
                              const WalkSpace& space);
+
+/// Finds `Trap::out` of the first traps, the largest of a space, of which these are all. They share the
+/// workers. `nodes`: what the meshes consist of.
+void find_trap_barriers(const WorkerWorlds& worlds, const ExploreSettings& settings, const WalkSpace& space,
+                        const scene::NodeTriangles& nodes, std::vector<Trap>& traps);
 
 }  // namespace campuswalk::engine

@@ -1,5 +1,3 @@
-#include "engine/walkspace/report/door_subjects.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -7,6 +5,7 @@
 #include <utility>
 
 #include "engine/walkspace/barrier/why_not.h"
+#include "engine/walkspace/report/subjects.h"
 #include "scene/campus/door_leaves.h"
 
 namespace campuswalk::engine {
@@ -111,20 +110,14 @@ public:
 private:
     /// The nearest to the point first.
     std::vector<WalkNodeId> nodes_near(const Doorway& doorway, const Vec3& point) const {
-        std::vector<std::pair<double, WalkNodeId>> near;
-        for (const WalkNodeId& node : s_.reached.nodes_touching(doorway.surroundings(), body_)) {
-            const Vec3 foot = s_.reached.position(node);
-            if (doorway.is_within_reach(foot)) {
-                near.emplace_back((foot - point).squaredNorm(), node);
-            }
-        }
-        std::ranges::sort(near);
-        std::vector<WalkNodeId> nodes;
-        nodes.reserve(near.size());
-        for (const auto& [distance, node] : near) {
-            nodes.push_back(node);
-        }
-        return nodes;
+        std::vector<WalkNodeId> near = s_.reached.nodes_touching(doorway.surroundings(), body_);
+        std::erase_if(near, [&](const WalkNodeId& node) {
+            return !doorway.is_within_reach(s_.reached.position(node));
+        });
+        std::ranges::sort(near, {}, [&](const WalkNodeId& node) {
+            return std::pair((s_.reached.position(node) - point).squaredNorm(), node);
+        });
+        return near;
     }
 
     /// Straight on from a node on one side until the leaf is behind the body: where a leaf has a sill or a
@@ -165,7 +158,7 @@ private:
                 return;
             }
         }
-        subject.reason = "nothing that is reached lies near it";
+        subject.reason = {.kind = ReasonKind::no_nearer};
     }
 
     const SubjectSearch& s_;

@@ -3,117 +3,34 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
-#include <string>
-#include <type_traits>
 #include <utility>
 
 #include "engine/walkspace/report/report_fields.h"
+#include "scene/base/field_archive.h"
 
 namespace campuswalk::engine {
 
 using collision::ObjectId;
-using collision::Vec3;
 using scene::ArchiveReader;
 using scene::ArchiveWriter;
 using scene::DamagedFile;
+using scene::FieldWriter;
 
 namespace {
 
-/// Reasons within reasons within islands.
-constexpr int kDeepest = 12;
-/// Nothing is farther from the origin, metres, nor are cells smaller: they are numbered by `int`.
-constexpr double kFarthest = 2e7;
+/// Cells are no smaller than this, metres, and no farther away, as they are numbered by `int`.
 constexpr double kSmallestCell = 0.01;
 constexpr int kFarthestCell = 2'000'000'000;
 
-template <typename Enum>
-constexpr std::uint32_t kEnd = 0;  ///< the number of enumerators
-template <>
-constexpr std::uint32_t kEnd<Gait> = 3;
-template <>
-constexpr std::uint32_t kEnd<Bound> = 4;
-template <>
-constexpr std::uint32_t kEnd<SubjectKind> = 7;
-template <>
-constexpr std::uint32_t kEnd<BarrierKind> = 10;
-
-class Writer {
+class ReportReader : public scene::FieldReader<ReportReader> {
 public:
-    explicit Writer(ArchiveWriter& out) : out_(out) {}
-
-    template <typename... Values>
-    void operator()(const Values&... values) {
-        (put(values), ...);
-    }
-
-private:
-    void put(bool value) { out_.put(std::uint32_t{value ? 1U : 0U}); }
-    template <scene::Plain Number>
-    void put(Number value) {
-        out_.put(value);
-    }
-    template <typename Enum>
-    requires std::is_enum_v<Enum>
-    void put(Enum value) { out_.put(static_cast<std::uint32_t>(value)); }
-    void put(const Vec3& p) { (*this)(p.x(), p.y(), p.z()); }
-    void put(const std::string& text) { out_.put_text(text); }
-    void put(const WalkNodeId& id) { (*this)(id.tile, id.node); }
-    void put(const std::vector<bool>& flags) {
-        put(std::uint64_t{flags.size()});
-        for (const bool flag : flags) {
-            put(flag);
-        }
-    }
-    template <typename Item>
-    void put(const std::vector<Item>& list) {
-        put(std::uint64_t{list.size()});
-        for (const Item& item : list) {
-            put(item);
-        }
-    }
-    template <typename Value>
-    void put(const std::optional<Value>& value) {
-        put(value.has_value());
-        if (value) {
-            put(*value);
-        }
-    }
-    template <typename Struct>
-    requires std::is_class_v<Struct>
-    void put(const Struct& value) { each_field(*this, value); }
-
-    ArchiveWriter& out_;
-};
-
-class Reader {
-public:
-    Reader(ArchiveReader& in, std::size_t objects) : in_(in), objects_(objects) {}
+    ReportReader(ArchiveReader& in, std::size_t objects) : FieldReader(in), objects_(objects) {}
 
     /// From now on, nodes must be of this space.
     void require_nodes_of(const WalkSpace& space) { space_ = &space; }
 
-    template <typename... Values>
-    void operator()(Values&... values) {
-        (take(values), ...);
-    }
-
-private:
-    void take(bool& value) { value = in_.take_flag(); }
-    template <scene::Plain Number>
-    void take(Number& value) {
-        value = in_.take<Number>();
-    }
-    template <typename Enum>
-    requires std::is_enum_v<Enum>
-    void take(Enum& value) { value = static_cast<Enum>(in_.take_below(kEnd<Enum>, "an enumerator")); }
-    void take(ObjectId& id) { id = static_cast<ObjectId>(in_.take_below(objects_, "an object")); }
-    void take(Vec3& p) {
-        (*this)(p.x(), p.y(), p.z());
-        if (!p.allFinite() || p.cwiseAbs().maxCoeff() > kFarthest) {
-            throw DamagedFile("a place in it is nowhere");
-        }
-    }
-    void take(std::string& text) { text = in_.take_text(); }
+    using FieldReader::take;
+    void take(ObjectId& id) { id = static_cast<ObjectId>(archive().take_below(objects_, "an object")); }
     void take(WalkNodeId& id) {
         (*this)(id.tile, id.node);
         if (space_ != nullptr &&
@@ -121,39 +38,10 @@ private:
             throw DamagedFile("a node in it is out of range");
         }
     }
-    void take(std::vector<bool>& flags) {
-        const std::size_t count = in_.take_count(1);
-        for (std::size_t i = 0; i < count; ++i) {
-            flags.push_back(in_.take_flag());
-        }
-    }
-    template <typename Item>
-    void take(std::vector<Item>& list) {
-        const std::size_t count = in_.take_count(1);
-        for (std::size_t i = 0; i < count; ++i) {
-            take(list.emplace_back());
-        }
-    }
-    template <typename Value>
-    void take(std::optional<Value>& value) {
-        if (in_.take_flag()) {
-            take(value.emplace());
-        }
-    }
-    template <typename Struct>
-    requires std::is_class_v<Struct>
-    void take(Struct& value) {
-        if (++depth_ > kDeepest) {
-            throw DamagedFile("it is nested too deeply");
-        }
-        each_field(*this, value);
-        --depth_;
-    }
 
-    ArchiveReader& in_;
+private:
     std::size_t objects_;
     const WalkSpace* space_ = nullptr;
-    int depth_ = 0;
 };
 
 void require(bool holds, const char* fault) {
@@ -164,7 +52,7 @@ void require(bool holds, const char* fault) {
 
 // ---- the walk space -----------------------------------------------------------------------------------
 
-void put_tile(ArchiveWriter& out, Writer& fields, const WalkTile& tile) {
+void put_tile(ArchiveWriter& out, FieldWriter& fields, const WalkTile& tile) {
     fields(tile.first_cell, std::uint64_t{tile.nodes.size()});
     out.put_all(std::span(tile.nodes));
     fields(tile.keyframes, tile.far_parents, tile.drops);
@@ -175,14 +63,14 @@ void take_nodes(ArchiveReader& in, WalkTile& tile) {
     const std::size_t count = in.take_count(sizeof(WalkNode));
     require(count <= WalkTile::kMaxNodes, "a tile in it has too many nodes");
     for (const WalkNode& node : in.take_all<WalkNode>(count)) {
-        require(
-            node.gait < kEnd<Gait> && node.steering <= Stride::kLetGo && node.parent_tile <= WalkNode::kStart,
-            "a node in it is of no known kind");
+        require(node.gait < end_of(Gait()) && node.steering <= Stride::kLetGo &&
+                    node.parent_tile <= WalkNode::kStart,
+                "a node in it is of no known kind");
         tile.add(node);
     }
 }
 
-void take_tile(ArchiveReader& in, Reader& fields, WalkSpace& space) {
+void take_tile(ArchiveReader& in, ReportReader& fields, WalkSpace& space) {
     GridCell first_cell;
     fields(first_cell);
     const std::size_t number = space.tiles.size();
@@ -246,7 +134,7 @@ void check_chains(const WalkSpace& space) {
     }
 }
 
-void put_space(ArchiveWriter& out, Writer& fields, const WalkSpace& space) {
+void put_space(ArchiveWriter& out, FieldWriter& fields, const WalkSpace& space) {
     fields(space.grid.cell, space.touched, space.bounds, space.ticks, space.strides,
            std::uint64_t{space.tiles.size()});
     for (const WalkTile& tile : space.tiles) {
@@ -255,7 +143,7 @@ void put_space(ArchiveWriter& out, Writer& fields, const WalkSpace& space) {
     fields(space.starts, space.start_of);
 }
 
-WalkSpace take_space(ArchiveReader& in, Reader& fields, std::size_t objects) {
+WalkSpace take_space(ArchiveReader& in, ReportReader& fields, std::size_t objects) {
     constexpr std::size_t kMinTileBytes = 40;
     WalkSpace space{WalkGrid{}};
     fields(space.grid.cell, space.touched, space.bounds, space.ticks, space.strides);
@@ -309,7 +197,7 @@ void check_report(const WalkReport& report) {
 
 std::vector<std::byte> archive_report(const WalkReport& report) {
     ArchiveWriter out(kReportFile);
-    Writer fields(out);
+    FieldWriter fields(out);
     put_space(out, fields, report.space);
     each_field(fields, report);
     return scene::concatenated(out.finish());
@@ -317,7 +205,7 @@ std::vector<std::byte> archive_report(const WalkReport& report) {
 
 WalkReport read_report_file(std::span<const std::byte> bytes, std::size_t objects) {
     ArchiveReader in(bytes, kReportFile);
-    Reader fields(in, objects);
+    ReportReader fields(in, objects);
     WalkReport report{take_space(in, fields, objects)};
     each_field(fields, report);
     in.finish();

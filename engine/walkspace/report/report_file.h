@@ -10,7 +10,7 @@
 namespace campuswalk::engine {
 
 /// Increment the version whenever a field is added, means something else or is found otherwise.
-inline constexpr scene::FileKind kReportFile = {{'c', 'w', ' ', 'r', 'e', 'a', 'c', 'h'}, 12};
+inline constexpr scene::FileKind kReportFile = {{'c', 'w', ' ', 'r', 'e', 'a', 'c', 'h'}, 13};
 
 /// A report with its walk space, to be kept (see scene/base/binary_archive.h). `WalkTile::rim`, which only
 /// the search for reasons needs, is left out.

@@ -13,9 +13,7 @@
 #include "collision/world/obstacle.h"
 #include "collision/world/overlap_span.h"
 #include "collision/world/placement.h"
-#include "engine/events/decimals.h"
 #include "engine/walkspace/barrier/place_check.h"
-#include "engine/walkspace/report/door_subjects.h"
 #include "engine/walkspace/space/reach_point.h"
 
 namespace campuswalk::engine {
@@ -34,6 +32,24 @@ constexpr std::size_t kMostExact = 64;
 /// Nodes, and points of an object, between which lines of sight are tried.
 constexpr std::size_t kMostEyes = 256;
 constexpr std::size_t kMostPoints = 24;
+
+/// The object's middle and some of its triangles' middles.
+std::vector<Vec3> points_of(const collision::World& world, ObjectId id) {
+    const collision::Object& object = world.object(id);
+    std::vector<Vec3> points{world.bounds(id).center()};
+    if (const auto* mesh = std::get_if<std::shared_ptr<const collision::MeshCollider>>(&object.shape)) {
+        const collision::TriangleMesh& shape = (*mesh)->mesh();
+        const std::size_t every = std::max<std::size_t>(1, shape.triangles.size() / kMostPoints);
+        for (std::size_t i = 0; i < shape.triangles.size(); i += every) {
+            Vec3 sum = Vec3::Zero();
+            for (const std::uint32_t vertex : shape.triangles[i]) {
+                sum += shape.positions[vertex].cast<double>();
+            }
+            points.push_back(object.X_world_shape * Vec3(sum / 3.0));
+        }
+    }
+    return points;
+}
 
 class Finder {
 public:
@@ -84,24 +100,26 @@ private:
     void explain_point(Subject& subject, double nearest) {
         const PlaceCheck place = check_place(s_.campus, strider_, subject.at);
         if (!place.ground) {
-            subject.reason = text_of(place.problem);
+            subject.reason = place.problem;
             return;
         }
         subject.island = island_at(place.ground->foot);
         if (!subject.island && s_.reached.is_cut_by(Bound::nodes)) {
-            subject.reason = "it isn't on the ground that was explored, and there is more";
+            subject.reason = {.kind = ReasonKind::unsearched};
         } else if (!subject.island) {
-            subject.reason = nearest > 1.0 ? "nothing that is reached lies near it"
-                                           : "one gets to " + fixed(nearest, 3) + " m from it, not nearer" +
-                                                 touching(subject.at);
+            subject.reason = {.kind = ReasonKind::no_nearer};
+            if (nearest <= 1.0) {
+                subject.reason->measured = nearest;
+                subject.reason->object = object_at(subject.at);
+            }
         }
     }
 
-    /// What a body at the place would overlap.
-    std::string touching(const Vec3& at) const {
+    /// What a body at the place would overlap; empty if nothing.
+    std::string object_at(const Vec3& at) const {
         const auto object = collision::obstruction(world_, s_.settings.solids, at + Vec3(0, 0.02, 0),
                                                    body_.radius, body_.height);
-        return object ? ": " + s_.campus.objects[index_of(*object)].id + " is there" : "";
+        return object ? s_.campus.objects[index_of(*object)].id : "";
     }
 
     std::optional<std::size_t> island_at(const Vec3& foot) const {
@@ -221,30 +239,12 @@ private:
                 }
             }
         }
-        subject.reason = "there is no place in it where the body could stand";
-    }
-
-    /// Its middle and some of its triangles' middles.
-    std::vector<Vec3> points_of(ObjectId id) const {
-        const collision::Object& object = world_.object(id);
-        std::vector<Vec3> points{world_.bounds(id).center()};
-        if (const auto* mesh = std::get_if<std::shared_ptr<const collision::MeshCollider>>(&object.shape)) {
-            const collision::TriangleMesh& shape = (*mesh)->mesh();
-            const std::size_t every = std::max<std::size_t>(1, shape.triangles.size() / kMostPoints);
-            for (std::size_t i = 0; i < shape.triangles.size(); i += every) {
-                Vec3 sum = Vec3::Zero();
-                for (const std::uint32_t vertex : shape.triangles[i]) {
-                    sum += shape.positions[vertex].cast<double>();
-                }
-                points.push_back(object.X_world_shape * Vec3(sum / 3.0));
-            }
-        }
-        return points;
+        subject.reason = {.kind = ReasonKind::no_room};
     }
 
     void find_ray(ObjectId id, Subject& subject) {
         const double reach = s_.avatar.look_distance;
-        const std::vector<Vec3> points = points_of(id);
+        const std::vector<Vec3> points = points_of(world_, id);
         const collision::QueryFilter filter{Detection::solid | Detection::ray,
                                             s_.settings.solids.ignored_layers, s_.settings.solids.disabled};
         const Aabb near = world_.bounds(id).grown(std::max(0.0, reach - body_.radius));
@@ -269,14 +269,14 @@ private:
                 }
             }
         }
-        subject.reason = eyes.empty() ? "no place within " + fixed(reach, 1) + " m of it is reached"
-                                      : "other objects hide it";
+        subject.reason = eyes.empty() ? Reason{.kind = ReasonKind::no_nearer, .allowed = reach}
+                                      : Reason{.kind = ReasonKind::contact};
     }
 
     void find_solid(ObjectId id, Subject& subject) {
         subject.reached = s_.reached.touched[index_of(id)] || carries_a_node(id);
         if (!subject.reached) {
-            subject.reason = "nobody gets near it";
+            subject.reason = {.kind = ReasonKind::no_nearer};
         }
     }
 

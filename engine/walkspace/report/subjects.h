@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/events/reason.h"
 #include "engine/script/avatar.h"
 #include "engine/walkspace/explore/explore.h"
 #include "engine/walkspace/explore/unreached_ground.h"
@@ -31,8 +32,11 @@ struct Subject {
     collision::Vec3 at = collision::Vec3::Zero();
     std::optional<WalkNodeId> node = {};     ///< reached: the node nearest to it
     std::optional<std::size_t> island = {};  ///< not reached: the unreached ground that it is on
-    std::string reason = {};                 ///< not reached, and no island: why
-    bool walked_through = false;             ///< of a door: one can stand where its leaf hangs
+    /// Not reached, and no island: why, without its place. ReasonKind::no_nearer with what is `measured` if
+    /// something that is reached lies near it, with `allowed` if it must be seen from no farther than that;
+    /// ReasonKind::contact if others hide it.
+    std::optional<Reason> reason = {};
+    bool walked_through = false;  ///< of a door: one can stand where its leaf hangs
 };
 
 /// What the subjects are looked for in.
@@ -55,6 +59,11 @@ struct SubjectSearch {
 ///                 one gets inside is another question
 ///   door          see find_doors
 std::vector<Subject> find_subjects(const SubjectSearch& search);
+
+/// The doors that the campus' models name (find_door_leaves), open ones too. Reached if one gets within half
+/// a metre of the leaf on any side, and no lower than a riser below it; walked through if the body gets so
+/// far into the leaf that it can't be solid.
+std::vector<Subject> find_doors(const SubjectSearch& search);
 
 const char* name_of(SubjectKind kind);
 

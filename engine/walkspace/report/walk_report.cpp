@@ -6,7 +6,7 @@
 #include "engine/script/avatar_body.h"
 #include "engine/walkspace/barrier/hollows.h"
 #include "engine/walkspace/barrier/island_barriers.h"
-#include "engine/walkspace/passage/trap_barriers.h"
+#include "engine/walkspace/passage/traps.h"
 #include "engine/walkspace/stride/removable_nodes.h"
 #include "engine/walkspace/stride/worker_threads.h"
 
@@ -77,13 +77,13 @@ bool is_wall(const collision::World& world, const scene::NodeTriangles& nodes, c
 bool may_be_shell(const collision::World& world, const scene::NodeTriangles& nodes, const Barrier& barrier,
                   const Island& island) {
     switch (barrier.kind) {
-        case BarrierKind::solid:
-        case BarrierKind::ledge:
+        case ReasonKind::solid:
+        case ReasonKind::ledge:
             return true;
-        case BarrierKind::object:
+        case ReasonKind::object:
             return barrier.is_node ? is_wall(world, nodes, barrier)
                                    : surrounds(world.bounds(*barrier.object), island);
-        case BarrierKind::sequence:
+        case ReasonKind::sequence:
             return std::ranges::any_of(
                 barrier.parts, [&](const Barrier& part) { return may_be_shell(world, nodes, part, island); });
         default:

@@ -129,7 +129,7 @@ std::optional<Barrier> barrier_before_target(const WorkerWorlds& worlds, const E
     const std::size_t count = 1 + std::min(others.size(), kMostBetween);
     const auto again =
         find_island_barriers(worlds, settings, reached, islands, count, &nodes, {true}).front();
-    const bool leads_there = again && (is_one_change(again->kind) || again->kind == BarrierKind::sequence);
+    const bool leads_there = again && (is_one_change(again->kind) || again->kind == ReasonKind::sequence);
     return leads_there ? again : barrier;
 }
 

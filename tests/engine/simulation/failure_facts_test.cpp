@@ -61,7 +61,7 @@ const Reason* measured_in(const Reason& reason) {
 void expect_facts(const BarrierCase& built, const Failure& failure) {
     ASSERT_TRUE(failure.reason) << failure.message;
     EXPECT_THAT(failure.message, HasSubstr(text_of(*failure.reason)));
-    if (built.kind == BarrierKind::object) {
+    if (built.kind == ReasonKind::object) {
         const std::string id = "object-" + std::to_string(index_of(*built.object));
         const bool named = failure.reason->object == id ||
                            (!failure.reason->parts.empty() && failure.reason->parts.front().object == id);
@@ -70,7 +70,7 @@ void expect_facts(const BarrierCase& built, const Failure& failure) {
     }
     const Reason* barrier = measured_in(*failure.reason);
     ASSERT_NE(barrier, nullptr) << failure.message;
-    const bool is_slope = built.kind == BarrierKind::slope;
+    const bool is_slope = built.kind == ReasonKind::slope;
     EXPECT_EQ(name_of(barrier->kind), name_of(built.kind));
     EXPECT_NEAR(*barrier->measured, is_slope ? degrees(built.measured) : built.measured,
                 is_slope ? 0.5 : 0.01);

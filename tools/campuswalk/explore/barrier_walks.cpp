@@ -14,7 +14,7 @@
 namespace campuswalk::tools::explore {
 
 using collision::Vec3;
-using engine::BarrierKind;
+using engine::ReasonKind;
 
 namespace {
 
@@ -30,25 +30,25 @@ bool mend(const scene::Campus& campus, const engine::Barrier& barrier, Mended& m
     constexpr double kSlopeSlack = 0.01;  // radians
     engine::AvatarProfile& avatar = mended.avatar;
     switch (barrier.kind) {
-        case BarrierKind::riser:
+        case ReasonKind::riser:
             avatar.step_height = std::max(avatar.step_height, barrier.measured + kSlack);
             return true;
-        case BarrierKind::slope:
+        case ReasonKind::slope:
             avatar.max_slope = std::max(avatar.max_slope, barrier.measured + kSlopeSlack);
             return true;
-        case BarrierKind::opening:
+        case ReasonKind::opening:
             avatar.radius = std::min(avatar.radius, 0.5 * (barrier.measured - kSlack));
             return true;
-        case BarrierKind::headroom:
+        case ReasonKind::headroom:
             avatar.height = std::min(avatar.height, barrier.measured - kSlack);
             return true;
-        case BarrierKind::object:
+        case ReasonKind::object:
             if (!barrier.object || barrier.is_node) {
                 return false;
             }
             mended.disabled.push_back(scene::glob_for(campus.objects[index_of(*barrier.object)].id));
             return true;
-        case BarrierKind::sequence:
+        case ReasonKind::sequence:
             return std::ranges::all_of(
                 barrier.parts, [&](const engine::Barrier& part) { return mend(campus, part, mended); });
         default:

@@ -97,7 +97,7 @@ void add_unreached(const scene::Campus& campus, const WalkReport& report,
             continue;
         }
         if (!subject.island) {
-            findings.push_back({FindingKind::unreached, named(subject), subject.reason, subject.at});
+            findings.push_back({FindingKind::unreached, named(subject), why_unreached(subject), subject.at});
             note_trigger(subject, findings.back());
             continue;
         }
@@ -260,7 +260,7 @@ std::string rise_text(const WalkReport& report, const IslandGroup& group) {
     for (const std::size_t i : group.islands) {
         const engine::Barrier& barrier = *report.islands[i].barrier;
         const double up = report.islands[i].island.nearest_to(barrier.from).y() - barrier.from.y();
-        if (barrier.kind != engine::BarrierKind::riser || up < barrier.measured + kMore) {
+        if (barrier.kind != engine::ReasonKind::riser || up < barrier.measured + kMore) {
             return "";
         }
         low = std::min(low, up);
@@ -304,6 +304,20 @@ void add_hot_spots(const scene::Campus& campus, const WalkReport& report, std::v
     }
 }
 
+/// Why nothing that is reached is near enough to the subject.
+std::string why_no_nearer(const engine::Subject& subject) {
+    const engine::Reason& reason = *subject.reason;
+    if (reason.measured) {
+        return "one gets to " + fixed(*reason.measured, 3) + " m from it, not nearer" +
+               (reason.object.empty() ? "" : ": " + reason.object + " is there");
+    }
+    if (reason.allowed) {
+        return "no place within " + fixed(*reason.allowed, 1) + " m of it is reached";
+    }
+    return subject.kind == SubjectKind::solid ? "nobody gets near it"
+                                              : "nothing that is reached lies near it";
+}
+
 }  // namespace
 
 std::vector<Finding> find_findings(const scene::Campus& campus, const WalkReport& report) {
@@ -319,6 +333,21 @@ std::vector<Finding> find_findings(const scene::Campus& campus, const WalkReport
     add_islands(campus, report, findings);
     add_hot_spots(campus, report, findings);
     return findings;
+}
+
+std::string why_unreached(const engine::Subject& subject) {
+    switch (subject.reason->kind) {
+        case engine::ReasonKind::unsearched:
+            return "it isn't on the ground that was explored, and there is more";
+        case engine::ReasonKind::no_room:
+            return "there is no place in it where the body could stand";
+        case engine::ReasonKind::contact:
+            return "other objects hide it";
+        case engine::ReasonKind::no_nearer:
+            return why_no_nearer(subject);
+        default:
+            return text_of(*subject.reason);
+    }
 }
 
 const char* name_of(FindingKind kind) {

@@ -31,6 +31,9 @@ struct Finding {
 /// left out: see IslandGroup.
 std::vector<Finding> find_findings(const scene::Campus& campus, const engine::WalkReport& report);
 
+/// Why a subject isn't reached that has a reason, such as "other objects hide it".
+std::string why_unreached(const engine::Subject& subject);
+
 /// What it is called in files and in `--fail-on`: "unreached", "traps", "stuck", "holes", "narrow",
 /// "triggers", "popups", "islands", "hot".
 const char* name_of(FindingKind kind);

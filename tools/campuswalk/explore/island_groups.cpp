@@ -29,21 +29,21 @@ std::string family_of(const std::string& name) {
 }
 
 /// A barrier's kind, its number, and what it is, if that matters.
-using BarrierKey = std::tuple<engine::BarrierKind, long, std::string>;
+using BarrierKey = std::tuple<engine::ReasonKind, long, std::string>;
 /// What islands of one group have in common.
 using GroupKey = std::pair<std::string, std::vector<BarrierKey>>;
 
 BarrierKey key_of(const scene::Campus& campus, const engine::Barrier& barrier) {
-    const bool is_about_object = barrier.object && barrier.kind != engine::BarrierKind::riser &&
-                                 barrier.kind != engine::BarrierKind::slope &&
-                                 barrier.kind != engine::BarrierKind::several;
+    const bool is_about_object = barrier.object && barrier.kind != engine::ReasonKind::riser &&
+                                 barrier.kind != engine::ReasonKind::slope &&
+                                 barrier.kind != engine::ReasonKind::several;
     return {barrier.kind, std::lround(barrier.measured / kSameNumber),
             is_about_object ? family_of(engine::object_text(campus, *barrier.object, barrier.at)) : ""};
 }
 
 GroupKey key_of(const scene::Campus& campus, const engine::Barrier& barrier, const std::string& on) {
     GroupKey key{family_of(on), {}};
-    if (barrier.kind != engine::BarrierKind::sequence) {
+    if (barrier.kind != engine::ReasonKind::sequence) {
         key.second.push_back(key_of(campus, barrier));
         return key;
     }
@@ -66,8 +66,8 @@ bool is_top(const engine::IslandReport& island) {
         return true;
     }
     const engine::Barrier& barrier = *island.barrier;
-    const bool is_sequence = barrier.kind == engine::BarrierKind::sequence;
-    return (is_sequence ? barrier.parts.back() : barrier).kind == engine::BarrierKind::ledge;
+    const bool is_sequence = barrier.kind == engine::ReasonKind::sequence;
+    return (is_sequence ? barrier.parts.back() : barrier).kind == engine::ReasonKind::ledge;
 }
 
 std::vector<IslandGroup> group_islands(const scene::Campus& campus, const engine::WalkReport& report,

@@ -88,7 +88,7 @@ private:
 
     std::optional<std::string> of_barrier(const Finding& finding, const engine::Barrier& barrier,
                                           const engine::Island& beyond, const DraftPlayer& player) {
-        if (barrier.kind == engine::BarrierKind::solid) {
+        if (barrier.kind == engine::ReasonKind::solid) {
             return std::nullopt;
         }
         const auto walk = finding.kind == FindingKind::unreached ? walk_to_goal : walk_at_barrier;

@@ -8,6 +8,7 @@
 #include "scene/campus/node_at.h"
 #include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/explore/building_popups.h"
+#include "tools/campuswalk/explore/findings.h"
 #include "tools/campuswalk/explore/island_groups.h"
 #include "tools/campuswalk/explore/start_names.h"
 
@@ -26,14 +27,8 @@ Json json_of(const collision::Vec3& p) {
     return {rounded(p.x()), rounded(p.y()), rounded(p.z())};
 }
 
-/// Of one barrier, not of several.
-bool has_measure(engine::BarrierKind kind) {
-    return kind != engine::BarrierKind::object && kind != engine::BarrierKind::several &&
-           kind != engine::BarrierKind::sequence && kind != engine::BarrierKind::solid;
-}
-
 Json json_of(const scene::Campus& campus, const engine::Barrier& barrier) {
-    const bool is_slope = barrier.kind == engine::BarrierKind::slope;
+    const bool is_slope = barrier.kind == engine::ReasonKind::slope;
     const auto number = [&](double value) { return rounded(is_slope ? engine::degrees(value) : value); };
     Json json = {{"kind", engine::name_of(barrier.kind)}};
     if (has_measure(barrier.kind)) {
@@ -91,8 +86,8 @@ Json subjects_json(const scene::Campus& campus, const WalkReport& report) {
         if (subject.island) {
             one["island"] = *subject.island;
         }
-        if (!subject.reason.empty()) {
-            one["reason"] = subject.reason;
+        if (subject.reason) {
+            one["reason"] = why_unreached(subject);
         }
         json.push_back(std::move(one));
     }

@@ -60,7 +60,7 @@ public:
     }
     Vec3 at(double x, double y) const { return X_ * Vec3(x, y, 0); }
 
-    BarrierCase finished(std::string name, BarrierKind kind, double measured, double goal_height) {
+    BarrierCase finished(std::string name, ReasonKind kind, double measured, double goal_height) {
         return {
             std::move(name), std::move(world_), at(-2.5, 0.0), at(3.0, goal_height), kind, measured, {}, {}};
     }
@@ -75,7 +75,7 @@ BarrierCase riser(support::Dice& dice, double height) {
     const ObjectId platform = corridor.box({0, -0.1, -kHalfWidth}, {kHalfLength, height, kHalfWidth});
     BarrierCase built =
         corridor.finished(height > kHighestRiser ? "ledge" : "riser",
-                          height > kHighestRiser ? BarrierKind::ledge : BarrierKind::riser, height, height);
+                          height > kHighestRiser ? ReasonKind::ledge : ReasonKind::riser, height, height);
     built.object = platform;
     return built;
 }
@@ -83,7 +83,7 @@ BarrierCase riser(support::Dice& dice, double height) {
 BarrierCase slope(support::Dice& dice, double angle) {
     Corridor corridor(dice);
     const ObjectId ramp = corridor.ramp(angle, 1.2);
-    BarrierCase built = corridor.finished("slope", BarrierKind::slope, angle, 1.2);
+    BarrierCase built = corridor.finished("slope", ReasonKind::slope, angle, 1.2);
     built.object = ramp;
     return built;
 }
@@ -94,7 +94,7 @@ BarrierCase opening(support::Dice& dice, double width) {
     const double z = dice.between(-0.8, 0.8);
     corridor.box({-0.1, -0.1, -kHalfWidth - 0.1}, {0.1, kHigh, z - 0.5 * width});
     corridor.box({-0.1, -0.1, z + 0.5 * width}, {0.1, kHigh, kHalfWidth + 0.1});
-    return corridor.finished("opening", BarrierKind::opening, width, 0.0);
+    return corridor.finished("opening", ReasonKind::opening, width, 0.0);
 }
 
 BarrierCase headroom(support::Dice& dice, double height) {
@@ -102,7 +102,7 @@ BarrierCase headroom(support::Dice& dice, double height) {
     const double depth = dice.between(0.1, 1.5);
     const ObjectId lintel =
         corridor.box({-depth, height, -kHalfWidth - 0.1}, {depth, kHigh + 3, kHalfWidth + 0.1});
-    BarrierCase built = corridor.finished("headroom", BarrierKind::headroom, height, 0.0);
+    BarrierCase built = corridor.finished("headroom", ReasonKind::headroom, height, 0.0);
     built.object = lintel;
     return built;
 }
@@ -113,7 +113,7 @@ BarrierCase gate(support::Dice& dice, double beside) {
     corridor.box({-0.1, -0.1, -kHalfWidth - 0.1}, {0.1, kHigh, -0.6});
     corridor.box({-0.1, -0.1, 0.6}, {0.1, kHigh, kHalfWidth + 0.1});
     const ObjectId leaf = corridor.box({-0.03, 0.0, -0.6}, {0.03, 2.2, 0.6 - beside});
-    BarrierCase built = corridor.finished("gate", BarrierKind::object, 0.0, 0.0);
+    BarrierCase built = corridor.finished("gate", ReasonKind::object, 0.0, 0.0);
     built.object = leaf;
     if (beside > 0.0) {
         built.opening = beside;

@@ -17,7 +17,7 @@ struct BarrierCase {
     std::unique_ptr<collision::World> world;
     collision::Vec3 start = collision::Vec3::Zero();  ///< feet
     collision::Vec3 goal = collision::Vec3::Zero();   ///< feet, beyond
-    BarrierKind kind = BarrierKind::riser;
+    ReasonKind kind = ReasonKind::riser;
     double measured = 0.0;                      ///< metres, or radians of a slope
     std::optional<collision::ObjectId> object;  ///< that must be named
     std::optional<double> opening;              ///< beside an object: what must be measured as well

@@ -61,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(IslandBarriers, ThickWall, testing::Values(0.2, 1.0, 1.
 TEST_P(ThickWall, TheGapInItIsMeasured) {
     scene::Campus campus = yard_behind(GetParam(), 0.55, 4.0);
     const Barrier barrier = explored_barrier(campus, behind());
-    EXPECT_EQ(barrier.kind, BarrierKind::opening);
+    EXPECT_EQ(barrier.kind, ReasonKind::opening);
     EXPECT_NEAR(barrier.measured, 0.55, 0.01);
     EXPECT_THAT(reason_to_go(campus, behind()), testing::HasSubstr("is 0.55 m wide, the body needs 0.60 m"));
 }
@@ -69,7 +69,7 @@ TEST_P(ThickWall, TheGapInItIsMeasured) {
 TEST_P(ThickWall, TheHeadroomInItIsMeasured) {
     scene::Campus campus = yard_behind(GetParam(), 1.2, 1.62);
     const Barrier barrier = explored_barrier(campus, behind());
-    EXPECT_EQ(barrier.kind, BarrierKind::headroom);
+    EXPECT_EQ(barrier.kind, ReasonKind::headroom);
     EXPECT_NEAR(barrier.measured, 1.62, 0.01);
     EXPECT_THAT(reason_to_go(campus, behind()), testing::HasSubstr("headroom of 1.62 m under lintel"));
 }
@@ -91,7 +91,7 @@ TEST_P(SteepRamp, ItsSlopeIsMeasuredThoughItsTopIsHigherThanAnyLedgeThatIsClimbe
     scene::Campus campus = block_with_ramp(GetParam(), 52.0);
     const Vec3 top(0.0, GetParam(), -GetParam() / std::tan(52.0 * std::numbers::pi / 180.0) - 3.0);
     const Barrier barrier = explored_barrier(campus, top);
-    EXPECT_EQ(barrier.kind, BarrierKind::slope);
+    EXPECT_EQ(barrier.kind, ReasonKind::slope);
     EXPECT_NEAR(barrier.measured * 180.0 / std::numbers::pi, 52.0, 0.1);
     EXPECT_THAT(reason_to_go(campus, top), testing::HasSubstr("slope of 52.0 degrees at ramp"));
 }
@@ -102,7 +102,7 @@ TEST(IslandBarriers, GroundThatLiesApartIsBehindAGap) {
         scene::Campus campus = level_campus(20.0);
         add_box(campus, "platform", {-5, -1, -40}, {5, height, -24});
         const Barrier barrier = explored_barrier(campus, {0, height, -30});
-        ASSERT_EQ(barrier.kind, BarrierKind::gap) << height;
+        ASSERT_EQ(barrier.kind, ReasonKind::gap) << height;
         EXPECT_NEAR(barrier.measured, 4.0, 0.6) << "from cell to cell";
     }
 }
@@ -112,7 +112,7 @@ TEST(IslandBarriers, AMissingStripOfTheFloorIsAGap) {
         scene::Campus campus = level_campus(20.0);
         add_box(campus, "floor", {-5, -1, -40}, {5, 0, -20.0 - apart});
         const Barrier barrier = explored_barrier(campus, {0, 0, -30});
-        ASSERT_EQ(barrier.kind, BarrierKind::gap) << apart;
+        ASSERT_EQ(barrier.kind, ReasonKind::gap) << apart;
         EXPECT_NEAR(barrier.measured, apart, 0.3) << "from cell to cell";
     }
 }
@@ -121,11 +121,11 @@ TEST(IslandBarriers, AMissingStripOfTheFloorIsAGap) {
 TEST(IslandBarriers, AWallOrAnotherLevelIsNoGap) {
     scene::Campus campus = level_campus(20.0);
     add_box(campus, "roof", {-5, 4, -40}, {5, 5, -24});
-    EXPECT_NE(explored_barrier(campus, {0, 5, -30}).kind, BarrierKind::gap);
+    EXPECT_NE(explored_barrier(campus, {0, 5, -30}).kind, ReasonKind::gap);
     scene::Campus walled = level_campus(20.0);
     add_box(walled, "platform", {-5, -1, -40}, {5, 0, -24});
     add_box(walled, "wall", {-20, 0, -22}, {20, 4, -21.8});
-    EXPECT_NE(explored_barrier(walled, {0, 0, -30}).kind, BarrierKind::gap);
+    EXPECT_NE(explored_barrier(walled, {0, 0, -30}).kind, ReasonKind::gap);
 }
 
 /// The way straight to the place leads over the block's front; the stairs are behind it.

@@ -51,11 +51,11 @@ Vec3 on_last_of(const std::vector<double>& risers) {
 
 /// Of a sequence of risers, each of which begins where the one before ends.
 std::vector<double> heights_of_parts(const Barrier& barrier) {
-    EXPECT_EQ(barrier.kind, BarrierKind::sequence);
+    EXPECT_EQ(barrier.kind, ReasonKind::sequence);
     std::vector<double> heights;
     double height = 0.0;
     for (const Barrier& part : barrier.parts) {
-        EXPECT_EQ(part.kind, BarrierKind::riser);
+        EXPECT_EQ(part.kind, ReasonKind::riser);
         EXPECT_NEAR(part.at.y(), height + part.measured, 0.5 * part.measured);
         height += part.measured;
         heights.push_back(std::round(part.measured * 100.0) / 100.0);
@@ -97,10 +97,10 @@ TEST(IslandSequences, DoorsOneBehindTheOther) {
     scene::Campus campus = closed_rooms();
     const Vec3 place(-14.0, 0.0, 0.0);
     const Barrier barrier = explored_barrier(campus, place);
-    ASSERT_EQ(barrier.kind, BarrierKind::sequence);
+    ASSERT_EQ(barrier.kind, ReasonKind::sequence);
     std::vector<std::string> doors;
     for (const Barrier& part : barrier.parts) {
-        EXPECT_EQ(part.kind, BarrierKind::object);
+        EXPECT_EQ(part.kind, ReasonKind::object);
         doors.push_back(campus.objects[index_of(*part.object)].id);
     }
     EXPECT_THAT(doors, ElementsAre("door-1", "door-2", "door-3", "door-4"));
@@ -112,11 +112,11 @@ TEST(IslandSequences, ALedgeMayBeTheLast) {
     scene::Campus campus = terraces(risers);
     const Vec3 place = on_last_of(risers);
     const Barrier barrier = explored_barrier(campus, place);
-    ASSERT_EQ(barrier.kind, BarrierKind::sequence);
+    ASSERT_EQ(barrier.kind, ReasonKind::sequence);
     ASSERT_EQ(barrier.parts.size(), 2);
-    EXPECT_EQ(barrier.parts[0].kind, BarrierKind::riser);
+    EXPECT_EQ(barrier.parts[0].kind, ReasonKind::riser);
     EXPECT_NEAR(barrier.parts[0].measured, 0.45, 0.01);
-    EXPECT_EQ(barrier.parts[1].kind, BarrierKind::ledge);
+    EXPECT_EQ(barrier.parts[1].kind, ReasonKind::ledge);
     EXPECT_NEAR(barrier.parts[1].measured, 0.9, 0.01);
     EXPECT_THAT(reason_to_go(campus, place), HasSubstr("; then ledge of 0.90 m at terrace-2"));
 }
@@ -133,7 +133,7 @@ TEST(IslandSequences, ThreeInARow) {
 TEST(IslandSequences, TheFirstTerraceHasItsRiserOnly) {
     const scene::Campus campus = terraces({0.45, 0.5});
     const Barrier barrier = barrier_of_ground(campus, {0, 0.45, -6});
-    EXPECT_EQ(barrier.kind, BarrierKind::riser);
+    EXPECT_EQ(barrier.kind, ReasonKind::riser);
     EXPECT_NEAR(barrier.measured, 0.45, 0.01);
 }
 
@@ -171,11 +171,11 @@ TEST(IslandSequences, ASteepRampAndThenANarrowOpening) {
     scene::Campus campus = ramp_and_gap();
     const Vec3 place(0, 1.5, -11);
     for (const Barrier& barrier : {barrier_of_ground(campus, place), explored_barrier(campus, place)}) {
-        ASSERT_EQ(barrier.kind, BarrierKind::sequence);
+        ASSERT_EQ(barrier.kind, ReasonKind::sequence);
         ASSERT_EQ(barrier.parts.size(), 2U);
-        EXPECT_EQ(barrier.parts[0].kind, BarrierKind::slope);
+        EXPECT_EQ(barrier.parts[0].kind, ReasonKind::slope);
         EXPECT_NEAR(barrier.parts[0].measured * kDegreesInRadian, 52.0, 0.5);
-        EXPECT_EQ(barrier.parts[1].kind, BarrierKind::opening);
+        EXPECT_EQ(barrier.parts[1].kind, ReasonKind::opening);
         EXPECT_NEAR(barrier.parts[1].measured, 0.55, 0.01);
         EXPECT_EQ(barrier.at, barrier.parts[0].at);
     }
@@ -208,7 +208,7 @@ TEST(IslandSequences, WhereOneGetsAsOneIsNothingIsAdded) {
     scene::Campus campus = yard_in_one_mesh(true);
     const Vec3 place(0, 0, -15);
     for (const Barrier& barrier : {barrier_of_ground(campus, place), explored_barrier(campus, place)}) {
-        EXPECT_EQ(barrier.kind, BarrierKind::riser);
+        EXPECT_EQ(barrier.kind, ReasonKind::riser);
         EXPECT_NEAR(barrier.measured, 0.45, 0.01);
         EXPECT_NEAR(barrier.at.z(), -4.0, 0.1);
     }
@@ -217,15 +217,15 @@ TEST(IslandSequences, WhereOneGetsAsOneIsNothingIsAdded) {
 /// A terrace inside doesn't make it less closed.
 TEST(IslandSequences, WhatIsInAClosedRoomStaysClosedOff) {
     const scene::Campus campus = yard_in_one_mesh(false);
-    EXPECT_EQ(barrier_of_ground(campus, {0, 0, -8}).kind, BarrierKind::solid);
-    EXPECT_EQ(barrier_of_ground(campus, {0, 0.45, -16}).kind, BarrierKind::solid);
+    EXPECT_EQ(barrier_of_ground(campus, {0, 0, -8}).kind, ReasonKind::solid);
+    EXPECT_EQ(barrier_of_ground(campus, {0, 0.45, -16}).kind, ReasonKind::solid);
 }
 
 /// Higher than anybody climbs from the terrace beside it.
 TEST(IslandSequences, ARoofBesideATerraceStaysARoof) {
     scene::Campus campus = terraces({0.45});
     add_box(campus, "house", {-4, 0, -16}, {4, 4.0, -8});
-    EXPECT_NE(barrier_of_ground(campus, {0, 4.0, -12}).kind, BarrierKind::sequence);
+    EXPECT_NE(barrier_of_ground(campus, {0, 4.0, -12}).kind, ReasonKind::sequence);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ std::optional<Barrier> barrier_of(const BarrierCase& built) {
     return barrier_in(why_not(worlds, settings, query));
 }
 
-const Barrier* part_of(const Barrier& barrier, BarrierKind kind) {
+const Barrier* part_of(const Barrier& barrier, ReasonKind kind) {
     for (const Barrier& part : barrier.parts) {
         if (part.kind == kind) {
             return &part;
@@ -63,23 +63,23 @@ TEST(WhyNot, NamesAndMeasuresEachOf200BuiltBarriers) {
                      std::to_string(built.measured));
         const auto barrier = barrier_of(built);
         ASSERT_TRUE(barrier);
-        const bool gate_with_opening = built.opening && barrier->kind == BarrierKind::opening;
+        const bool gate_with_opening = built.opening && barrier->kind == ReasonKind::opening;
         if (!gate_with_opening) {
             EXPECT_EQ(barrier->kind, built.kind);
         }
-        if (built.kind == BarrierKind::slope) {
+        if (built.kind == ReasonKind::slope) {
             EXPECT_NEAR(barrier->measured, built.measured, 0.5 * kDegree);
-        } else if (built.kind != BarrierKind::object) {
+        } else if (built.kind != ReasonKind::object) {
             EXPECT_NEAR(barrier->measured, built.measured, 0.01);
         }
         if (built.object && !gate_with_opening) {
             EXPECT_EQ(barrier->object, built.object);
         }
         if (built.opening) {
-            const Barrier* opening = gate_with_opening ? &*barrier : part_of(*barrier, BarrierKind::opening);
+            const Barrier* opening = gate_with_opening ? &*barrier : part_of(*barrier, ReasonKind::opening);
             ASSERT_NE(opening, nullptr);
             EXPECT_NEAR(opening->measured, *built.opening, 0.01);
-            const Barrier* object = gate_with_opening ? part_of(*barrier, BarrierKind::object) : &*barrier;
+            const Barrier* object = gate_with_opening ? part_of(*barrier, ReasonKind::object) : &*barrier;
             ASSERT_NE(object, nullptr);
             EXPECT_EQ(object->object, built.object);
         }
@@ -104,7 +104,7 @@ TEST(WhyNot, NamesThePanelOnThePath) {
     pen.start = Vec3(-4, 0, 0);
     const auto barrier = barrier_of(pen);
     ASSERT_TRUE(barrier);
-    EXPECT_EQ(barrier->kind, BarrierKind::object);
+    EXPECT_EQ(barrier->kind, ReasonKind::object);
     EXPECT_EQ(barrier->object, front);
     EXPECT_NEAR(barrier->at.x(), -1.05, 0.01);
 }

@@ -87,7 +87,7 @@ TEST_F(Findings, UnreachedGroundIsAnIslandOfItsSize) {
     EXPECT_NEAR(found[0].bounds.max.y(), 0.5, 1e-3);
     const auto barrier = find_island_barriers(*worlds_, settings_, *space_, found, 1)[0];
     ASSERT_TRUE(barrier);
-    EXPECT_EQ(barrier->kind, BarrierKind::riser);
+    EXPECT_EQ(barrier->kind, ReasonKind::riser);
     EXPECT_NEAR(barrier->measured, 0.5, 0.002);
     EXPECT_EQ(campus.objects[index_of(barrier->object.value())].id, "stage");
 }
@@ -141,8 +141,8 @@ TEST_F(Findings, TheRiserOfStairsWithNarrowTreadsIsNamed) {
         return find_island_barriers(*worlds_, settings_, *space_, found, 1, nullptr, with_stairs)[0];
     };
     ASSERT_TRUE(barrier({}) && barrier({true}));
-    EXPECT_EQ(barrier({})->kind, BarrierKind::ledge) << "the test is about stairs that begin farther away";
-    EXPECT_EQ(barrier({true})->kind, BarrierKind::riser);
+    EXPECT_EQ(barrier({})->kind, ReasonKind::ledge) << "the test is about stairs that begin farther away";
+    EXPECT_EQ(barrier({true})->kind, ReasonKind::riser);
     EXPECT_NEAR(barrier({true})->measured, 0.17, 0.002);
 }
 
@@ -261,7 +261,7 @@ TEST_F(Findings, ATrapSaysWhichRiserKeepsOneIn) {
     const scene::Campus campus = yard_with_pit(0.75, 0.25);
     const auto out = barrier_of_pit(campus);
     ASSERT_TRUE(out);
-    EXPECT_EQ(out->kind, BarrierKind::riser);
+    EXPECT_EQ(out->kind, ReasonKind::riser);
     EXPECT_NEAR(out->measured, 0.5, 0.002) << "from the bench, and not from the floor";
     ASSERT_TRUE(out->object);
     EXPECT_TRUE(campus.objects[index_of(*out->object)].id.starts_with("pit/"));
@@ -272,7 +272,7 @@ TEST_F(Findings, ATrapSaysHowHighItsLedgeIs) {
     for (const double height : {1.25, 3.25}) {
         const auto out = barrier_of_pit(yard_with_pit(height, 0.0));
         ASSERT_TRUE(out);
-        EXPECT_EQ(out->kind, BarrierKind::ledge);
+        EXPECT_EQ(out->kind, ReasonKind::ledge);
         EXPECT_NEAR(out->measured, height, 0.05);
     }
 }
@@ -281,7 +281,7 @@ TEST_F(Findings, ATrapSaysWhichObjectKeepsOneIn) {
     const scene::Campus campus = yard_with_pit(1.5, 0.0, true);
     const auto out = barrier_of_pit(campus);
     ASSERT_TRUE(out && out->object);
-    EXPECT_EQ(out->kind, BarrierKind::object);
+    EXPECT_EQ(out->kind, ReasonKind::object);
     EXPECT_EQ(campus.objects[index_of(*out->object)].id, "pit/gate");
 }
 
