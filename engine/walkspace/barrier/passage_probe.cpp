@@ -52,24 +52,11 @@ std::optional<FoundPath> PassageProbe::find_path_as_it_is() {
     return path;
 }
 
-std::optional<FoundPath> PassageProbe::find_path(const MoverSettings& body) {
-    return find_path(body, query_.from);
-}
-
-std::optional<FoundPath> PassageProbe::find_path(const MoverSettings& body,
-                                                 std::span<const GroundState> from) {
-    return find_path_in(worlds_, body, from);
-}
-
 std::optional<FoundPath> PassageProbe::find_path_without(ObjectId object) {
     disabled_[index_of(object)] = true;
     auto path = find_path(body());
     disabled_[index_of(object)] = false;
     return path;
-}
-
-std::optional<FoundPath> PassageProbe::find_path_in(const collision::World& changed) {
-    return find_path_in(WorkerWorlds(changed, 1, {}), body(), query_.from);
 }
 
 std::optional<FoundPath> PassageProbe::find_path_in(const WorkerWorlds& worlds, const MoverSettings& body,

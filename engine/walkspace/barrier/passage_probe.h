@@ -32,11 +32,17 @@ public:
     bool is_exhausted() const;
 
     std::optional<FoundPath> find_path_as_it_is();
-    std::optional<FoundPath> find_path(const collision::MoverSettings& body);
+    std::optional<FoundPath> find_path(const collision::MoverSettings& body) {
+        return find_path(body, query_.from);
+    }
     std::optional<FoundPath> find_path(const collision::MoverSettings& body,
-                                       std::span<const GroundState> from);
+                                       std::span<const GroundState> from) {
+        return find_path_in(worlds_, body, from);
+    }
     std::optional<FoundPath> find_path_without(collision::ObjectId object);
-    std::optional<FoundPath> find_path_in(const collision::World& changed);
+    std::optional<FoundPath> find_path_in(const collision::World& changed) {
+        return find_path_in(WorkerWorlds(changed, 1, {}), body(), query_.from);
+    }
 
     /// Sends the body along the way of the changed one: what it is stopped by is the barrier.
     void locate(const FoundPath& path, Barrier& barrier) const;

@@ -5,7 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "engine/walkspace/barrier/abilities.h"
 #include "engine/walkspace/barrier/ability_meter.h"
 #include "engine/walkspace/barrier/obstacle_remover.h"
 #include "engine/walkspace/barrier/passage_probe.h"
