@@ -20,9 +20,9 @@ struct Ability {
 
 /// Step, slope, width and height, without those that can't be better.
 std::vector<Ability> abilities_of(const collision::MoverSettings& body);
-/// Only steps up to kHighestRiser, and slopes.
+/// These are steps up to kHighestRiser, and slopes.
 std::vector<Ability> climbs_of(const collision::MoverSettings& body);
-/// Only width and height.
+/// These are width and height.
 std::vector<Ability> sizes_of(const collision::MoverSettings& body);
 bool is_about_size(const Ability& ability);
 
@@ -35,11 +35,11 @@ public:
     /// `probe` must outlive it.
     explicit AbilityMeter(PassageProbe& probe) : probe_(probe) {}
 
-    /// One ability alone. None if that doesn't help.
+    /// Measures one ability alone. None if that doesn't help.
     std::optional<Barrier> measure(const Ability& ability);
-    /// Each by itself, unless they don't even help together: those that help.
+    /// Measures each by itself, unless they don't even help together. Returns those that help.
     std::vector<Barrier> measure_each(const std::vector<Ability>& abilities);
-    /// All at once. None if that doesn't help.
+    /// Measures how much all of them take at once. None if that doesn't help.
     std::optional<Barrier> measure_together(const std::vector<Ability>& abilities);
 
 private:

@@ -98,9 +98,9 @@ Change ObstacleRemover::without(ObjectId id, const FoundPath& path) const {
     return change;
 }
 
-/// From where the body was put down to the middle of what is beyond, straight on from where one gets there,
-/// metres: without a part of a wall near the door, the way as far as the wall may be shorter, but hardly the
-/// one into the room.
+/// The way leads from where the body was put down to the middle of what is beyond, straight on from where it
+/// gets there, metres: without a part of a wall near the door, the way as far as the wall may be shorter, but
+/// hardly the one into the room.
 double ObstacleRemover::whole_length(const FoundPath& path) const {
     const PassageQuery& query = probe_.query();
     double length = path.length;

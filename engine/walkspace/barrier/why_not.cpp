@@ -22,7 +22,7 @@ Barrier closed_off(const PassageQuery& query) {
     return barrier;
 }
 
-/// Those of the body alone.
+/// Only the body changes.
 std::vector<Change> changes_of_body(PassageProbe& probe, bool only_climbs) {
     AbilityMeter meter(probe);
     std::vector<Barrier> helping = meter.measure_each(climbs_of(probe.body()));
@@ -36,12 +36,12 @@ std::vector<Change> changes_of_body(PassageProbe& probe, bool only_climbs) {
     return changes;
 }
 
-/// `touched`: by the body as it is.
+/// `touched` is what the body as it is touched.
 std::vector<Change> single_changes(PassageProbe& probe, ObstacleRemover& remover,
                                    std::vector<collision::ObjectId> touched) {
     AbilityMeter meter(probe);
     std::vector<Change> found;
-    // As slim and as low as can be: where there is another way and that doesn't get there, neither is tried
+    // Where there is another way and a body as slim and as low as can be doesn't get there, neither is tried
     // by itself. It might be enough, as a slim body falls into gaps that others walk over.
     std::optional<bool> fits_nowhere;
     for (const Ability& ability : abilities_of(probe.body())) {

@@ -73,7 +73,8 @@ using WhyNot = std::variant<Barrier, Passable, Unexplained>;
 /// degree.
 WhyNot why_not(const WorkerWorlds& worlds, const ExploreSettings& settings, const PassageQuery& query);
 
-/// For what is said of a passage: nothing, whether the body gets there after all or nothing was found out.
+/// None both if the body gets there after all and if nothing was found out: there is nothing to say of
+/// either.
 std::optional<Barrier> barrier_in(WhyNot answer);
 
 /// A ledge higher than this is climbed by no one, metres.

@@ -23,8 +23,8 @@ struct ExploreSettings {
     std::vector<GroundState> more_starts = {};  ///< bodies that stand already
     bool run = false;                           ///< may also run: off edges it gets farther
     bool jump = false;                          ///< may also jump, forward at the speed of its run
-    /// If none, one whose cells are no wider than the body: two pockets of free space in a cell may be taken
-    /// for one.
+    /// Without one, cells are no wider than the body: two pockets of free space in a cell may be taken for
+    /// one.
     std::optional<WalkGrid> grid = {};
     /// Nothing is explored beyond this box; all of the world if it is empty.
     collision::Aabb within = {};
@@ -58,7 +58,7 @@ struct UntilCell {
 
 /// The exploration takes the nodes in the order in which walking straight on from them would get to the
 /// point, so that hardly more than what lies on the way is explored. Ways that fall count as longer than they
-/// are. With one worker only. WalkNode::returns is then only set where that is obvious.
+/// are. There must be only one worker. WalkNode::returns is then only set where that is obvious.
 struct TowardsPoint {
     collision::Vec3 point;
     std::function<bool(const GroundState&)> is_goal;  ///< asked about the exact state at a node

@@ -176,7 +176,7 @@ private:
         const Vec3 start = take_start(island);
         settings_.starts = {start};
         settings_.max_nodes = is_limited_ ? affordable : static_cast<std::size_t>(nodes_left_);
-        // None: but when it looks for a goal it explores in short rounds, and stops soon after the most
+        // No cell is the goal, but looking for one keeps rounds short, so that it stops soon after the most
         // nodes.
         const UntilCell goal{[](const GridCell&, double) { return false; }};
         WalkSpace space =

@@ -32,9 +32,9 @@ struct Subject {
     collision::Vec3 at = collision::Vec3::Zero();
     std::optional<WalkNodeId> node = {};     ///< reached: the node nearest to it
     std::optional<std::size_t> island = {};  ///< not reached: the unreached ground that it is on
-    /// Not reached, and no island: why, without its place. ReasonKind::no_nearer with what is `measured` if
-    /// something that is reached lies near it, with `allowed` if it must be seen from no farther than that;
-    /// ReasonKind::contact if others hide it.
+    /// It says why the subject is neither reached nor on an island, without its place. ReasonKind::no_nearer
+    /// has `measured` if something that is reached lies near it, and `allowed` if it must be seen from no
+    /// farther than that. ReasonKind::contact says that others hide it.
     std::optional<Reason> reason = {};
     bool walked_through = false;  ///< of a door: one can stand where its leaf hangs
 };

@@ -149,7 +149,8 @@ std::optional<ChainFollower::Pull> ChainFollower::piece_to(std::size_t at, std::
                                                 : std::nullopt;
 }
 
-/// Of the chain's own strides, roughly: a straight piece must not leap down where the chain takes the stairs.
+/// The chain's own strides fall so far, roughly: a straight piece must not leap down where it takes the
+/// stairs.
 double ChainFollower::falls_of_chain(std::size_t from, std::size_t to) const {
     double falls = 0.0;
     for (std::size_t i = from + 1; i <= to && i < chain_.size(); ++i) {

@@ -26,10 +26,11 @@ public:
     ChainFollower(RouteDraft& draft, GroundMap& map, const RoutePiece& goal)
         : draft_(draft), map_(map), goal_(goal) {}
 
-    /// Along a way over the map. The node from which no piece leads on; the chain's size at the goal.
+    /// Follows a way over the map. Returns the node from which no piece leads on; the chain's size at the
+    /// goal.
     std::size_t follow_guess(std::vector<ChainNode> chain, const GuessRules& rules);
-    /// Along strides of the walk space, one by one if there are to be no `pieces`. Whether the goal is
-    /// reached. If not, the body stands where no node of the chain can be walked to from, and has come
+    /// Follows strides of the walk space, one by one if there are to be no `pieces`. Returns whether the goal
+    /// is reached. If not, the body stands where no node of the chain can be walked to from, and has come
     /// nearer.
     bool follow_strides(std::vector<ChainNode> chain, const WalkGrid& grid, bool pieces);
 
@@ -37,7 +38,7 @@ public:
     Tick last_ticks() const;
     /// Whether nodes there are asked whether they lead to the goal.
     bool is_near_goal(const collision::Vec3& foot) const;
-    /// By how much a straight way may overlap things that the body slides along, metres.
+    /// A straight way may overlap things that the body slides along by so much, metres.
     double slide_allowed() const;
 
 private:

@@ -39,7 +39,7 @@ public:
     Strider& strider() { return strider_; }
     const Route& route() const { return route_; }
 
-    /// From the end of the route; see TrialWalk::walk.
+    /// Walks on from the end of the route; see TrialWalk::walk.
     std::optional<WalkedPiece> walk(RoutePiece piece, Tick most, bool may_touch);
     void append(const WalkedPiece& walked);
     /// False if the body falls out of the world.
@@ -48,7 +48,7 @@ public:
 
     Mark mark() const { return {state_, route_.pieces.size(), route_.path.size()}; }
     void go_back_to(const Mark& mark);
-    /// Of the path from there on; tight places count as in the exploration.
+    /// The path takes so long from there on; tight places count as in the exploration.
     Tick ticks_since(const Mark& mark) const;
     Tick tight_ticks(const std::vector<collision::Vec3>& path) const;
 
