@@ -3,6 +3,8 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -30,15 +32,40 @@ struct Intent {
 
 /// How a step ended.
 struct StepEnd {
-    std::optional<EventKind> kind;  ///< avatar_arrive or avatar_blocked, about the label; none: not logged
-    const std::string* label = nullptr;
+    std::optional<EventKind> kind = {};  ///< avatar_arrive or avatar_blocked; none: not logged
     const SourceMark* mark = nullptr;
-    const Target* target = nullptr;     ///< avatar_blocked: what the avatar didn't get to,
-    double within = 0.0;                ///< within so many metres, horizontal
+    const Target* target = nullptr;     ///< with a kind: where the avatar arrived, or didn't get to
+    double within = 0.0;                ///< avatar_blocked: so many metres of the target, horizontal
     bool fatal = false;                 ///< the walk ends here
     std::string code = {};              ///< fatal: of the failure
     std::string message = {};           ///< fatal: what went wrong, without the reason
     std::optional<Reason> reason = {};  ///< fatal: if that is known; else the simulation measures it
+
+    // One for each way to end. Mark and target must outlive the tick.
+
+    static StepEnd unlogged() { return {}; }
+    static StepEnd arrived(const SourceMark& mark, const Target& target) {
+        return {.kind = EventKind::avatar_arrive, .mark = &mark, .target = &target};
+    }
+    /// `step` is a walk_to or a follow to `target`.
+    template <typename Travel>
+    static StepEnd blocked(const Travel& step, const Target& target, std::string message) {
+        return {.kind = EventKind::avatar_blocked,
+                .mark = &step.mark,
+                .target = &target,
+                .within = step.within,
+                .fatal = step.if_blocked == IfBlocked::fail,
+                .code = "blocked",
+                .message = std::move(message)};
+    }
+    static StepEnd failed(const SourceMark& mark, std::string_view code, std::string message,
+                          std::optional<Reason> reason = {}) {
+        return {.mark = &mark,
+                .fatal = true,
+                .code = std::string(code),
+                .message = std::move(message),
+                .reason = std::move(reason)};
+    }
 };
 
 /// Where a simulation gets the avatar's intent from: the walk's script, a recording, another program. A

@@ -30,9 +30,8 @@ double yaw_towards(const Vector3d& direction) {
     return angle_of(-direction.x(), -direction.z());
 }
 
-/// The end of a step that reports nothing.
 std::optional<StepEnd> over_if(bool over) {
-    return over ? std::optional(StepEnd()) : std::nullopt;
+    return over ? std::optional(StepEnd::unlogged()) : std::nullopt;
 }
 
 /// When the steps so far are over if nothing is in the way, and where the avatar is then.
@@ -109,90 +108,86 @@ private:
 // ---- spawn and teleport ---------------------------------------------------------------------------------
 
 template <>
-void ScriptPlayer::intend(const SpawnStep& step, const AvatarState&, Intent& intent) {
-    intent.placement = {&step.label, step.position, EventKind::avatar_spawn};
-    intent.yaw = wrapped_angle(step.yaw);
+void ScriptPlayer::intend(Playing<SpawnStep>& playing, const AvatarState&, Intent& intent) {
+    intent.placement = {&playing.step.label, playing.step.position, EventKind::avatar_spawn};
+    intent.yaw = wrapped_angle(playing.step.yaw);
     intent.pitch = 0.0;
 }
 
 template <>
-std::optional<StepEnd> ScriptPlayer::end_of(const SpawnStep&, const AvatarState&) {
+std::optional<StepEnd> ScriptPlayer::end_of(Playing<SpawnStep>&, const AvatarState&) {
     return over_if(true);
 }
 
 template <>
-void ScriptPlayer::intend(const TeleportStep& step, const AvatarState& avatar, Intent& intent) {
-    intent.placement = {&step.label, step.position, EventKind::avatar_teleport};
-    intent.yaw = wrapped_angle(step.yaw.value_or(avatar.yaw));
+void ScriptPlayer::intend(Playing<TeleportStep>& playing, const AvatarState& avatar, Intent& intent) {
+    intent.placement = {&playing.step.label, playing.step.position, EventKind::avatar_teleport};
+    intent.yaw = wrapped_angle(playing.step.yaw.value_or(avatar.yaw));
 }
 
 template <>
-std::optional<StepEnd> ScriptPlayer::end_of(const TeleportStep&, const AvatarState&) {
+std::optional<StepEnd> ScriptPlayer::end_of(Playing<TeleportStep>&, const AvatarState&) {
     return over_if(true);
 }
 
 // ---- walk_to and follow ---------------------------------------------------------------------------------
 
 template <>
-void ScriptPlayer::intend(const WalkToStep& step, const AvatarState& avatar, Intent& intent) {
-    const double speed = speed_of(step.speed);
-    if (progress_.ticks == 0) {
-        const double distance = flat(step.target.point - avatar.position).norm();
-        progress_.allowed = step.timeout.value_or(default_timeout(distance, speed));
+void ScriptPlayer::intend(Playing<WalkToStep>& playing, const AvatarState& avatar, Intent& intent) {
+    const double speed = speed_of(playing.step.speed);
+    if (playing.progress.ticks++ == 0) {
+        const double distance = flat(playing.step.target.point - avatar.position).norm();
+        playing.progress.allowed = playing.step.timeout.value_or(default_timeout(distance, speed));
     }
-    go_towards(step.target.point, speed, avatar, intent);
+    go_towards(playing.step.target.point, speed, avatar, intent);
 }
 
 template <>
-std::optional<StepEnd> ScriptPlayer::end_of(const WalkToStep& step, const AvatarState& avatar) {
-    if (has_arrived(step.target, step.within, avatar.position, avatar.grounded)) {
-        return StepEnd{EventKind::avatar_arrive, &step.target.label, &step.mark};
+std::optional<StepEnd> ScriptPlayer::end_of(Playing<WalkToStep>& playing, const AvatarState& avatar) {
+    if (has_arrived(playing.step.target, playing.step.within, avatar.position, avatar.grounded)) {
+        return StepEnd::arrived(playing.step.mark, playing.step.target);
     }
-    const double remaining = flat(step.target.point - avatar.position).norm();
-    return gives_up(remaining, avatar.grounded, speed_of(step.speed))
-               ? blocked("walk_to", step, step.target, avatar)
-               : std::nullopt;
+    const double remaining = flat(playing.step.target.point - avatar.position).norm();
+    return end_if_blocked("walk_to", playing.step, playing.step.target, remaining, playing.progress, avatar);
 }
 
 template <>
-void ScriptPlayer::intend(const FollowStep& step, const AvatarState& avatar, Intent& intent) {
-    const double speed = speed_of(step.speed);
-    if (progress_.ticks == 0) {
-        curve_.start(avatar.position, step.points);
-        progress_.allowed = step.timeout.value_or(default_timeout(curve_.length(), speed));
+void ScriptPlayer::intend(Playing<FollowStep>& playing, const AvatarState& avatar, Intent& intent) {
+    const double speed = speed_of(playing.step.speed);
+    if (playing.progress.ticks++ == 0) {
+        playing.curve.start(avatar.position, playing.step.points);
+        playing.progress.allowed =
+            playing.step.timeout.value_or(default_timeout(playing.curve.length(), speed));
     }
-    go_towards(curve_.lead(avatar.position, speed * dt_), speed, avatar, intent);
+    go_towards(playing.curve.lead(avatar.position, speed * dt_), speed, avatar, intent);
 }
 
 template <>
-std::optional<StepEnd> ScriptPlayer::end_of(const FollowStep& step, const AvatarState& avatar) {
-    const Target& last = step.points.back();
-    if (curve_.at_end() && has_arrived(last, step.within, avatar.position, avatar.grounded)) {
-        return StepEnd{EventKind::avatar_arrive, &last.label, &step.mark};
+std::optional<StepEnd> ScriptPlayer::end_of(Playing<FollowStep>& playing, const AvatarState& avatar) {
+    const Target& last = playing.step.points.back();
+    if (playing.curve.at_end() && has_arrived(last, playing.step.within, avatar.position, avatar.grounded)) {
+        return StepEnd::arrived(playing.step.mark, last);
     }
-    return gives_up(curve_.remaining(avatar.position), avatar.grounded, speed_of(step.speed))
-               ? blocked("follow", step, last, avatar)
-               : std::nullopt;
+    const double remaining = playing.curve.remaining(avatar.position);
+    return end_if_blocked("follow", playing.step, last, remaining, playing.progress, avatar);
 }
 
 // ---- go_to ----------------------------------------------------------------------------------------------
 
 /// The route's pieces, one after another, just as they were walked when it was planned.
 template <>
-void ScriptPlayer::intend(const GoToStep& step, const AvatarState& avatar, Intent& intent) {
-    const double speed = speed_of(step.speed);
-    if (progress_.ticks == 0) {
+void ScriptPlayer::intend(Playing<GoToStep>& playing, const AvatarState& avatar, Intent& intent) {
+    const double speed = speed_of(playing.step.speed);
+    if (playing.progress.ticks++ == 0) {
         assert(routes_ != nullptr);
-        route_ = routes_->plan(step, speed);
-        piece_ = 0;
-        piece_ticks_ = 0;
-        const double seconds = static_cast<double>(route_.route.ticks()) * dt_;
-        progress_.allowed = step.timeout.value_or(default_timeout(speed * seconds, speed));
+        playing.planned = routes_->plan(playing.step, speed);
+        const double seconds = static_cast<double>(playing.planned.route.ticks()) * dt_;
+        playing.progress.allowed = playing.step.timeout.value_or(default_timeout(speed * seconds, speed));
     }
-    if (route_.why_not) {
+    if (playing.planned.why_not) {
         return;
     }
-    const RoutePiece& piece = route_.route.pieces[piece_];
+    const RoutePiece& piece = playing.planned.route.pieces[playing.piece];
     if (!piece.stride) {
         go_towards(piece.target.point, speed, avatar, intent);
     } else if (!piece.stride->isZero(0.0)) {
@@ -202,125 +197,135 @@ void ScriptPlayer::intend(const GoToStep& step, const AvatarState& avatar, Inten
 }
 
 template <>
-std::optional<StepEnd> ScriptPlayer::end_of(const GoToStep& step, const AvatarState& avatar) {
-    const auto fatal = [&](std::string_view code, const std::string& why) {
-        return StepEnd{std::nullopt, nullptr, &step.mark,        nullptr,
-                       0.0,          true,    std::string(code), "go_to " + step.target.label + why};
+std::optional<StepEnd> ScriptPlayer::end_of(Playing<GoToStep>& playing, const AvatarState& avatar) {
+    const auto failed = [&](std::string_view code, const std::string& why) {
+        return StepEnd::failed(playing.step.mark, code, "go_to " + playing.step.target.label + why,
+                               playing.planned.why_not);
     };
-    if (route_.why_not) {
-        StepEnd end = is_unsearched(*route_.why_not)
-                          ? fatal(kRouteUnknown, ": it isn't known whether a route leads there")
-                          : fatal("unreachable", " can't be reached");
-        end.reason = route_.why_not;
-        return end;
+    if (playing.planned.why_not) {
+        return is_unsearched(*playing.planned.why_not)
+                   ? failed(kRouteUnknown, ": it isn't known whether a route leads there")
+                   : failed("unreachable", " can't be reached");
     }
-    const RoutePiece& piece = route_.route.pieces[piece_];
-    ++piece_ticks_;
-    if (piece.stride ? piece_ticks_ == piece.ticks
+    const std::vector<RoutePiece>& pieces = playing.planned.route.pieces;
+    const RoutePiece& piece = pieces[playing.piece];
+    ++playing.piece_ticks;
+    if (piece.stride ? playing.piece_ticks == piece.ticks
                      : has_arrived(piece.target, piece.within, avatar.position, avatar.grounded)) {
-        ++piece_;
-        piece_ticks_ = 0;
+        ++playing.piece;
+        playing.piece_ticks = 0;
     }
-    if (piece_ == route_.route.pieces.size()) {
-        return StepEnd{EventKind::avatar_arrive, &step.target.label, &step.mark};
+    if (playing.piece == pieces.size()) {
+        return StepEnd::arrived(playing.step.mark, playing.step.target);
     }
-    return progress_.is_late(dt_) ? std::optional(fatal("timeout", " was not reached within " +
-                                                                       fixed(progress_.allowed, 1) + " s"))
-                                  : std::nullopt;
+    if (!playing.progress.is_late(dt_)) {
+        return std::nullopt;
+    }
+    return failed("timeout", " was not reached within " + fixed(playing.progress.allowed, 1) + " s");
 }
 
 // ---- jump -----------------------------------------------------------------------------------------------
 
 /// An avatar in the air lands first.
 template <>
-void ScriptPlayer::intend(const JumpStep& step, const AvatarState& avatar, Intent& intent) {
-    if (!progress_.jumped && !avatar.grounded) {
+void ScriptPlayer::intend(Playing<JumpStep>& playing, const AvatarState& avatar, Intent& intent) {
+    if (!playing.jumped && !avatar.grounded) {
         return;
     }
-    if (!progress_.jumped) {
-        intent.jump = step.speed;
-        progress_.jumped = true;
+    if (!playing.jumped) {
+        intent.jump = playing.step.speed;
+        playing.jumped = true;
     }
     const auto [sin, cos] = collision::sin_cos(avatar.yaw);
-    intent.move = step.forward * dt_ * Vector3d(-sin, 0.0, -cos);
+    intent.move = playing.step.forward * dt_ * Vector3d(-sin, 0.0, -cos);
 }
 
 template <>
-std::optional<StepEnd> ScriptPlayer::end_of(const JumpStep&, const AvatarState& avatar) {
-    return over_if(progress_.jumped && avatar.grounded);
+std::optional<StepEnd> ScriptPlayer::end_of(Playing<JumpStep>& playing, const AvatarState& avatar) {
+    return over_if(playing.jumped && avatar.grounded);
 }
 
 // ---- wait and wait_until --------------------------------------------------------------------------------
 
 template <>
-void ScriptPlayer::intend(const WaitStep&, const AvatarState&, Intent&) {}
-
-template <>
-std::optional<StepEnd> ScriptPlayer::end_of(const WaitStep& step, const AvatarState&) {
-    return over_if(walk_.sim.has_passed(step.seconds, progress_.ticks));
+void ScriptPlayer::intend(Playing<WaitStep>& playing, const AvatarState&, Intent&) {
+    ++playing.ticks;
 }
 
 template <>
-void ScriptPlayer::intend(const WaitUntilStep&, const AvatarState&, Intent&) {}
+std::optional<StepEnd> ScriptPlayer::end_of(Playing<WaitStep>& playing, const AvatarState&) {
+    return over_if(walk_.sim.has_passed(playing.step.seconds, playing.ticks));
+}
 
 template <>
-std::optional<StepEnd> ScriptPlayer::end_of(const WaitUntilStep& step, const AvatarState&) {
-    if (progress_.awaited_event_came) {
-        return StepEnd();
+void ScriptPlayer::intend(Playing<WaitUntilStep>& playing, const AvatarState&, Intent&) {
+    ++playing.ticks;
+}
+
+template <>
+std::optional<StepEnd> ScriptPlayer::end_of(Playing<WaitUntilStep>& playing, const AvatarState&) {
+    if (playing.event_came) {
+        return StepEnd::unlogged();
     }
-    if (!walk_.sim.has_passed(step.timeout, progress_.ticks)) {
+    if (!walk_.sim.has_passed(playing.step.timeout, playing.ticks)) {
         return std::nullopt;
     }
-    const std::string message =
-        "'" + to_string(step.event) + "' did not occur within " + fixed(step.timeout, 1) + " s";
-    return StepEnd{std::nullopt, nullptr, &step.mark, nullptr, 0.0, true, "timeout", message};
+    return StepEnd::failed(playing.step.mark, "timeout",
+                           "'" + to_string(playing.step.event) + "' did not occur within " +
+                               fixed(playing.step.timeout, 1) + " s");
 }
 
 // ---- turn and look_at -----------------------------------------------------------------------------------
 
 /// To an angle the short way; by an angle all of it, even several times around.
 template <>
-void ScriptPlayer::intend(const TurnStep& step, const AvatarState& avatar, Intent& intent) {
-    const double remaining = progress_.turn_remaining.value_or(
-        step.absolute ? wrapped_angle(step.angle - avatar.yaw) : step.angle);
+void ScriptPlayer::intend(Playing<TurnStep>& playing, const AvatarState& avatar, Intent& intent) {
+    const double remaining = playing.remaining.value_or(
+        playing.step.absolute ? wrapped_angle(playing.step.angle - avatar.yaw) : playing.step.angle);
     const double max_turn = walk_.avatar.turn_speed * dt_;
     const double part = std::clamp(remaining, -max_turn, max_turn);
     intent.yaw = wrapped_angle(avatar.yaw + part);
-    progress_.turn_remaining = remaining - part;
-    progress_.aligned = std::abs(remaining - part) <= kAligned;
+    playing.remaining = remaining - part;
 }
 
 template <>
-std::optional<StepEnd> ScriptPlayer::end_of(const TurnStep&, const AvatarState&) {
-    return over_if(progress_.aligned);
+std::optional<StepEnd> ScriptPlayer::end_of(Playing<TurnStep>& playing, const AvatarState&) {
+    return over_if(std::abs(*playing.remaining) <= kAligned);
 }
 
 template <>
-void ScriptPlayer::intend(const LookAtStep& step, const AvatarState& avatar, Intent& intent) {
+void ScriptPlayer::intend(Playing<LookAtStep>& playing, const AvatarState& avatar, Intent& intent) {
     const Vector3d eye = avatar.position + Vector3d(0, avatar.stature * walk_.avatar.eye_height, 0);
-    const Vector3d direction = step.target.point - eye;
+    const Vector3d direction = playing.step.target.point - eye;
     const double distance = flat(direction).norm();
     const double yaw = distance > 0.0 ? yaw_towards(direction) : avatar.yaw;
-    const double pitch = step.target.has_height ? angle_of(direction.y(), distance) : 0.0;
+    const double pitch = playing.step.target.has_height ? angle_of(direction.y(), distance) : 0.0;
     intent.yaw = turned(avatar.yaw, yaw);
     intent.pitch = turned(avatar.pitch, pitch);
-    progress_.aligned = std::abs(wrapped_angle(intent.yaw - yaw)) <= kAligned &&
-                        std::abs(wrapped_angle(intent.pitch - pitch)) <= kAligned;
+    playing.aligned = std::abs(wrapped_angle(intent.yaw - yaw)) <= kAligned &&
+                      std::abs(wrapped_angle(intent.pitch - pitch)) <= kAligned;
 }
 
 template <>
-std::optional<StepEnd> ScriptPlayer::end_of(const LookAtStep&, const AvatarState&) {
-    return over_if(progress_.aligned);
+std::optional<StepEnd> ScriptPlayer::end_of(Playing<LookAtStep>& playing, const AvatarState&) {
+    return over_if(playing.aligned);
 }
 
 // ---- all of them ----------------------------------------------------------------------------------------
 
+void ScriptPlayer::begin_step() {
+    if (!finished()) {
+        std::visit([&]<typename Kind>(const Kind& step) { playing_.emplace(Playing<Kind>{step}); },
+                   walk_.steps[current_]);
+    }
+}
+
 void ScriptPlayer::intend_step(const AvatarState& avatar, Intent& intent) {
-    std::visit([&](const auto& step) { intend(step, avatar, intent); }, walk_.steps[current_]);
+    std::visit([&](auto& playing) { intend(playing, avatar, intent); }, *playing_);
 }
 
 std::optional<StepEnd> ScriptPlayer::end_of_step(const AvatarState& avatar) {
-    return std::visit([&](const auto& step) { return end_of(step, avatar); }, walk_.steps[current_]);
+    return std::visit([&](auto& playing) { return end_of(playing, avatar); }, *playing_);
 }
 
 std::optional<double> planned_seconds(const Walk& walk) {
@@ -346,35 +351,29 @@ void ScriptPlayer::go_towards(const Vector3d& point, double speed, const AvatarS
     intent.pitch = turned(avatar.pitch, 0.0);
 }
 
-bool ScriptPlayer::gives_up(double remaining, bool grounded, double speed) {
-    return progress_.gives_up(remaining, grounded, speed, dt_);
-}
-
 template <typename Travel>
-std::optional<StepEnd> ScriptPlayer::blocked(const char* verb, const Travel& step, const Target& target,
-                                             const AvatarState& avatar) const {
-    return StepEnd{
-        EventKind::avatar_blocked,
-        &target.label,
-        &step.mark,
-        &target,
-        step.within,
-        step.if_blocked == IfBlocked::fail,
-        "blocked",
-        verb + (" " + target.label) + " was not reached" + why_not_reached(target, step.within, avatar)};
+std::optional<StepEnd> ScriptPlayer::end_if_blocked(const char* verb, const Travel& step,
+                                                    const Target& target, double remaining,
+                                                    TravelProgress& progress,
+                                                    const AvatarState& avatar) const {
+    if (!progress.gives_up(remaining, avatar.grounded, speed_of(step.speed), dt_)) {
+        return std::nullopt;
+    }
+    return StepEnd::blocked(step, target,
+                            verb + (" " + target.label) + " was not reached" +
+                                why_not_reached(target, step.within, progress, avatar));
 }
 
-std::string ScriptPlayer::why_not_reached(const Target& target, double within,
+std::string ScriptPlayer::why_not_reached(const Target& target, double within, const TravelProgress& progress,
                                           const AvatarState& avatar) const {
     const Vector3d to_target = target.point - avatar.position;
     if (flat(to_target).norm() <= within) {
         return ": it is " + fixed(std::abs(to_target.y()), 3) + " m " +
                (to_target.y() > 0.0 ? "above" : "below") + " the avatar's feet";
     }
-    const bool late = progress_.is_late(dt_);
-    return late ? " within " + fixed(progress_.allowed, 1) + " s, still " + fixed(flat(to_target).norm(), 3) +
-                      " m away"
-                : "";
+    return progress.is_late(dt_) ? " within " + fixed(progress.allowed, 1) + " s, still " +
+                                       fixed(flat(to_target).norm(), 3) + " m away"
+                                 : "";
 }
 
 double ScriptPlayer::turned(double from, double to) const {

@@ -7,7 +7,9 @@
 namespace campuswalk::engine {
 
 ScriptPlayer::ScriptPlayer(const Walk& walk, RoutePlanner* routes)
-    : walk_(walk), routes_(routes), dt_(1.0 / walk.sim.ticks_per_second) {}
+    : walk_(walk), routes_(routes), dt_(1.0 / walk.sim.ticks_per_second) {
+    begin_step();
+}
 
 Intent ScriptPlayer::intend(const AvatarState& avatar) {
     Intent intent;
@@ -15,18 +17,15 @@ Intent ScriptPlayer::intend(const AvatarState& avatar) {
     intent.pitch = avatar.pitch;
     if (!finished()) {
         intend_step(avatar, intent);
-        ++progress_.ticks;
     }
     return intent;
 }
 
 void ScriptPlayer::on_events(std::span<const Event> events) {
-    if (finished()) {
-        return;
-    }
-    if (const auto* wait = std::get_if<WaitUntilStep>(&walk_.steps[current_])) {
-        progress_.awaited_event_came |=
-            std::ranges::any_of(events, [&](const Event& event) { return matches(wait->event, event); });
+    auto* wait = finished() ? nullptr : std::get_if<Playing<WaitUntilStep>>(&*playing_);
+    if (wait != nullptr) {
+        wait->event_came |=
+            std::ranges::any_of(events, [&](const Event& event) { return matches(wait->step.event, event); });
     }
 }
 
@@ -35,19 +34,16 @@ std::optional<StepEnd> ScriptPlayer::settle(const AvatarState& avatar, std::vect
     if (!end) {
         return std::nullopt;
     }
-    progress_ = {};
     ++current_;
-    if (end->fatal) {
-        return end;
-    }
-    for (; !finished() && is_instant(walk_.steps[current_]); ++current_) {
+    for (; !end->fatal && !finished() && is_instant(walk_.steps[current_]); ++current_) {
         if (const auto* speed = std::get_if<SpeedStep>(&walk_.steps[current_])) {
             speed_ = speed->speed;
         } else {
             instant.push_back(&walk_.steps[current_]);
         }
     }
-    return end->kind ? end : std::nullopt;
+    begin_step();
+    return end->kind || end->fatal ? end : std::nullopt;
 }
 
 const SourceMark* ScriptPlayer::mark() const {

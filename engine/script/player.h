@@ -4,14 +4,87 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "engine/script/curve_walk.h"
 #include "engine/script/intent.h"
 #include "engine/script/route_planner.h"
+#include "engine/script/step.h"
+#include "engine/script/travel.h"
 #include "engine/script/walk.h"
 
 namespace campuswalk::engine {
+
+/// A step that is played. Kinds of which something must be remembered from tick to tick have a
+/// specialization.
+template <typename Kind>
+struct Playing {
+    const Kind& step;
+};
+
+template <>
+struct Playing<WalkToStep> {
+    const WalkToStep& step;
+    TravelProgress progress = {};
+};
+
+template <>
+struct Playing<FollowStep> {
+    const FollowStep& step;
+    TravelProgress progress = {};
+    CurveWalk curve = {};
+};
+
+template <>
+struct Playing<GoToStep> {
+    const GoToStep& step;
+    TravelProgress progress = {};
+    PlannedRoute planned = {};
+    std::size_t piece = 0;  ///< of the route: the one that is walked
+    Tick piece_ticks = 0;   ///< spent on it
+};
+
+template <>
+struct Playing<JumpStep> {
+    const JumpStep& step;
+    bool jumped = false;
+};
+
+template <>
+struct Playing<WaitStep> {
+    const WaitStep& step;
+    Tick ticks = 0;
+};
+
+template <>
+struct Playing<WaitUntilStep> {
+    const WaitUntilStep& step;
+    Tick ticks = 0;
+    bool event_came = false;
+};
+
+template <>
+struct Playing<TurnStep> {
+    const TurnStep& step;
+    std::optional<double> remaining = {};  ///< radians
+};
+
+template <>
+struct Playing<LookAtStep> {
+    const LookAtStep& step;
+    bool aligned = false;  ///< looks in the desired direction
+};
+
+template <typename Steps>
+struct PlayingOneOf;
+
+template <typename... Kinds>
+struct PlayingOneOf<std::variant<Kinds...>> {
+    using Variant = std::variant<Playing<Kinds>...>;
+};
+
+using PlayingStep = PlayingOneOf<Step>::Variant;
 
 /// Plays a walk's steps one after another.
 class ScriptPlayer final : public IntentSource {
@@ -31,45 +104,43 @@ public:
     const SourceMark* mark() const override;
 
 private:
+    void begin_step();
     void intend_step(const AvatarState& avatar, Intent& intent);
-    /// None while the step goes on; one with neither a kind nor a failure if there is nothing to report.
+    /// None while the step goes on.
     std::optional<StepEnd> end_of_step(const AvatarState& avatar);
 
     // Specialized for each kind of step in lasting_steps.cpp: a kind that isn't doesn't compile. `intent`
     // comes with the avatar's yaw and pitch and no motion.
     template <typename Kind>
-    void intend(const Kind& step, const AvatarState& avatar, Intent& intent) = delete;
+    void intend(Playing<Kind>& playing, const AvatarState& avatar, Intent& intent) = delete;
     template <typename Kind>
-    std::optional<StepEnd> end_of(const Kind& step, const AvatarState& avatar) = delete;
+    std::optional<StepEnd> end_of(Playing<Kind>& playing, const AvatarState& avatar) = delete;
     /// Instant steps are executed after the step before them; the first step is always a spawn.
     template <InstantStep Kind>
-    void intend(const Kind&, const AvatarState&, Intent&) {}
+    void intend(Playing<Kind>&, const AvatarState&, Intent&) {}
     template <InstantStep Kind>
-    std::optional<StepEnd> end_of(const Kind&, const AvatarState&) {
-        return StepEnd();
+    std::optional<StepEnd> end_of(Playing<Kind>&, const AvatarState&) {
+        return StepEnd::unlogged();
     }
 
     /// `from` turned towards `to` the short way, by at most what a tick allows, radians.
     double turned(double from, double to) const;
     double speed_of(const std::optional<double>& own) const;
     void go_towards(const Eigen::Vector3d& point, double speed, const AvatarState& avatar, Intent& intent);
-    /// Whether an avatar that has `remaining` metres to go is late or comes no nearer.
-    bool gives_up(double remaining, bool grounded, double speed);
+    /// Of a walk_to or a follow that has `remaining` metres to go.
     template <typename Travel>
-    std::optional<StepEnd> blocked(const char* verb, const Travel& step, const Target& target,
-                                   const AvatarState& avatar) const;
-    std::string why_not_reached(const Target& target, double within, const AvatarState& avatar) const;
+    std::optional<StepEnd> end_if_blocked(const char* verb, const Travel& step, const Target& target,
+                                          double remaining, TravelProgress& progress,
+                                          const AvatarState& avatar) const;
+    std::string why_not_reached(const Target& target, double within, const TravelProgress& progress,
+                                const AvatarState& avatar) const;
 
     const Walk& walk_;
     RoutePlanner* routes_;
     double dt_;
     std::size_t current_ = 0;
-    StepProgress progress_;
-    std::optional<double> speed_;  ///< metres per second, once a step has set it
-    CurveWalk curve_;
-    PlannedRoute route_;     ///< of a go_to
-    std::size_t piece_ = 0;  ///< of the route: the one that is walked
-    Tick piece_ticks_ = 0;   ///< spent on it
+    std::optional<PlayingStep> playing_;  ///< the current step
+    std::optional<double> speed_;         ///< metres per second, once a step has set it
 };
 
 /// Simulated seconds that the walk's steps take if nothing is in the way and the ground is level; none for a

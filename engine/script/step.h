@@ -13,7 +13,6 @@
 #include "engine/script/camera.h"
 #include "engine/script/expectation.h"
 #include "engine/script/mentions.h"
-#include "engine/script/travel.h"
 
 // The steps of a walk. `repeat` and `include` are unrolled by the loader: what is played is one plain list.
 // Names are resolved by the loader: `label` is what the user wrote (a place's name, or the coordinates).
@@ -41,14 +40,6 @@ struct StepPreview {
     std::optional<double> height = {};       ///< of the body from here on, metres
     std::optional<Switch> switched = {};     ///< objects enabled or disabled from here on
     std::vector<NamePattern> objects = {};   ///< others that must be on the campus
-};
-
-/// What ScriptPlayer remembers from tick to tick of a step; it starts anew with each step.
-struct StepProgress : TravelProgress {
-    std::optional<double> turn_remaining;  ///< radians
-    bool aligned = false;                  ///< looks in the desired direction
-    bool jumped = false;
-    bool awaited_event_came = false;
 };
 
 /// Places the avatar; the first step of every walk. The place must be free, which is checked before the run.

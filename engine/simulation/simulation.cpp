@@ -177,12 +177,12 @@ void Simulation::report_step_end(const StepEnd& end) {
     Stop stop{end.mark != nullptr ? *end.mark : state_.walk.mark, end.code, end.message};
     stop.object = blocked ? obstacle() : "";
     stop.reason = end.reason;
-    if (blocked && end.target != nullptr) {
+    if (blocked) {
         const Eigen::Vector3d heading = flat(end.target->point - state_.body.foot());
         stop.reason = heading.norm() > end.within ? reason(heading) : std::nullopt;
     }
     if (end.kind) {
-        Event& event = state_.events.add(*end.kind, *end.label, {{"pos", state_.body.foot()}});
+        Event& event = state_.events.add(*end.kind, end.target->label, {{"pos", state_.body.foot()}});
         if (!stop.object.empty()) {
             event.fields.push_back({"by", stop.object});
         }
@@ -192,7 +192,7 @@ void Simulation::report_step_end(const StepEnd& end) {
     }
     if (end.fatal) {
         name_obstacle(stop);
-        if (blocked && end.target != nullptr) {
+        if (blocked) {
             stop.route = routes_.route_round(*end.target, end.within);
             stop.message += stop.route ? "; from there " + text_of(*stop.route) : "";
         }

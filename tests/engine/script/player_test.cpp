@@ -78,7 +78,7 @@ TEST(ScriptPlayer, WalksStraightAtTheAvatarsSpeed) {
     // 4.95 m are left to walk: 212.1 ticks of 0.02333 m.
     EXPECT_EQ(puppet.ticks_until_end(), 213 - 1);
     EXPECT_EQ(puppet.end->kind, EventKind::avatar_arrive);
-    EXPECT_EQ(*puppet.end->label, "goal");
+    EXPECT_EQ(puppet.end->target->label, "goal");
     EXPECT_FALSE(puppet.end->fatal);
 }
 
