@@ -4,21 +4,17 @@
 #include <memory>
 #include <utility>
 
+#include "config/loader/read_whole.h"
 #include "config/loader/values/checked_map.h"
 #include "config/loader/values/folders_upwards.h"
 #include "config/loader/values/names.h"
 #include "config/loader/values/ranges.h"
 #include "config/loader/values/yaml_file.h"
 #include "config/loader/walk/read_late_expectation.h"
-#include "config/loader/yaml/diagnostics.h"
-#include "config/loader/yaml/source_text.h"
 
 namespace campuswalk::config {
 
 namespace fs = std::filesystem;
-
-using scene::DiagnosticList;
-using scene::SourceMark;
 
 namespace {
 
@@ -142,17 +138,16 @@ private:
 }  // namespace
 
 WalksConfig load_walks_config(const fs::path& file, const SearchPaths& search) {
-    DiagnosticList diagnostics;
-    const SourceMark mark{shown_path(file), 0, 0};
-    WalksConfig config;
-    config.file = file;
-    if (const auto yaml = YamlFile::open(file, ".config.yaml", read_roots(file, search), mark, diagnostics)) {
-        CheckedMap map(yaml->root(), "a walks.config.yaml");
-        WalksConfigReader(file.parent_path()).read(map, config);
-        map.refuse_other_keys();
-    }
-    throw_in_order(diagnostics, mark);
-    return config;
+    return read_whole_file(file, search, [&](const auto& roots, const auto& mark, auto& diagnostics) {
+        WalksConfig config;
+        config.file = file;
+        if (const auto yaml = YamlFile::open(file, ".config.yaml", roots, mark, diagnostics)) {
+            CheckedMap map(yaml->root(), "a walks.config.yaml");
+            WalksConfigReader(file.parent_path()).read(map, config);
+            map.refuse_other_keys();
+        }
+        return config;
+    });
 }
 
 std::optional<fs::path> find_walks_config(const fs::path& folder) {

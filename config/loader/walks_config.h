@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "config/loader/load_run.h"
 #include "config/loader/overrides.h"
+#include "config/loader/search_paths.h"
 #include "engine/script/image_tolerance.h"
 #include "scene/base/diagnostic.h"
 
@@ -57,7 +57,7 @@ struct WalksConfig {
     std::vector<ProjectConfig> projects;  ///< sorted by name
 };
 
-/// Throws scene::InputError with all errors; load_run.h lists their codes.
+/// Throws scene::InputError with all errors; search_paths.h lists their codes.
 WalksConfig load_walks_config(const std::filesystem::path& file, const SearchPaths& search = {});
 
 /// `walks.config.yaml` in the folder or in the nearest one above that has one (see folders_upwards.h).

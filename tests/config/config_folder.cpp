@@ -1,4 +1,5 @@
 #include "tests/config/config_folder.h"
+#include "config/loader/load_profile.h"
 
 namespace campuswalk::config::test {
 

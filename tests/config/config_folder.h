@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "config/loader/load_campus.h"
 #include "config/loader/load_run.h"
 #include "tests/support/temporary_folder.h"
 

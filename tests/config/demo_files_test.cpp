@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "config/loader/load_campus.h"
+#include "config/loader/load_profile.h"
 #include "config/loader/load_run.h"
 
 namespace campuswalk::config {

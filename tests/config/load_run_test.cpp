@@ -26,7 +26,7 @@ TEST_F(LoadRun, ResolvesTheFilesThatTheWalkNames) {
                                      {.avatars = {}, .lights = {}, .roots = {folder_.path("")}});
     EXPECT_EQ(run.walk.name, "night_2");
     EXPECT_EQ(run.walk.campus_name, "a");
-    EXPECT_EQ(run.campus.name, "a");
+    EXPECT_EQ(run.campus->name, "a");
     EXPECT_TRUE(std::filesystem::equivalent(run.walk.campus, folder_.path("a.campus.yaml")));
     EXPECT_EQ(run.walk.avatar.height, 1.8);
     EXPECT_EQ(run.walk.avatar.speed, 2.0);

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "config/loader/load_campus.h"
+#include "config/loader/load_profile.h"
 #include "config/loader/load_run.h"
 #include "tests/support/dice.h"
 #include "tests/support/effort.h"

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "config/loader/load_profile.h"
 #include "tests/config/config_folder.h"
 #include "tests/support/angles.h"
 #include "tests/support/says.h"

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "config/loader/campus/geojson_points.h"
-#include "config/loader/load_run.h"
+#include "config/loader/load_profile.h"
 #include "config/loader/walks_config.h"
 #include "engine/script/image_tolerance.h"
 #include "engine/script/walk.h"

@@ -137,7 +137,7 @@ TEST_F(ReadWalksConfig, ReadsAWalkOnAnotherCampus) {
     const WalksConfig read = config("projects: {east: {campus: b.campus.yaml}}\n");
     RunLoader loader({});
     folder_.write("a.walk.yaml", "campus: a.campus.yaml\nsteps: [{spawn: gate}]\n");
-    const SharedRun run = loader.load(folder_.path("a.walk.yaml"), read.projects[0].overrides);
+    const config::Run run = loader.load(folder_.path("a.walk.yaml"), read.projects[0].overrides);
     EXPECT_EQ(run.walk.campus_name, "b");
     EXPECT_EQ(std::get<engine::SpawnStep>(run.walk.steps.front()).position.x(), 100.0);
     EXPECT_EQ(loader.load(folder_.path("a.walk.yaml")).walk.campus_name, "a");
@@ -145,7 +145,7 @@ TEST_F(ReadWalksConfig, ReadsAWalkOnAnotherCampus) {
 
 TEST_F(ReadWalksConfig, SharesACampusBetweenWalks) {
     RunLoader loader({});
-    const SharedRun first = loader.load(folder_.path("a.walk.yaml"));
+    const config::Run first = loader.load(folder_.path("a.walk.yaml"));
     EXPECT_EQ(loader.load(folder_.path("a.walk.yaml")).campus, first.campus);
 }
 

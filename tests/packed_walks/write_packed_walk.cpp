@@ -19,7 +19,7 @@ int main(int count, char** arguments) try {
     config::Run run = config::load_run(arguments[1], {{config / "avatars"}, {config / "lights"}});
     std::vector<scene::Diagnostic> warnings;
     const scene::Campus campus =
-        scene::load_campus(run.campus, collision::make_bullet_broad_phase(), warnings);
+        scene::load_campus(*run.campus, collision::make_bullet_broad_phase(), warnings);
     run.walk.origin = campus.origin;
     const std::vector<std::byte> bytes = packed::pack_walk(campus, run.walk);
     std::ofstream file(arguments[2], std::ios::binary);

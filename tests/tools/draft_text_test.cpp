@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "config/loader/load_run.h"
+#include "config/loader/load_campus.h"
 #include "tests/support/temporary_folder.h"
 
 namespace campuswalk::tools {

@@ -59,9 +59,9 @@ AuditedRun audited_run(const std::filesystem::path& walk_file) {
                     .lights = {},
                     .roots = {std::filesystem::path(CAMPUSWALK_SOURCE_DIR) / ".." / "shared" / "data"}});
     std::vector<scene::Diagnostic> warnings;
-    AuditedRun run{.walk = std::move(loaded.walk),
-                   .campus = scene::load_campus(std::move(loaded.campus),
-                                                collision::make_bullet_broad_phase(), warnings)};
+    AuditedRun run{
+        .walk = std::move(loaded.walk),
+        .campus = scene::load_campus(*loaded.campus, collision::make_bullet_broad_phase(), warnings)};
     std::vector<scene::Diagnostic> mistakes = engine::check_walk(run.campus, run.walk);
     std::erase_if(mistakes,
                   [](const scene::Diagnostic& each) { return each.severity != scene::Severity::error; });

@@ -40,7 +40,7 @@ public:
         TextLog text(keep);
         JsonLines json(keep);
         const std::array<Observer*, 2> observers = {&text, &json};
-        walked.summary = run_walk(campus_of(run.campus, tree), walk, observers);
+        walked.summary = run_walk(campus_of(*run.campus, tree), walk, observers);
         return walked;
     }
 

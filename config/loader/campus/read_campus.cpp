@@ -9,6 +9,7 @@
 #include "config/loader/values/checked_map.h"
 #include "config/loader/values/names.h"
 #include "config/loader/values/ranges.h"
+#include "config/loader/values/yaml_file.h"
 #include "config/loader/yaml/wording.h"
 
 namespace campuswalk::config {
@@ -146,9 +147,18 @@ std::vector<Spawn> read_spawns(const CheckedNode& section) {
 
 }  // namespace
 
-CampusDescription read_campus(const CheckedNode& root, const fs::path& folder, const ReadRoots& roots) {
+std::optional<CampusDescription> open_campus(const fs::path& path, const ReadRoots& roots,
+                                             const scene::SourceMark& named_at,
+                                             scene::DiagnosticList& diagnostics) {
+    const auto file = YamlFile::open(path, ".campus.yaml", roots, named_at, diagnostics);
+    if (!file) {
+        return std::nullopt;
+    }
+    const fs::path folder = path.parent_path();
     CampusDescription campus;
-    CheckedMap map(root, "a campus");
+    campus.name = file->name();
+    campus.mark = file->mark();
+    CheckedMap map(file->root(), "a campus");
     if (const auto section = map.require("scenes")) {
         campus.scenes = read_scenes(*section, folder, roots);
     }

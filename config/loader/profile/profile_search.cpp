@@ -28,21 +28,21 @@ std::vector<std::string> known_profiles(const ProfileKind& kind, const std::vect
     return {names.begin(), names.end()};
 }
 
-}  // namespace
-
-std::vector<fs::path> profile_folders(const ProfileKind& kind, const fs::path& walk_folder,
-                                      const std::vector<fs::path>& more) {
+std::vector<fs::path> folders_to_search(const ProfileKind& kind, const ProfileFiles& files) {
     std::vector<fs::path> folders;
-    for (const fs::path& above : folders_upwards(walk_folder)) {
+    for (const fs::path& above : folders_upwards(files.walk_folder)) {
         folders.push_back(above / kind.folder);
         folders.push_back(above / "config" / kind.folder);
     }
-    folders.insert(folders.end(), more.begin(), more.end());
+    folders.insert(folders.end(), files.more.begin(), files.more.end());
     return folders;
 }
 
+}  // namespace
+
 std::optional<fs::path> find_profile(const ProfileKind& kind, const CheckedNode& node,
-                                     const std::string& name, const std::vector<fs::path>& folders) {
+                                     const std::string& name, const ProfileFiles& files) {
+    const std::vector<fs::path> folders = folders_to_search(kind, files);
     for (const fs::path& folder : folders) {
         fs::path file = folder / (name + kind.suffix);
         std::error_code ignored;

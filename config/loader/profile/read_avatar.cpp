@@ -39,7 +39,7 @@ void check_body(const CheckedMap& map, const AvatarProfile& profile) {
 
 }  // namespace
 
-std::vector<CheckedNode> read_avatar_fields(CheckedMap& map, AvatarProfile& profile) {
+std::vector<CheckedNode> read_profile_fields(CheckedMap& map, AvatarProfile& profile) {
     map.number("height", kHeight, profile.height);
     map.number("radius", kRadius, profile.radius);
     map.number("eye_height", kHeight, profile.eye_height);

@@ -38,7 +38,7 @@ void read_sky(const CheckedNode& node, LightSettings& light) {
 
 }  // namespace
 
-void read_light_fields(CheckedMap& map, LightSettings& light) {
+void read_profile_fields(CheckedMap& map, LightSettings& light) {
     constexpr std::array kAntiAliasing = {Choice<AntiAliasing>{"none", AntiAliasing::none},
                                           Choice<AntiAliasing>{"msaa", AntiAliasing::msaa},
                                           Choice<AntiAliasing>{"fxaa", AntiAliasing::fxaa},

@@ -6,6 +6,6 @@
 namespace campuswalk::config {
 
 /// Sets the fields of `light` whose keys are in the map.
-void read_light_fields(CheckedMap& map, engine::LightSettings& light);
+void read_profile_fields(CheckedMap& map, engine::LightSettings& light);
 
 }  // namespace campuswalk::config

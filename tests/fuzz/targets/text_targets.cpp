@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "config/loader/load_campus.h"
+#include "config/loader/load_profile.h"
 #include "config/loader/load_run.h"
 #include "config/loader/walks_config.h"
 #include "engine/report/result_json.h"

@@ -21,7 +21,7 @@ struct School {
     explicit School(const std::string& name)
         : run(config::load_run(std::filesystem::path(std::getenv("SCHOOL")) / "walks" / name,
                                config::SearchPaths{})),
-          campus(scene::load_campus(run.campus, collision::make_bullet_broad_phase(), warnings)) {}
+          campus(scene::load_campus(*run.campus, collision::make_bullet_broad_phase(), warnings)) {}
 
     std::vector<scene::Diagnostic> warnings;
     config::Run run;

@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "collision/world/bullet_broad_phase.h"
+#include "config/loader/load_campus.h"
+#include "config/loader/load_profile.h"
 #include "config/loader/load_run.h"
 #include "engine/events/decimals.h"
 #include "engine/walkspace/explore/campus_settings.h"
@@ -162,7 +164,7 @@ std::vector<engine::Walk> walks_on_campus(WalkLoader& loader, const std::filesys
     std::vector<engine::Walk> walks;
     const std::vector<std::filesystem::path> files = find_walks(paths);
     for (const std::filesystem::path& file : files) {
-        config::SharedRun run = loader.read(file);
+        config::Run run = loader.read(file);
         if (run.walk.status.kind != engine::WalkStatus::Kind::skip &&
             std::filesystem::weakly_canonical(run.walk.campus, ignored) == wanted) {
             walks.push_back(loader.ready(std::move(run)).walk);

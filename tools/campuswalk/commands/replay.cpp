@@ -56,7 +56,7 @@ public:
 
     LoadedWalk load(const RecordedWalk& recorded) {
         check_place(recorded, recorded.file);
-        config::SharedRun run = loader_.read(recorded.file, overrides_of(recorded));
+        config::Run run = loader_.read(recorded.file, overrides_of(recorded));
         run.walk.project = recorded.project;
         run.walk.timeout = recorded.timeout;
         run.walk.sim.tree = options_.tree.value_or(run.walk.sim.tree);

@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "config/loader/load_run.h"
+#include "config/loader/load_profile.h"
 #include "engine/events/decimals.h"
 #include "engine/walkspace/route/campus_route.h"
 #include "engine/walkspace/stride/tight_places.h"

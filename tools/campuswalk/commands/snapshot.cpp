@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "config/loader/load_run.h"
+#include "config/loader/load_profile.h"
 #include "engine/script/resolve_targets.h"
 #include "engine/script/walk.h"
 #include "tools/campuswalk/base/exit_codes.h"

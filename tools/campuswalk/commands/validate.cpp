@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "config/loader/load_profile.h"
+#include "config/loader/load_run.h"
 #include "scene/lint/wording.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/print.h"

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "collision/world/bullet_broad_phase.h"
+#include "config/loader/load_campus.h"
 #include "engine/script/resolve_targets.h"
 #include "engine/simulation/check_go_to.h"
 #include "engine/simulation/check_walk.h"
@@ -81,13 +82,13 @@ LoadedWalk WalkLoader::load_walk(const fs::path& walk_file) {
     return ready(read(walk_file));
 }
 
-config::SharedRun WalkLoader::read(const fs::path& walk_file, const config::Overrides& overrides) {
-    config::SharedRun run = loader_.load(walk_file, overrides);
+config::Run WalkLoader::read(const fs::path& walk_file, const config::Overrides& overrides) {
+    config::Run run = loader_.load(walk_file, overrides);
     warn_(run.warnings);
     return run;
 }
 
-LoadedWalk WalkLoader::ready(config::SharedRun run) {
+LoadedWalk WalkLoader::ready(config::Run run) {
     std::vector<scene::Diagnostic> warnings;
     LoadedWalk loaded;
     const BuiltCampus& built = build(run.walk.campus, *run.campus, run.walk.sim.tree, warnings);

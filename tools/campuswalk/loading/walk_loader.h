@@ -57,11 +57,11 @@ public:
     LoadedWalk load_walk(const std::filesystem::path& walk_file);
 
     /// Reads only the YAML; the campus's models aren't read.
-    config::SharedRun read(const std::filesystem::path& walk_file, const config::Overrides& overrides = {});
+    config::Run read(const std::filesystem::path& walk_file, const config::Overrides& overrides = {});
     /// Checks what a project names, without a walk; see config::RunLoader::check.
     void check(const config::Overrides& overrides) { loader_.check(overrides); }
     /// Builds the campus unless that was done before, and checks the walk against it.
-    LoadedWalk ready(config::SharedRun run);
+    LoadedWalk ready(config::Run run);
 
     /// A warning for each place that the walk's steps can't get to. Takes as long as playing them.
     static std::vector<scene::Diagnostic> check_go_to(const LoadedWalk& loaded);

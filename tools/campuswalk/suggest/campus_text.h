@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 
 #include "collision/geometry/shapes.h"
-#include "config/loader/load_run.h"
+#include "config/loader/load_campus.h"
 #include "scene/campus/campus_description.h"
 #include "scene/suggest/solid_parts.h"
 #include "scene/suggest/suggested_buildings.h"

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "config/loader/load_run.h"
+#include "config/loader/load_campus.h"
 
 namespace campuswalk::tools {
 

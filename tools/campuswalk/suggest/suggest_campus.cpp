@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "config/loader/search_paths.h"
 #include "engine/simulation/run_walk.h"
 #include "scene/base/atomic_file.h"
 #include "scene/base/glob.h"

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "config/loader/load_run.h"
+#include "config/loader/load_campus.h"
 #include "scene/campus/campus_description.h"
 
 namespace campuswalk::tools {

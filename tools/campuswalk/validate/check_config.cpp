@@ -86,7 +86,7 @@ private:
 
     /// A walk may name what the project's campus lacks.
     void check_walk(const ProjectConfig& project, const Selector& selector, const fs::path& file) {
-        config::SharedRun run = loader_.read(file, project.overrides);
+        config::Run run = loader_.read(file, project.overrides);
         if (selector.takes(file.generic_string(), run.walk.name, run.walk.tags)) {
             ++projects_of_[file];
             for (Diagnostic& warning : WalkLoader::check_go_to(loader_.ready(std::move(run)))) {

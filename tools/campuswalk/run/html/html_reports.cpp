@@ -2,7 +2,6 @@
 
 #include <set>
 
-#include "config/loader/load_run.h"
 #include "config/loader/values/read_roots.h"
 #include "engine/html_report/foreign_json.h"
 #include "engine/html_report/html_reporter.h"

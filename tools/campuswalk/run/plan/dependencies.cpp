@@ -59,7 +59,7 @@ void Dependencies::add_dependency(const fs::path& walk, const fs::path& file) {
 void Dependencies::add_walk(WalkLoader& loader, const fs::path& walk, const config::Overrides& overrides) {
     add_dependency(walk, walk);
     try {
-        const config::SharedRun run = loader.read(walk, overrides);
+        const config::Run run = loader.read(walk, overrides);
         add_dependency(walk, run.walk.campus);
         for (const fs::path& profile : run.profiles) {
             add_dependency(walk, profile);

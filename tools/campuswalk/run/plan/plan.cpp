@@ -35,7 +35,7 @@ namespace {
 struct Candidate {
     WalkResult result;
     std::string folder;
-    std::optional<config::SharedRun> run;  ///< nullopt if it has errors
+    std::optional<config::Run> run;  ///< nullopt if it has errors
 };
 
 /// What a candidate is read from, kept for those of other shards as well.
@@ -120,7 +120,7 @@ private:
         result.id = result.file + (project.name.empty() ? "" : " " + project.name);
         candidate.folder = folder + (project.name.empty() ? "" : "/" + project.name);
         try {
-            config::SharedRun run = loader_.read(file, project.overrides);
+            config::Run run = loader_.read(file, project.overrides);
             refuse(reference_errors(file));
             apply_settings(run.walk, project);
             if (settings_.strict) {

@@ -18,7 +18,7 @@ const scene::ContentHash& FileHashes::of(const fs::path& file) {
     return known->second;
 }
 
-void PlanContents::add(const engine::WalkResult& planned, const config::SharedRun* run) {
+void PlanContents::add(const engine::WalkResult& planned, const config::Run* run) {
     hasher_.add_text(planned.id);
     // In an order that doesn't depend on the paths: those of the program's own profiles are another
     // machine's.

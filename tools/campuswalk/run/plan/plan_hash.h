@@ -25,7 +25,7 @@ private:
 class PlanContents {
 public:
     /// `run` is null for a walk with errors: then only its own file is included.
-    void add(const engine::WalkResult& planned, const config::SharedRun* run);
+    void add(const engine::WalkResult& planned, const config::Run* run);
     std::string hash() const { return to_string(hasher_.result()); }
 
 private:

@@ -3,7 +3,7 @@
 #include <set>
 #include <string>
 
-#include "config/loader/load_run.h"
+#include "config/loader/search_paths.h"
 #include "tools/campuswalk/loading/walk_loader.h"
 #include "tools/campuswalk/logs/golden_log.h"
 
