@@ -69,91 +69,9 @@ bool has(const std::vector<std::string>& words, const std::string& word) {
     return std::ranges::find(words, word) != words.end();
 }
 
-engine::ExploreSettings settings_for(const ExploreOptions& options, const scene::Campus& campus,
-                                     const engine::AvatarProfile& avatar, const std::vector<bool>& disabled) {
-    engine::ExploreSettings settings =
-        engine::explore_settings(campus, avatar, engine::SimSettings().ticks_per_second);
-    settings.solids.disabled = &disabled;
-    settings.max_nodes = static_cast<std::size_t>(options.max_cells);
-    settings.run = has(options.allow, "run");
-    settings.jump = has(options.allow, "jump");
-    if (has(options.allow, "crouch")) {  // what is walked upright is walked like that, too
-        settings.strides.full_height = avatar.height;
-        settings.strides.body.height = engine::crouched_height(avatar);
-    }
-    if (!options.from.empty()) {
-        settings.starts.clear();
-        for (const std::string& name : options.from) {
-            settings.starts.push_back(spawn_position(campus.description, name));
-        }
-    }
-    if (settings.starts.empty()) {
-        throw scene::InputError(campus.description.mark, "missing-key",
-                                "the campus has no spawn to start from; add one under 'spawns'");
-    }
-    return settings;
-}
-
 std::size_t workers_of(const ExploreOptions& options) {
     return static_cast<std::size_t>(
         options.workers.value_or(static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))));
-}
-
-std::vector<std::string> required_but_unreached(const ExploreOptions& options,
-                                                const engine::WalkReport& report) {
-    std::vector<std::string> names;
-    for (const engine::SubjectReport& entry : report.subjects) {
-        const engine::Subject& subject = entry.subject;
-        const bool required = subject.kind == engine::SubjectKind::place
-                                  ? has(options.required, "all") || has(options.required, subject.name)
-                                  : has(options.required, "all") && engine::is_destination(subject.kind);
-        if (required && !subject.reached) {
-            names.push_back(subject.name);
-        }
-    }
-    return names;
-}
-
-/// What in the report isn't as the options demand, a line for each option.
-std::vector<std::string> objections(const ExploreOptions& options, const engine::WalkReport& report,
-                                    const std::vector<explore::Finding>& findings,
-                                    const explore::Coverage* coverage) {
-    std::vector<std::string> lines;
-    if (const auto names = required_but_unreached(options, report); !names.empty()) {
-        lines.push_back("--require: nobody gets to " + explore::first_of(names));
-    }
-    for (const std::string& kind : options.fail_on) {
-        std::vector<std::string> numbers;
-        for (std::size_t i = 0; i < findings.size(); ++i) {
-            if (explore::is_of_kind(findings[i], kind)) {
-                numbers.push_back(std::to_string(i + 1));
-            }
-        }
-        if (!numbers.empty()) {
-            lines.push_back("--fail-on " + kind + (numbers.size() == 1 ? ": finding " : ": findings ") +
-                            explore::first_of(numbers));
-        }
-    }
-    if (options.fail_under && 100.0 * coverage->share < *options.fail_under) {
-        lines.push_back("--fail-under " + engine::fixed(*options.fail_under, 1) + ": the walks visit " +
-                        engine::fixed(100.0 * coverage->share, 1) + " %");
-    }
-    return lines;
-}
-
-/// What --max-cells left out; empty if that is nothing.
-std::string left_out(const engine::WalkSpace& space) {
-    const std::string explored =
-        std::to_string(space.node_count()) + " cells, " + engine::fixed(space.area(), 1) + " m², ";
-    if (space.is_cut_by(engine::Bound::nodes)) {  // what isn't reached may lie beyond
-        return explored + "were explored, and there are more; raise it, or start elsewhere with --from";
-    }
-    if (space.is_cut_by(engine::Bound::islands)) {
-        return explored + "are reached, and those that aren't are more than it allows, or more than " +
-               std::to_string(engine::kMostUnreached) +
-               "; raise it, or leave ground that nobody walks on out of the colliders";
-    }
-    return "";
 }
 
 /// Those in the files and folders of `--walks`; says how many are left out.
@@ -272,6 +190,54 @@ void refuse_inputs(const ExploreOptions& options, const scene::Campus& campus) {
     }
 }
 
+/// Who walks where, and the walks whose coverage is measured.
+struct Visit {
+    std::shared_ptr<const scene::Campus> campus;
+    engine::AvatarProfile avatar;
+    std::vector<bool> disabled;  ///< by object
+    std::vector<engine::Walk> walks;
+};
+
+Visit read_visit(const ExploreOptions& options) {
+    WalkLoader loader;
+    Visit visit;
+    visit.campus = loader.load_campus(options.campus);
+    refuse_inputs(options, *visit.campus);
+    check_places(options, visit.campus->description);
+    visit.avatar = avatar_of(options.avatar, options, visit.campus->description);
+    check_width(options, visit.avatar);
+    if (!options.covered_by.empty()) {
+        visit.walks = walks_on_campus(loader, options.campus, options.covered_by);
+    }
+    visit.disabled = disabled_objects(*visit.campus, options.disable);
+    return visit;
+}
+
+engine::ExploreSettings settings_for(const ExploreOptions& options, const Visit& visit) {
+    const scene::Campus& campus = *visit.campus;
+    engine::ExploreSettings settings =
+        engine::explore_settings(campus, visit.avatar, engine::SimSettings().ticks_per_second);
+    settings.solids.disabled = &visit.disabled;
+    settings.max_nodes = static_cast<std::size_t>(options.max_cells);
+    settings.run = has(options.allow, "run");
+    settings.jump = has(options.allow, "jump");
+    if (has(options.allow, "crouch")) {  // what is walked upright is walked like that, too
+        settings.strides.full_height = visit.avatar.height;
+        settings.strides.body.height = engine::crouched_height(visit.avatar);
+    }
+    if (!options.from.empty()) {
+        settings.starts.clear();
+        for (const std::string& name : options.from) {
+            settings.starts.push_back(spawn_position(campus.description, name));
+        }
+    }
+    if (settings.starts.empty()) {
+        throw scene::InputError(campus.description.mark, "missing-key",
+                                "the campus has no spawn to start from; add one under 'spawns'");
+    }
+    return settings;
+}
+
 /// "[####..............] 2/5": how many of its stages are done.
 std::string progress_bar(const engine::ReportStage& stage) {
     constexpr int kWidth = 20;
@@ -280,18 +246,62 @@ std::string progress_bar(const engine::ReportStage& stage) {
            std::to_string(stage.number) + "/" + std::to_string(stage.count);
 }
 
-std::vector<engine::render::StoreyPlan> make_plans(const ExploreOptions& options, const scene::Campus& campus,
-                                                   const engine::AvatarProfile& avatar,
+/// The report, from the cache if it is there; shows how far it is meanwhile.
+engine::WalkReport report_of(const ExploreOptions& options, const Visit& visit,
+                             const engine::WorkerWorlds& worlds, engine::ExploreSettings settings) {
+    StatusLine progress(isatty(STDERR_FILENO) == 1);
+    engine::ReportStage stage;
+    settings.progress = [&](std::size_t nodes) {
+        progress.show(progress_bar(stage) + " explored " + std::to_string(nodes) + " places");
+    };
+    const scene::CacheFolder* cache = model_cache();
+    const explore::ReportInputs inputs{
+        cache != nullptr ? hash_of_campus(*visit.campus, options.campus, *cache) : std::nullopt,
+        visit.campus->objects.size(), visit.avatar, settings, options.min_width};
+    engine::WalkReport report = explore::cached_report(inputs, cache, [&] {
+        return engine::report_walks(*visit.campus, visit.avatar, worlds, settings, options.min_width,
+                                    [&](const engine::ReportStage& next) {
+                                        stage = next;
+                                        progress.show(progress_bar(stage) + " " + stage.text);
+                                    });
+    });
+    progress.hide();
+    return report;
+}
+
+/// What came of an exploration.
+struct Explored {
+    engine::WalkReport report;
+    std::vector<explore::Finding> findings = {};
+    std::vector<engine::render::StoreyPlan> plans = {};  ///< if they are wanted
+    std::optional<explore::Coverage> coverage = {};      ///< if there are walks
+};
+
+std::vector<engine::render::StoreyPlan> make_plans(const ExploreOptions& options, const Visit& visit,
                                                    const engine::WorkerWorlds& worlds,
                                                    const engine::ExploreSettings& settings,
-                                                   const engine::WalkReport& report,
-                                                   const std::vector<explore::Finding>& findings) {
+                                                   const Explored& explored) {
     explore::GroundWidths widths;
     if (options.min_width > 0.0) {
-        widths = {engine::passage_widths(worlds, settings, report.space, options.min_width),
-                  2.0 * avatar.radius, options.min_width};
+        widths = {engine::passage_widths(worlds, settings, explored.report.space, options.min_width),
+                  2.0 * visit.avatar.radius, options.min_width};
     }
-    return explore::storey_plans(campus, report, findings, widths);
+    return explore::storey_plans(*visit.campus, explored.report, explored.findings, widths);
+}
+
+Explored explored_by(const ExploreOptions& options, const Visit& visit,
+                     const engine::ExploreSettings& settings) {
+    const engine::WorkerWorlds worlds(visit.campus->world, workers_of(options),
+                                      collision::make_bullet_broad_phase);
+    Explored explored{report_of(options, visit, worlds, settings)};
+    explored.findings = explore::find_findings(*visit.campus, explored.report);
+    if (options.map) {  // before anything is written: it may be too large for plans
+        explored.plans = make_plans(options, visit, worlds, settings, explored);
+    }
+    if (!visit.walks.empty()) {
+        explored.coverage = explore::measure_coverage(*visit.campus, explored.report, visit.walks);
+    }
+    return explored;
 }
 
 void write_plans(const std::vector<engine::render::StoreyPlan>& plans, const std::filesystem::path& folder) {
@@ -304,9 +314,9 @@ void write_plans(const std::vector<engine::render::StoreyPlan>& plans, const std
     }
 }
 
-void write_walks(const ExploreOptions& options, const scene::Campus& walked,
-                 const engine::AvatarProfile& avatar, const engine::ExploreSettings& settings,
-                 const engine::WalkReport& report, const std::vector<explore::Finding>& findings) {
+void write_walks(const ExploreOptions& options, const Visit& visit, const engine::ExploreSettings& settings,
+                 const Explored& explored) {
+    const scene::Campus& walked = *visit.campus;
     std::error_code ignored;
     const std::filesystem::path campus = std::filesystem::proximate(
         std::filesystem::absolute(options.campus), std::filesystem::absolute(*options.walks), ignored);
@@ -314,15 +324,16 @@ void write_walks(const ExploreOptions& options, const scene::Campus& walked,
     const auto text_of = [&](const engine::AvatarProfile& body) {
         return explore::avatar_text(body, kUsualAvatar, usual);
     };
-    const engine::AvatarProfile body = has(options.allow, "crouch") ? explore::crouched(avatar) : avatar;
+    const engine::AvatarProfile body =
+        has(options.allow, "crouch") ? explore::crouched(visit.avatar) : visit.avatar;
     const engine::AvatarProfile wide = explore::widened(body, options.min_width);
     const explore::DraftPlayer usual_player(walked, body, options.disable);
     const explore::DraftPlayer wide_player(walked, wide, options.disable);
     engine::Strider strider(walked.world, settings.strides, settings.solids);
     const explore::WalkHeader header{campus.generic_string(), text_of(body), text_of(wide)};
     std::set<std::string> written;
-    for (const explore::MinimalWalk& walk :
-         explore::minimal_walks(report, findings, header, {usual_player, wide_player, strider})) {
+    for (const explore::MinimalWalk& walk : explore::minimal_walks(explored.report, explored.findings, header,
+                                                                   {usual_player, wide_player, strider})) {
         const std::string name = walk.name + std::string(config::kWalkSuffix);
         const std::filesystem::path file = *options.walks / name;
         if (explore::may_replace_walk(file, header.campus)) {
@@ -334,6 +345,97 @@ void write_walks(const ExploreOptions& options, const scene::Campus& walked,
         written.insert(name);
     }
     explore::remove_earlier_walks(*options.walks, header.campus, written);
+}
+
+void write_outputs(const ExploreOptions& options, const Visit& visit, const engine::ExploreSettings& settings,
+                   const Explored& explored, std::string* json) {
+    if (options.json || json != nullptr) {
+        const std::string text = explore::report_json(*visit.campus, explored.report, explored.findings,
+                                                      explored.coverage ? &*explored.coverage : nullptr);
+        if (json != nullptr) {
+            *json = text;
+        } else {
+            scene::write_file_atomically(*options.json, text);
+        }
+    }
+    if (options.geojson) {
+        scene::write_file_atomically(
+            *options.geojson, explore::report_geojson(*visit.campus, explored.report, explored.findings));
+    }
+    if (options.map) {
+        write_plans(explored.plans, *options.map);
+    }
+    if (options.walks) {
+        write_walks(options, visit, settings, explored);
+    }
+}
+
+std::vector<std::string> required_but_unreached(const ExploreOptions& options,
+                                                const engine::WalkReport& report) {
+    std::vector<std::string> names;
+    for (const engine::SubjectReport& entry : report.subjects) {
+        const engine::Subject& subject = entry.subject;
+        const bool required = subject.kind == engine::SubjectKind::place
+                                  ? has(options.required, "all") || has(options.required, subject.name)
+                                  : has(options.required, "all") && engine::is_destination(subject.kind);
+        if (required && !subject.reached) {
+            names.push_back(subject.name);
+        }
+    }
+    return names;
+}
+
+/// What in the report isn't as the options demand, a line for each option.
+std::vector<std::string> objections(const ExploreOptions& options, const Explored& explored) {
+    std::vector<std::string> lines;
+    if (const auto names = required_but_unreached(options, explored.report); !names.empty()) {
+        lines.push_back("--require: nobody gets to " + explore::first_of(names));
+    }
+    for (const std::string& kind : options.fail_on) {
+        std::vector<std::string> numbers;
+        for (std::size_t i = 0; i < explored.findings.size(); ++i) {
+            if (explore::is_of_kind(explored.findings[i], kind)) {
+                numbers.push_back(std::to_string(i + 1));
+            }
+        }
+        if (!numbers.empty()) {
+            lines.push_back("--fail-on " + kind + (numbers.size() == 1 ? ": finding " : ": findings ") +
+                            explore::first_of(numbers));
+        }
+    }
+    if (options.fail_under && 100.0 * explored.coverage->share < *options.fail_under) {
+        lines.push_back("--fail-under " + engine::fixed(*options.fail_under, 1) + ": the walks visit " +
+                        engine::fixed(100.0 * explored.coverage->share, 1) + " %");
+    }
+    return lines;
+}
+
+/// What --max-cells left out; empty if that is nothing.
+std::string left_out(const engine::WalkSpace& space) {
+    const std::string explored =
+        std::to_string(space.node_count()) + " cells, " + engine::fixed(space.area(), 1) + " m², ";
+    if (space.is_cut_by(engine::Bound::nodes)) {  // what isn't reached may lie beyond
+        return explored + "were explored, and there are more; raise it, or start elsewhere with --from";
+    }
+    if (space.is_cut_by(engine::Bound::islands)) {
+        return explored + "are reached, and those that aren't are more than it allows, or more than " +
+               std::to_string(engine::kMostUnreached) +
+               "; raise it, or leave ground that nobody walks on out of the colliders";
+    }
+    return "";
+}
+
+/// Prints what isn't as the options demand; returns the exit code.
+int verdict(const ExploreOptions& options, const Explored& explored) {
+    const std::vector<std::string> against = objections(options, explored);
+    for (const std::string& objection : against) {
+        print_line("failed     %s", objection.c_str());
+    }
+    if (const std::string cells = left_out(explored.report.space); !cells.empty()) {
+        print_line("failed     --max-cells: %s", cells.c_str());
+        return kRunFailed;
+    }
+    return against.empty() ? kPass : kExpectationFailed;
 }
 
 }  // namespace
@@ -349,74 +451,15 @@ void check_exploration(const ExploreOptions& options) {
 
 int explore_campus(const ExploreOptions& options, std::string* json) {
     check_options(options);
-    WalkLoader loader;
-    const std::shared_ptr<const scene::Campus> campus = loader.load_campus(options.campus);
-    refuse_inputs(options, *campus);
-    check_places(options, campus->description);
-    const engine::AvatarProfile avatar = avatar_of(options.avatar, options, campus->description);
-    check_width(options, avatar);
-    const std::vector<engine::Walk> walks = options.covered_by.empty()
-                                                ? std::vector<engine::Walk>()
-                                                : walks_on_campus(loader, options.campus, options.covered_by);
-    const std::vector<bool> disabled = disabled_objects(*campus, options.disable);
-    const engine::WorkerWorlds worlds(campus->world, workers_of(options), collision::make_bullet_broad_phase);
-    StatusLine progress(isatty(STDERR_FILENO) == 1);
-    engine::ExploreSettings settings = settings_for(options, *campus, avatar, disabled);
-    engine::ReportStage stage;
-    settings.progress = [&](std::size_t nodes) {
-        progress.show(progress_bar(stage) + " explored " + std::to_string(nodes) + " places");
-    };
-    const scene::CacheFolder* cache = model_cache();
-    const explore::ReportInputs inputs{
-        cache != nullptr ? hash_of_campus(*campus, options.campus, *cache) : std::nullopt,
-        campus->objects.size(), avatar, settings, options.min_width};
-    const engine::WalkReport report = explore::cached_report(inputs, cache, [&] {
-        return engine::report_walks(*campus, avatar, worlds, settings, options.min_width,
-                                    [&](const engine::ReportStage& next) {
-                                        stage = next;
-                                        progress.show(progress_bar(stage) + " " + stage.text);
-                                    });
-    });
-    progress.hide();
-    const std::vector<explore::Finding> findings = explore::find_findings(*campus, report);
-    std::vector<engine::render::StoreyPlan> plans;
-    if (options.map) {  // before anything is written: it may be too large for plans
-        plans = make_plans(options, *campus, avatar, worlds, settings, report, findings);
+    const Visit visit = read_visit(options);
+    const engine::ExploreSettings settings = settings_for(options, visit);
+    const Explored explored = explored_by(options, visit, settings);
+    explore::print_report(*visit.campus, explored.report, visit.avatar, explored.findings);
+    if (explored.coverage) {
+        explore::print_coverage(explored.report, *explored.coverage);
     }
-    explore::print_report(*campus, report, avatar, findings);
-    std::optional<explore::Coverage> coverage;
-    if (!walks.empty()) {
-        coverage = explore::measure_coverage(*campus, report, walks);
-        explore::print_coverage(report, *coverage);
-    }
-    if (options.json || json != nullptr) {
-        const std::string text =
-            explore::report_json(*campus, report, findings, coverage ? &*coverage : nullptr);
-        if (json != nullptr) {
-            *json = text;
-        } else {
-            scene::write_file_atomically(*options.json, text);
-        }
-    }
-    if (options.geojson) {
-        scene::write_file_atomically(*options.geojson, explore::report_geojson(*campus, report, findings));
-    }
-    if (options.map) {
-        write_plans(plans, *options.map);
-    }
-    if (options.walks) {
-        write_walks(options, *campus, avatar, settings, report, findings);
-    }
-    const std::vector<std::string> against =
-        objections(options, report, findings, coverage ? &*coverage : nullptr);
-    for (const std::string& objection : against) {
-        print_line("failed     %s", objection.c_str());
-    }
-    if (const std::string cells = left_out(report.space); !cells.empty()) {
-        print_line("failed     --max-cells: %s", cells.c_str());
-        return kRunFailed;
-    }
-    return against.empty() ? kPass : kExpectationFailed;
+    write_outputs(options, visit, settings, explored, json);
+    return verdict(options, explored);
 }
 
 }  // namespace campuswalk::tools

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -24,6 +25,10 @@ struct RecordKind {
 
 /// The one that reports show walks from.
 inline constexpr const char* kReportRecord = "report";
+/// Whether it is among the names of records.
+inline bool records_for_reports(const std::vector<std::string>& names) {
+    return std::ranges::find(names, kReportRecord) != names.end();
+}
 
 const std::vector<RecordKind>& record_kinds();
 
