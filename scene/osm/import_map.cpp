@@ -16,25 +16,26 @@
 #include "scene/osm/objects/furniture.h"
 #include "scene/osm/objects/steps.h"
 #include "scene/osm/read/unreadable_lengths.h"
-#include "scene/osm/ways/compose.h"
 #include "scene/osm/ways/ground.h"
 #include "scene/osm/ways/relief.h"
+#include "scene/osm/ways/site.h"
 #include "scene/osm/ways/surfaces.h"
 
 namespace campuswalk::scene::osm {
 namespace {
 
 /// Adds the buildings, open where paths lead through them.
-void add_buildings(Composition& composition) {
+Built add_buildings(const Site& site, ModelBuilder& model) {
+    Built built;
     constexpr double kLeastInside = 1.5;  // metres; less is a door
-    const std::vector<Passage> passages = passages_of(composition.paths, composition.geometry);
+    const std::vector<Passage> passages = passages_of(site.paths, site.geometry);
     BoxIndex index;
     for (std::size_t i = 0; i < passages.size(); ++i) {
         if (!passages[i].area.empty()) {
             index.add(i, box_of(passages[i].area));
         }
     }
-    for (const Volume& volume : composition.volumes) {
+    for (const Volume& volume : site.volumes) {
         std::vector<const Passage*> through;
         if (!volume.open) {
             for (const std::size_t i : index.near(box_of(volume.footprint))) {
@@ -43,33 +44,48 @@ void add_buildings(Composition& composition) {
                     length_inside(passages[i].way->points, volume.footprint) > kLeastInside) {
                     through.push_back(&passages[i]);
                     if (at_ground) {
-                        composition.openings.push_back(passages[i].area);
+                        built.openings.push_back(passages[i].area);
                     }
                     if (at_ground && !passages[i].tagged && passages[i].for_walkers) {
-                        composition.warn("untagged-passage",
-                                         "way " + std::to_string(passages[i].way->id) + " runs through " +
-                                             volume.node + " without tunnel=building_passage; it is open");
+                        site.warn("untagged-passage", "way " + std::to_string(passages[i].way->id) +
+                                                          " runs through " + volume.node +
+                                                          " without tunnel=building_passage; it is open");
                     }
                 }
             }
         }
-        add_volume(volume, through, composition.geometry, composition.terrain, composition.model);
+        add_volume(volume, through, site.geometry, site.terrain, model);
+    }
+    return built;
+}
+
+std::vector<Deck> decks_of(const BridgePlan& plan, const Site& site) {
+    std::vector<Deck> decks;
+    for (const Bridge& bridge : plan.bridges) {
+        decks.push_back(deck_of(bridge, site));
+    }
+    return decks;
+}
+
+void trim_stairs(const std::vector<Deck>& decks, std::vector<Path>& paths) {
+    for (const Deck& deck : decks) {
+        for (const StairsTrim& trim : deck.trims) {
+            (trim.first ? paths[trim.path].first_trim : paths[trim.path].last_trim) = trim.length;
+        }
     }
 }
 
-void add_bridges(const BridgePlan& plan, Composition& composition) {
-    std::vector<Deck> decks;
-    for (const Bridge& bridge : plan.bridges) {
-        decks.push_back(deck_of(bridge, composition));
-    }
+Built add_bridges(const std::vector<Deck>& decks, const Site& site, ModelBuilder& model) {
+    Built built;
     for (std::size_t i = 0; i < decks.size(); ++i) {
-        add_deck(decks, i, composition);
+        add_deck(decks, i, site, model);
         for (const DeckPart& part : decks[i].parts) {
-            composition.obstacles.push_back(part.area);
+            built.obstacles.push_back(part.area);
         }
     }
-    composition.draft.solids.push_back({"bridge", {"bridge/*"}, "", "bridge", true});
-    add_piers(decks, composition);
+    built.solids.push_back({"bridge", {"bridge/*"}, "", "bridge", true});
+    built.append(add_piers(decks, site, model));
+    return built;
 }
 
 Box on_grid(const Box& box) {
@@ -162,22 +178,28 @@ std::string smaller_part(const Map& map) {
            std::to_string(static_cast<int>(std::ceil(0.25 * map.box.size().maxCoeff())));
 }
 
-void build(const BridgePlan& bridges, Composition& composition) {
-    add_bridges(bridges, composition);
-    const std::vector<Surface> surfaces = surfaces_of(composition.map, composition.paths, composition.areas,
-                                                      composition.geometry, composition.terrain);
-    add_ground(surfaces, composition.ground, composition.geometry, composition.terrain, composition.model);
+Built add_surfaces(const Site& site, ModelBuilder& model) {
+    const std::vector<Surface> surfaces =
+        surfaces_of(site.map, site.paths, site.areas, site.geometry, site.terrain);
+    add_ground(surfaces, site.ground, site.geometry, site.terrain, model);
+    Built built;
     for (const Surface& surface : surfaces) {
         if (surface.water) {
-            composition.obstacles.push_back(surface.area);
+            built.obstacles.push_back(surface.area);
         }
     }
-    composition.draft.solids.push_back({"ground", ground_globs(surfaces), "", "ground", false});
-    add_steps(composition);
-    add_buildings(composition);
-    add_barriers(composition);
-    add_furniture(composition);
-    add_meaning(composition);
+    built.solids.push_back({"ground", ground_globs(surfaces), "", "ground", false});
+    return built;
+}
+
+CampusDraft build(const Site& site, const std::vector<Deck>& decks, ModelBuilder& model) {
+    Built built = add_bridges(decks, site, model);
+    built.append(add_surfaces(site, model));
+    built.append(add_steps(site, built, model));
+    built.append(add_buildings(site, model));
+    built.append(add_barriers(site, model));
+    built.append(add_furniture(site, model));
+    return meaning_of(site, std::move(built), model);
 }
 
 ImportedMap imported_map(const MapRequest& request, const Map& map, DiagnosticList& warnings) {
@@ -189,17 +211,17 @@ ImportedMap imported_map(const MapRequest& request, const Map& map, DiagnosticLi
     const Terrain base = base_terrain(request, map, areas, box, paths);
     const BridgePlan bridges = plan_bridges(map, areas, base, request.mark, paths, warnings);
     const Terrain terrain = with_mounds(base, box, bridges.mounds, bridges.cuttings);
-    Composition composition{map, request.mark, geometry, terrain, box, warnings};
-    composition.draft.latitude_deg = 0.5 * (map.geographic.south + map.geographic.north);
-    const double longitude = 0.5 * (map.geographic.west + map.geographic.east);
-    composition.draft.longitude_deg = longitude > 180.0 ? longitude - 360.0 : longitude;
-    composition.areas = std::move(areas);
-    composition.paths = std::move(paths);
-    composition.volumes = volumes_of(composition.areas, geometry, terrain, request.mark, warnings);
+    std::vector<Volume> volumes = volumes_of(areas, geometry, terrain, request.mark, warnings);
+    Site site{map,      request.mark,     geometry,         terrain,           box,
+              warnings, std::move(areas), std::move(paths), std::move(volumes)};
+    const std::vector<Deck> decks = decks_of(bridges, site);
+    trim_stairs(decks, site.paths);
+    ModelBuilder model;
+    ImportedMap imported;
     try {
-        build(bridges, composition);
+        imported.draft = build(site, decks, model);
     } catch (const TooManyTriangles&) {
-        const auto [object, triangles] = composition.model.largest();
+        const auto [object, triangles] = model.largest();
         throw InputError(request.mark, "bad-size",
                          "it makes more than " + std::to_string(kMaxMapTriangles / 1'000'000) +
                              " million triangles, of which " + object + " has " + std::to_string(triangles) +
@@ -208,16 +230,19 @@ ImportedMap imported_map(const MapRequest& request, const Map& map, DiagnosticLi
                              smaller_part(map));
     }
     if (geometry.failures() > 0) {
-        composition.warn("lost-geometry", std::to_string(geometry.failures()) +
-                                              " pieces of the map couldn't be cut or triangulated");
+        site.warn("lost-geometry",
+                  std::to_string(geometry.failures()) + " pieces of the map couldn't be cut or triangulated");
     }
-    Model model = composition.model.finish();
-    ImportedMap imported{std::move(model), std::move(composition.draft), warnings.all()};
+    imported.model = model.finish();
+    imported.model.file = request.mark.file;
     keep_existing(imported.model, imported.draft.solids);
     imported.draft.layers = layers_of(imported.draft);
-    imported.model.file = request.mark.file;
+    imported.draft.latitude_deg = 0.5 * (map.geographic.south + map.geographic.north);
+    const double longitude = 0.5 * (map.geographic.west + map.geographic.east);
+    imported.draft.longitude_deg = longitude > 180.0 ? longitude - 360.0 : longitude;
     imported.model.geographic =
         GeographicPlace{imported.draft.latitude_deg, imported.draft.longitude_deg, 0.0};
+    imported.warnings = warnings.all();
     return imported;
 }
 

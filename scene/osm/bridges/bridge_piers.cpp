@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "scene/osm/read/tag_values.h"
 
@@ -15,14 +16,14 @@ constexpr double kInDeck = 0.1;
 
 class PierBuilder {
 public:
-    PierBuilder(const std::vector<Deck>& decks, Composition& composition)
-        : decks_(decks), composition_(composition) {}
+    PierBuilder(const std::vector<Deck>& decks, const Site& site, ModelBuilder& model)
+        : decks_(decks), site_(site), model_(model) {}
 
     void add_nodes() {
         constexpr double kUsualWidth = 1.0;
         constexpr int kSides = 12;
-        for (const MapNode& node : composition_.map.nodes) {
-            if (!affirmed(node.tags, "bridge:support") || !composition_.map.box.contains(node.at)) {
+        for (const MapNode& node : site_.map.nodes) {
+            if (!affirmed(node.tags, "bridge:support") || !site_.map.box.contains(node.at)) {
                 continue;
             }
             const ElementId id{ElementKind::node, node.id};
@@ -34,13 +35,13 @@ public:
             const double radius =
                 0.5 * std::clamp(length_of(node.tags, "width").value_or(kUsualWidth), 0.2, 10.0);
             object(id).cylinder(kPierConcrete, node.at, radius, radius, kSides,
-                                composition_.terrain.height(node.at) - kInGround, *top);
-            composition_.add_obstacle(node.at, radius);
+                                site_.terrain.height(node.at) - kInGround, *top);
+            built_.add_obstacle(node.at, radius);
         }
     }
 
     void add_areas() {
-        for (const MapArea& area : composition_.areas) {
+        for (const MapArea& area : site_.areas) {
             if (!affirmed(area.tags, "bridge:support") || affirmed(area.tags, "building") ||
                 affirmed(area.tags, "building:part")) {
                 continue;
@@ -51,11 +52,16 @@ public:
                     warn(area.id);
                     continue;
                 }
-                object(area.id).walls(kPierConcrete, {polygon},
-                                      composition_.terrain.lowest({polygon}) - kInGround, *top);
-                composition_.obstacles.push_back({polygon});
+                object(area.id).walls(kPierConcrete, {polygon}, site_.terrain.lowest({polygon}) - kInGround,
+                                      *top);
+                built_.obstacles.push_back({polygon});
             }
         }
+    }
+
+    Built built() {
+        built_.solids.push_back({"bridge-pier", {"bridge-pier/*"}, "", "bridge", true});
+        return std::move(built_);
     }
 
 private:
@@ -69,7 +75,7 @@ private:
                         continue;
                     }
                     const double height = part.height(p) - deck.bridge->thickness + kInDeck;
-                    if (height > composition_.terrain.height(p)) {
+                    if (height > site_.terrain.height(p)) {
                         lowest = std::min(lowest.value_or(height), height);
                     }
                 }
@@ -78,23 +84,25 @@ private:
         return lowest;
     }
 
-    ObjectMesh& object(const ElementId& id) { return composition_.model.object("bridge-pier/" + id.text()); }
+    ObjectMesh& object(const ElementId& id) { return model_.object("bridge-pier/" + id.text()); }
 
     void warn(const ElementId& id) const {
-        composition_.warn("pier-without-bridge", id.text() + " supports a bridge that isn't there; left out");
+        site_.warn("pier-without-bridge", id.text() + " supports a bridge that isn't there; left out");
     }
 
     const std::vector<Deck>& decks_;
-    Composition& composition_;
+    const Site& site_;
+    ModelBuilder& model_;
+    Built built_;
 };
 
 }  // namespace
 
-void add_piers(const std::vector<Deck>& decks, Composition& composition) {
-    PierBuilder builder(decks, composition);
+Built add_piers(const std::vector<Deck>& decks, const Site& site, ModelBuilder& model) {
+    PierBuilder builder(decks, site, model);
     builder.add_nodes();
     builder.add_areas();
-    composition.draft.solids.push_back({"bridge-pier", {"bridge-pier/*"}, "", "bridge", true});
+    return builder.built();
 }
 
 }  // namespace campuswalk::scene::osm

@@ -76,11 +76,11 @@ double length_from_start_inside(const std::vector<Point>& line, const Polygons& 
 }
 
 /// The paths that lead on from the open ends, as far as the ground is lower.
-void add_ramps(const Bridge& bridge, Composition& composition, std::vector<DeckPart>& parts) {
-    const Terrain& terrain = composition.terrain;
+void add_ramps(const Bridge& bridge, const Site& site, std::vector<DeckPart>& parts) {
+    const Terrain& terrain = site.terrain;
     for (const PathAtBridge& on : bridge.leading_on) {
         for (const bool forwards : {true, false}) {
-            const Path& path = composition.paths[on.path];
+            const Path& path = site.paths[on.path];
             const std::vector<Point> line = line_from(path, on.place, forwards);
             if (line.size() < 2) {
                 continue;
@@ -91,11 +91,10 @@ void add_ramps(const Bridge& bridge, Composition& composition, std::vector<DeckP
                 continue;
             }
             if (ramp.heights.back() - terrain.height(ramp.line.back()) > 0.3) {
-                composition.warn("steep-bridge",
-                                 "way " + std::to_string(path.way->id) +
-                                     " is too short to lead down from a bridge to the ground");
+                site.warn("steep-bridge", "way " + std::to_string(path.way->id) +
+                                              " is too short to lead down from a bridge to the ground");
             }
-            ramp.area = composition.geometry.buffer(ramp.line, 0.5 * ramp.width, Caps::round);
+            ramp.area = site.geometry.buffer(ramp.line, 0.5 * ramp.width, Caps::round);
             parts.push_back(std::move(ramp));
         }
     }
@@ -103,21 +102,21 @@ void add_ramps(const Bridge& bridge, Composition& composition, std::vector<DeckP
 
 /// What an outline has beside all decks, as high as the path of the bridge that runs farthest in it.
 DeckPart rest_of_outline(const MapArea& outline, const Bridge& bridge, const Polygons& own,
-                         const Composition& composition) {
+                         const Site& site) {
     DeckPart rest;
     double farthest = -1.0;
     for (const std::size_t number : bridge.paths) {
-        const Path& path = composition.paths[number];
+        const Path& path = site.paths[number];
         const double inside = length_inside(path.way->points, outline.polygons);
         if (inside > farthest) {
             farthest = inside;
             rest = {&path, path.way->points, path.deck, path.width, {}};
         }
     }
-    rest.area = composition.geometry.difference(outline.polygons, own);
-    for (const Path& path : composition.paths) {
+    rest.area = site.geometry.difference(outline.polygons, own);
+    for (const Path& path : site.paths) {
         if (path.is_above() && !rest.area.empty()) {
-            rest.area = composition.geometry.difference(rest.area, path.area);
+            rest.area = site.geometry.difference(rest.area, path.area);
         }
     }
     return rest;
@@ -125,15 +124,15 @@ DeckPart rest_of_outline(const MapArea& outline, const Bridge& bridge, const Pol
 
 }  // namespace
 
-Deck deck_of(const Bridge& bridge, Composition& composition) {
-    const PlanGeometry& geometry = composition.geometry;
-    geometry.charge_to(ElementId{ElementKind::way, composition.paths[bridge.paths.front()].way->id}.text());
+Deck deck_of(const Bridge& bridge, const Site& site) {
+    const PlanGeometry& geometry = site.geometry;
+    geometry.charge_to(ElementId{ElementKind::way, site.paths[bridge.paths.front()].way->id}.text());
     std::vector<DeckPart> parts;
     for (const std::size_t number : bridge.paths) {
-        const Path& path = composition.paths[number];
+        const Path& path = site.paths[number];
         parts.push_back({&path, path.way->points, path.deck, path.width, path.area});
     }
-    add_ramps(bridge, composition, parts);
+    add_ramps(bridge, site, parts);
     Polygons all;
     for (DeckPart& part : parts) {
         const Polygons whole = part.area;
@@ -141,19 +140,20 @@ Deck deck_of(const Bridge& bridge, Composition& composition) {
         all = all.empty() ? whole : geometry.united({&all, &whole});
     }
     for (const std::size_t number : bridge.outlines) {
-        parts.push_back(rest_of_outline(composition.areas[number], bridge, all, composition));
+        parts.push_back(rest_of_outline(site.areas[number], bridge, all, site));
         all = geometry.united({&all, &parts.back().area});
     }
+    std::vector<StairsTrim> trims;
     for (const PathAtBridge& stairs : bridge.stairs) {
-        Path& path = composition.paths[stairs.path];
-        const double trim = length_from_start_inside(line_from(path, stairs.place, stairs.place == 0), all);
-        (stairs.place == 0 ? path.first_trim : path.last_trim) = trim;
+        const bool first = stairs.place == 0;
+        const std::vector<Point> line = line_from(site.paths[stairs.path], stairs.place, first);
+        trims.push_back({stairs.path, first, length_from_start_inside(line, all)});
     }
     for (DeckPart& part : parts) {
-        part.area = geometry.clipped(part.area, composition.ground);
+        part.area = geometry.clipped(part.area, site.ground);
     }
     std::erase_if(parts, [](const DeckPart& part) { return part.area.empty(); });
-    return {&bridge, std::move(parts)};
+    return {&bridge, std::move(parts), std::move(trims)};
 }
 
 }  // namespace campuswalk::scene::osm

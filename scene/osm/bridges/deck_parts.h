@@ -1,9 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "scene/osm/bridges/bridges.h"
-#include "scene/osm/ways/compose.h"
+#include "scene/osm/ways/site.h"
 
 namespace campuswalk::scene::osm {
 
@@ -19,14 +20,22 @@ struct DeckPart {
     double height(const Point& p) const { return height_along(line, heights, p); }
 };
 
+/// How much of steps is below a deck, at their first or their last node.
+struct StairsTrim {
+    std::size_t path = 0;
+    bool first = false;
+    double length = 0.0;  ///< metres
+};
+
 struct Deck {
     const Bridge* bridge = nullptr;
     std::vector<DeckPart> parts;
+    std::vector<StairsTrim> trims;
 };
 
 /// The parts of a bridge: its paths, from its open ends, where the ground couldn't rise enough, the paths
 /// that lead on, down to the ground, and what its outlines have beside them; all of it only where the map has
-/// ground. Sets how much of steps is below it.
-Deck deck_of(const Bridge& bridge, Composition& composition);
+/// ground.
+Deck deck_of(const Bridge& bridge, const Site& site);
 
 }  // namespace campuswalk::scene::osm

@@ -26,17 +26,16 @@ Polygons area_of_parts(const std::vector<DeckPart>& parts, const PlanGeometry& g
 
 class DeckBuilder {
 public:
-    DeckBuilder(const std::vector<Deck>& decks, std::size_t number, Composition& composition)
+    DeckBuilder(const std::vector<Deck>& decks, std::size_t number, const Site& site, ModelBuilder& model)
         : decks_(decks),
           parts_(decks[number].parts),
           bridge_(*decks[number].bridge),
-          composition_(composition),
-          mesh_(composition.model.object(
-              "bridge/" +
-              ElementId{ElementKind::way, composition.paths[bridge_.paths.front()].way->id}.text())) {
+          site_(site),
+          mesh_(model.object("bridge/" +
+                             ElementId{ElementKind::way, site.paths[bridge_.paths.front()].way->id}.text())) {
         for (const PathAtBridge& stairs : bridge_.stairs) {
-            if (!composition.paths[stairs.path].leaves_ground) {
-                stairs_.push_back(&composition.paths[stairs.path]);
+            if (!site.paths[stairs.path].leaves_ground) {
+                stairs_.push_back(&site.paths[stairs.path]);
             }
         }
     }
@@ -45,7 +44,7 @@ public:
         for (const DeckPart& part : parts_) {
             const Look look = part.path->carriageway ? kDeckAsphalt : look_of_deck(part.path->way->tags);
             for (const Polygon& polygon : part.area) {
-                const Triangulation flat = composition_.geometry.triangulated(polygon);
+                const Triangulation flat = site_.geometry.triangulated(polygon);
                 for (const auto& [a, b, c] : flat.triangles) {
                     const Point3 pa = top(part, flat.points[a]);
                     const Point3 pb = top(part, flat.points[b]);
@@ -60,7 +59,7 @@ public:
     /// The slab's sides and what keeps people from falling, around all parts.
     void add_edges() {
         constexpr double kPiece = 1.5;  // metres
-        for (const Polygon& polygon : area_of_parts(parts_, composition_.geometry)) {
+        for (const Polygon& polygon : area_of_parts(parts_, site_.geometry)) {
             std::vector<const Ring*> rings = {&polygon.outer};
             for (const Ring& hole : polygon.holes) {
                 rings.push_back(&hole);
@@ -111,8 +110,7 @@ private:
         const Point out = Point(unit(b - a).y(), -unit(b - a).x());  // rings run around areas on their left
         const Point middle = 0.5 * (a + b);
         constexpr double kFall = 0.45;  // metres that need a parapet
-        const double drop =
-            0.5 * (high_a.height + high_b.height) - composition_.terrain.height(middle + 0.3 * out);
+        const double drop = 0.5 * (high_a.height + high_b.height) - site_.terrain.height(middle + 0.3 * out);
         const double height = 0.5 * (high_a.height + high_b.height);
         if (drop < kFall || leads_to_stairs(middle) || leads_to_a_deck(middle + 0.1 * out, height)) {
             return;
@@ -163,15 +161,15 @@ private:
     const std::vector<Deck>& decks_;
     const std::vector<DeckPart>& parts_;
     const Bridge& bridge_;
-    Composition& composition_;
+    const Site& site_;
     ObjectMesh& mesh_;
     std::vector<const Path*> stairs_;
 };
 
 }  // namespace
 
-void add_deck(const std::vector<Deck>& decks, std::size_t number, Composition& composition) {
-    DeckBuilder builder(decks, number, composition);
+void add_deck(const std::vector<Deck>& decks, std::size_t number, const Site& site, ModelBuilder& model) {
+    DeckBuilder builder(decks, number, site, model);
     builder.add_slab();
     builder.add_edges();
 }

@@ -57,18 +57,24 @@ private:
 
 class Doors {
 public:
-    Doors(Composition& composition, const FreeGround& free)
-        : composition_(composition), free_(free), volumes_(index_of_volumes(composition)) {
-        for (const Volume& volume : composition.volumes) {
+    Doors(const Site& site, const FreeGround& free, const std::vector<Polygons>& openings,
+          ModelBuilder& model, CampusDraft& draft)
+        : site_(site),
+          free_(free),
+          open_(openings),
+          model_(model),
+          draft_(draft),
+          volumes_(index_of_volumes(site)) {
+        for (const Volume& volume : site.volumes) {
             walled_.insert(volume.building);
         }
         for (const std::size_t area : walled_) {
-            outlines_.add(area, box_of(composition.areas[area].polygons));
+            outlines_.add(area, box_of(site.areas[area].polygons));
         }
-        for (std::size_t i = 0; i < composition.openings.size(); ++i) {
-            openings_.add(i, box_of(composition.openings[i]));
+        for (std::size_t i = 0; i < openings.size(); ++i) {
+            openings_.add(i, box_of(openings[i]));
         }
-        for (const Path& path : composition.paths) {
+        for (const Path& path : site.paths) {
             for (const std::size_t i : ends_for_visitors(path)) {
                 const bool is_new = led_to_.try_emplace(path.way->nodes[i], height_at(path, i)).second;
                 if (!is_new && !path.is_above()) {  // rather on the ground than on a bridge
@@ -76,8 +82,8 @@ public:
                 }
             }
         }
-        for (std::size_t i = 0; i < composition.areas.size(); ++i) {
-            for (const MapWay* way : composition.areas[i].outlines) {
+        for (std::size_t i = 0; i < site.areas.size(); ++i) {
+            for (const MapWay* way : site.areas[i].outlines) {
                 for (std::size_t k = 0; walled_.contains(i) && k < way->nodes.size(); ++k) {
                     on_wall_.try_emplace(way->nodes[k], i);
                 }
@@ -87,7 +93,7 @@ public:
 
     void add_tagged() {
         std::vector<const MapNode*> on_other_floors;
-        for (const MapNode& node : composition_.map.nodes) {
+        for (const MapNode& node : site_.map.nodes) {
             if (!is_entrance(node.tags)) {
                 continue;
             }
@@ -95,7 +101,7 @@ public:
             const auto led_to = led_to_.find(node.id);
             const bool is_led_to = wall != on_wall_.end() && led_to != led_to_.end();
             if (number_of(node.tags, "level").value_or(0.0) != 0.0 && !is_led_to) {
-                if (composition_.map.box.contains(node.at)) {
+                if (site_.map.box.contains(node.at)) {
                     on_other_floors.push_back(&node);
                 }
             } else if (wall != on_wall_.end()) {
@@ -107,7 +113,7 @@ public:
         }
         if (!on_other_floors.empty()) {
             const bool one = on_other_floors.size() == 1;
-            composition_.warn(
+            site_.warn(
                 "entrance-on-floor",
                 std::to_string(on_other_floors.size()) + (one ? " entrance (" : " entrances (the first: ") +
                     "node " + std::to_string(on_other_floors.front()->id) + ", level=" +
@@ -118,7 +124,7 @@ public:
     }
 
     void add_untagged() {
-        for (const Path& path : composition_.paths) {
+        for (const Path& path : site_.paths) {
             for (const std::size_t i : ends_for_visitors(path)) {
                 if (const auto wall = on_wall_.find(path.way->nodes[i]); wall != on_wall_.end()) {
                     add({path.way->nodes[i], path.way->points[i], wall->second, nullptr, false,
@@ -130,9 +136,9 @@ public:
 
     /// Every building with a name can be entered: where no door is known, at its wall nearest to a path.
     void add_assumed() {
-        const PathSegments segments(composition_.paths);
+        const PathSegments segments(site_.paths);
         for (const std::size_t area : walled_) {
-            const MapArea& building = composition_.areas[area];
+            const MapArea& building = site_.areas[area];
             if (!building.tags.has("name") || with_door_.contains(area) ||
                 building.polygons.front().outer.size() < 3) {
                 continue;
@@ -184,8 +190,7 @@ private:
         Point at = node.at;
         std::optional<std::size_t> area;
         for (const std::size_t i : outlines_.near(Box{node.at, node.at}.grown(kFarthest))) {
-            if (const Nearest wall = nearest_on(composition_.areas[i].polygons, node.at);
-                wall.distance < nearest) {
+            if (const Nearest wall = nearest_on(site_.areas[i].polygons, node.at); wall.distance < nearest) {
                 nearest = wall.distance;
                 at = wall.at;
                 area = i;
@@ -193,19 +198,19 @@ private:
         }
         if (area) {
             add({node.id, at, *area, &node.tags, false});
-        } else if (composition_.map.box.contains(node.at)) {
-            composition_.warn("entrance-without-wall",
-                              "node " + std::to_string(node.id) + " is an entrance, but no wall is near");
+        } else if (site_.map.box.contains(node.at)) {
+            site_.warn("entrance-without-wall",
+                       "node " + std::to_string(node.id) + " is an entrance, but no wall is near");
         }
     }
 
     void add(const Door& door) {
-        if (!composition_.map.box.contains(door.at) || (!door.assumed && !done_.insert(door.node).second)) {
+        if (!site_.map.box.contains(door.at) || (!door.assumed && !done_.insert(door.node).second)) {
             return;
         }
-        const Nearest wall = nearest_on(composition_.areas[door.area].polygons, door.at);
+        const Nearest wall = nearest_on(site_.areas[door.area].polygons, door.at);
         constexpr double kOnWall = 0.05;
-        const double floor = door.height.value_or(composition_.terrain.height(door.at));
+        const double floor = door.height.value_or(site_.terrain.height(door.at));
         if (wall.distance > kOnWall || (!door.height && !is_wall_at(door.at))) {
             return;
         }
@@ -213,7 +218,7 @@ private:
             with_door_.insert(door.area);
         }
         const Point out(wall.along.y(), -wall.along.x());  // rings run counter-clockwise, holes clockwise
-        const MapArea& area = composition_.areas[door.area];
+        const MapArea& area = site_.areas[door.area];
         const std::string building = draft_id("building", area.id);
         const std::string name =
             door.assumed ? draft_id("assumed-entrance", area.id)
@@ -222,7 +227,7 @@ private:
         const bool in_passage = is_open_at(door.at);
         if (!in_passage) {
             const ElementId id = door.assumed ? area.id : ElementId{ElementKind::node, door.node};
-            composition_.model.object("door/" + id.text())
+            model_.object("door/" + id.text())
                 .box(main ? kMainLeaf : kLeaf, door.at, wall.along, Point(main ? 0.9 : 0.55, 0.05),
                      floor - 0.05, floor + 2.15);
         }
@@ -233,24 +238,23 @@ private:
         trigger.center = {door.at.x(), floor + 1.2, -door.at.y()};
         trigger.yaw_deg = yaw_along(wall.along);
         trigger.layer = "door";
-        composition_.draft.triggers.push_back(trigger);
+        draft_.triggers.push_back(trigger);
         if (!door.height && !add_place_before(door, name, out, trigger.id, main) && door.tags != nullptr) {
-            composition_.warn("blocked-door", "node " + std::to_string(door.node) + " is an entrance of " +
-                                                  area.id.text() +
-                                                  ", but nobody can stand before it; no walk goes there");
+            site_.warn("blocked-door", "node " + std::to_string(door.node) + " is an entrance of " +
+                                           area.id.text() +
+                                           ", but nobody can stand before it; no walk goes there");
         }
     }
 
     /// On the ground; of bridges, not every one can be got onto. False if there is no room.
     bool add_place_before(const Door& door, const std::string& name, const Point& out,
                           const std::string& trigger, bool main) {
-        const bool titled = composition_.areas[door.area].tags.has("name");
+        const bool titled = site_.areas[door.area].tags.has("name");
         for (const double distance : {1.0, 0.75}) {
             const Point front = door.at + distance * out;
             if (free_.at(front)) {
-                composition_.draft.places.push_back(
-                    {name, composition_.world(front), trigger,
-                     (titled ? 4 : 0) + (main ? 2 : 0) + (door.tags != nullptr ? 1 : 0)});
+                draft_.places.push_back({name, site_.world(front), trigger,
+                                         (titled ? 4 : 0) + (main ? 2 : 0) + (door.tags != nullptr ? 1 : 0)});
                 return true;
             }
         }
@@ -261,18 +265,20 @@ private:
     bool is_wall_at(const Point& at) const {
         constexpr double kOnWall = 0.3;
         return std::ranges::any_of(volumes_.near(Box{at, at}.grown(kOnWall)), [&](std::size_t i) {
-            return nearest_on(composition_.volumes[i].footprint, at).distance < kOnWall;
+            return nearest_on(site_.volumes[i].footprint, at).distance < kOnWall;
         });
     }
 
     bool is_open_at(const Point& at) const {
         const std::vector<std::size_t> near = openings_.at(at);
-        return std::ranges::any_of(near,
-                                   [&](std::size_t i) { return contains(composition_.openings[i], at); });
+        return std::ranges::any_of(near, [&](std::size_t i) { return contains(open_[i], at); });
     }
 
-    Composition& composition_;
+    const Site& site_;
     const FreeGround& free_;
+    const std::vector<Polygons>& open_;  ///< in walls
+    ModelBuilder& model_;
+    CampusDraft& draft_;
     std::set<std::size_t> walled_;
     BoxIndex openings_;
     BoxIndex outlines_;                                      ///< of areas with walls
@@ -286,12 +292,13 @@ private:
 
 }  // namespace
 
-void add_doors(Composition& composition, const FreeGround& free) {
-    Doors doors(composition, free);
+void add_doors(const Site& site, const FreeGround& free, const std::vector<Polygons>& openings,
+               ModelBuilder& model, CampusDraft& draft) {
+    Doors doors(site, free, openings, model, draft);
     doors.add_tagged();
     doors.add_untagged();
     doors.add_assumed();
-    composition.draft.solids.push_back({"door", {"door/*"}, "", "door", true});  // left out if there is none
+    draft.solids.push_back({"door", {"door/*"}, "", "door", true});  // left out if there is none
 }
 
 }  // namespace campuswalk::scene::osm

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "scene/osm/meaning/triggers.h"
-#include "scene/osm/ways/compose.h"
+#include "scene/osm/ways/site.h"
 
 namespace campuswalk::scene::osm {
 
@@ -9,6 +9,7 @@ namespace campuswalk::scene::osm {
 /// where a path ends at one. Those of other floors than the ground's are where a path leads to them, on the
 /// ground or a bridge, and else are left out with a warning that counts them. Of a building with a name and
 /// no other, at the wall nearest to a path.
-void add_doors(Composition& composition, const FreeGround& free);
+void add_doors(const Site& site, const FreeGround& free, const std::vector<Polygons>& openings,
+               ModelBuilder& model, CampusDraft& draft);
 
 }  // namespace campuswalk::scene::osm

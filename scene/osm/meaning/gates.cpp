@@ -111,21 +111,21 @@ std::vector<Point> gate_opening(const MapWay& gate) {
 }
 
 void add_gate(const ElementId& id, const Tags& tags, const std::vector<Point>& opening,
-              Composition& composition) {
+              const Terrain& terrain, ModelBuilder& model, Built& built) {
     constexpr double kPostHalf = 0.08;
     if (opening.size() < 2) {
         return;
     }
-    ObjectMesh& mesh = composition.model.object("gate/" + id.text());
+    ObjectMesh& mesh = model.object("gate/" + id.text());
     const Point first = unit(opening[1] - opening[0]);
     const Point last = unit(opening.back() - opening[opening.size() - 2]);
-    const double ground = composition.terrain.height(opening.front());
+    const double ground = terrain.height(opening.front());
     for (const auto& [at, along] :
          {std::pair<Point, Point>{opening.front(), -first}, {opening.back(), last}}) {
         const Point post = at + kPostHalf * along;
-        const double foot = composition.terrain.height(post);
+        const double foot = terrain.height(post);
         mesh.box(kGatePost, post, along, Point(kPostHalf, kPostHalf), foot - 0.2, foot + 1.4);
-        composition.add_obstacle(post, kPostHalf);
+        built.add_obstacle(post, kPostHalf);
     }
     const std::string_view barrier = tags.get("barrier");
     if (barrier == "entrance") {
@@ -136,10 +136,9 @@ void add_gate(const ElementId& id, const Tags& tags, const std::vector<Point>& o
             const Point d = opening[i] - opening[i - 1];
             const double half = 0.5 * norm(d);
             const Point middle = 0.5 * (opening[i] + opening[i - 1]);
-            const double foot =
-                std::min(composition.terrain.height(opening[i]), composition.terrain.height(opening[i - 1]));
+            const double foot = std::min(terrain.height(opening[i]), terrain.height(opening[i - 1]));
             mesh.box(kGateSteel, middle, unit(d), Point(half, 0.03), foot + 0.05, foot + 1.35);
-            composition.add_obstacle(middle, half * unit(d), 0.03 * left_of(unit(d)));
+            built.add_obstacle(middle, half * unit(d), 0.03 * left_of(unit(d)));
         }
     } else if (barrier == "lift_gate") {  // raised, as walkers go through
         mesh.box(kBarrierRed, opening.front(), first, Point(0.04, 0.04), ground + 0.9, ground + 3.0);
@@ -147,7 +146,7 @@ void add_gate(const ElementId& id, const Tags& tags, const std::vector<Point>& o
         const double half = std::min(1.5, 0.5 * (opening.back() - opening.front()).norm());
         const Point middle = opening.front() + half * left_of(first);
         mesh.box(kGateSteel, middle, left_of(first), Point(half, 0.03), ground + 0.1, ground + 1.3);
-        composition.add_obstacle(middle, half * left_of(first), 0.03 * first);
+        built.add_obstacle(middle, half * left_of(first), 0.03 * first);
     }
 }
 

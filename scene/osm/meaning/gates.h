@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "scene/osm/ways/compose.h"
 #include "scene/osm/ways/path_nodes.h"
+#include "scene/osm/ways/site.h"
 
 namespace campuswalk::scene::osm {
 
@@ -28,6 +28,6 @@ std::vector<Point> gate_opening(const MapWay& gate);
 
 /// Its posts, and its leaf: across the opening if the gate is closed to walkers, else turned aside.
 void add_gate(const ElementId& id, const Tags& tags, const std::vector<Point>& opening,
-              Composition& composition);
+              const Terrain& terrain, ModelBuilder& model, Built& built);
 
 }  // namespace campuswalk::scene::osm

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 #include <string_view>
+#include <utility>
 
 #include "scene/osm/meaning/doors.h"
 #include "scene/osm/meaning/spawns.h"
@@ -139,14 +140,14 @@ std::string draft_id(const std::string& word, const ElementId& id) {
 namespace {
 
 /// The solid nodes of every building, and a trigger around those with a name.
-void add_titled_buildings(Composition& composition) {
+void add_titled_buildings(const Site& site, CampusDraft& draft) {
     std::map<std::size_t, std::vector<const Volume*>> volumes;  // by outline
-    for (const Volume& volume : composition.volumes) {
+    for (const Volume& volume : site.volumes) {
         volumes[volume.building].push_back(&volume);
     }
     DraftSolid untitled{"building", {}, "", "building", true};  // one line, as cities have thousands
     for (const auto& [area_index, parts] : volumes) {
-        const MapArea& area = composition.areas[area_index];
+        const MapArea& area = site.areas[area_index];
         const bool titled = area.tags.has("name");
         const std::string id = draft_id("building", area.id);
         const std::string node = "building/" + area.id.text();
@@ -161,18 +162,18 @@ void add_titled_buildings(Composition& composition) {
         if (!titled) {
             untitled.globs.insert(untitled.globs.end(), globs.begin(), globs.end());
         } else {
-            composition.draft.solids.push_back({id + "/walls", globs, id, "building", false});
-            composition.draft.buildings.push_back(description_of(id, area.tags));
-            add_area_trigger(composition, id + "/around", id, area.polygons, 1.5, kTriggerHeight);
+            draft.solids.push_back({id + "/walls", globs, id, "building", false});
+            draft.buildings.push_back(description_of(id, area.tags));
+            draft.triggers.push_back(area_trigger(site, id, area.polygons, 1.5, kTriggerHeight));
         }
     }
-    composition.draft.solids.push_back(std::move(untitled));
+    draft.solids.push_back(std::move(untitled));
 }
 
 /// Wings and towers with names of their own. Their walls stay those of the building.
-void add_titled_parts(Composition& composition) {
-    for (const Volume& volume : composition.volumes) {
-        const MapArea& outline = composition.areas[volume.building];
+void add_titled_parts(const Site& site, CampusDraft& draft) {
+    for (const Volume& volume : site.volumes) {
+        const MapArea& outline = site.areas[volume.building];
         if (volume.id == outline.id || !volume.tags.has("name") ||
             volume.tags.get("name") == outline.tags.get("name")) {
             continue;
@@ -182,15 +183,15 @@ void add_titled_parts(Composition& composition) {
             continue;
         }
         const std::string id = draft_id("part", volume.id);
-        composition.draft.buildings.push_back(description_of(id, volume.tags));
-        add_area_trigger(composition, id + "/around", id, volume.footprint, 1.5, kTriggerHeight);
+        draft.buildings.push_back(description_of(id, volume.tags));
+        draft.triggers.push_back(area_trigger(site, id, volume.footprint, 1.5, kTriggerHeight));
     }
 }
 
-void add_titled_areas(Composition& composition) {
+void add_titled_areas(const Site& site, CampusDraft& draft) {
     constexpr double kLargest = 30'000.0;  // m²: one is always inside of what is larger
     std::size_t large = 0;
-    for (const MapArea& area : composition.areas) {
+    for (const MapArea& area : site.areas) {
         if (!area.tags.has("name") || affirmed(area.tags, "building") ||
             affirmed(area.tags, "building:part") || !(is_facility(area.tags) || is_stop(area.tags))) {
             continue;
@@ -200,39 +201,42 @@ void add_titled_areas(Composition& composition) {
             continue;
         }
         const std::string id = draft_id(word_for(area.tags), area.id);
-        composition.draft.buildings.push_back(description_of(id, area.tags));
-        add_area_trigger(composition, id + "/around", id, area.polygons, 0.5, kTriggerHeight);
+        draft.buildings.push_back(description_of(id, area.tags));
+        draft.triggers.push_back(area_trigger(site, id, area.polygons, 0.5, kTriggerHeight));
     }
     if (large > 0) {
-        composition.warn("large-area",
-                         std::to_string(large) +
-                             " named areas of more than 3 ha, such as the whole campus, have no pop-up");
+        site.warn("large-area",
+                  std::to_string(large) +
+                      " named areas of more than 3 ha, such as the whole campus, have no pop-up");
     }
 }
 
-void add_titled_nodes(Composition& composition) {
-    const BoxIndex volumes = index_of_volumes(composition);
-    for (const MapNode& node : composition.map.nodes) {
-        if (!composition.map.box.contains(node.at) || !node.tags.has("name") ||
+void add_titled_nodes(const Site& site, CampusDraft& draft) {
+    const BoxIndex volumes = index_of_volumes(site);
+    for (const MapNode& node : site.map.nodes) {
+        if (!site.map.box.contains(node.at) || !node.tags.has("name") ||
             !(is_facility(node.tags) || is_stop(node.tags))) {
             continue;
         }
         const std::string id = draft_id(word_for(node.tags), {ElementKind::node, node.id});
-        composition.draft.buildings.push_back(description_of(id, node.tags));
-        add_node_trigger(composition, volumes, id + "/around", id, node.at);
+        draft.buildings.push_back(description_of(id, node.tags));
+        draft.triggers.push_back(node_trigger(site, volumes, id, node.at));
     }
 }
 
 }  // namespace
 
-void add_meaning(Composition& composition) {
-    add_titled_buildings(composition);
-    add_titled_parts(composition);
-    add_titled_areas(composition);
-    add_titled_nodes(composition);
-    const FreeGround free(composition);
-    add_doors(composition, free);
-    add_spawns(composition, free);
+CampusDraft meaning_of(const Site& site, Built built, ModelBuilder& model) {
+    CampusDraft draft;
+    draft.solids = std::move(built.solids);
+    add_titled_buildings(site, draft);
+    add_titled_parts(site, draft);
+    add_titled_areas(site, draft);
+    add_titled_nodes(site, draft);
+    const FreeGround free(site, built);
+    add_doors(site, free, built.openings, model, draft);
+    add_spawns(site, free, draft);
+    return draft;
 }
 
 }  // namespace campuswalk::scene::osm

@@ -15,8 +15,8 @@ bool is_at_ground(const Volume& volume) {
     return !volume.open && volume.bottom < kHeadroom;
 }
 
-Eigen::Vector3d standing_on(const Composition& composition, const Point& at, double height) {
-    return composition.world(at, 0.5 * height);
+Eigen::Vector3d standing_on(const Site& site, const Point& at, double height) {
+    return site.world(at, 0.5 * height);
 }
 
 }  // namespace
@@ -29,27 +29,27 @@ double yaw_along(const Point& direction) {
     return collision::angle_of(direction.y(), direction.x()) / kDegree;
 }
 
-BoxIndex index_of_volumes(const Composition& composition) {
+BoxIndex index_of_volumes(const Site& site) {
     BoxIndex index;
-    for (std::size_t i = 0; i < composition.volumes.size(); ++i) {
-        if (is_at_ground(composition.volumes[i])) {
-            index.add(i, box_of(composition.volumes[i].footprint));
+    for (std::size_t i = 0; i < site.volumes.size(); ++i) {
+        if (is_at_ground(site.volumes[i])) {
+            index.add(i, box_of(site.volumes[i].footprint));
         }
     }
     return index;
 }
 
-const Volume* volume_at(const Composition& composition, const BoxIndex& volumes, const Point& at) {
+const Volume* volume_at(const Site& site, const BoxIndex& volumes, const Point& at) {
     for (const std::size_t i : volumes.at(at)) {
-        if (contains(composition.volumes[i].footprint, at)) {
-            return &composition.volumes[i];
+        if (contains(site.volumes[i].footprint, at)) {
+            return &site.volumes[i];
         }
     }
     return nullptr;
 }
 
-FreeGround::FreeGround(const Composition& composition)
-    : composition_(composition), volumes_(index_of_volumes(composition)) {
+FreeGround::FreeGround(const Site& site, const Built& built)
+    : site_(site), built_(built), volumes_(index_of_volumes(site)) {
     const auto add_all = [](const std::vector<Polygons>& areas, BoxIndex& index) {
         for (std::size_t i = 0; i < areas.size(); ++i) {
             if (!areas[i].empty()) {
@@ -57,23 +57,21 @@ FreeGround::FreeGround(const Composition& composition)
             }
         }
     };
-    add_all(composition.obstacles, obstacles_);
-    add_all(composition.flights, flights_);
+    add_all(built.obstacles, obstacles_);
+    add_all(built.flights, flights_);
 }
 
 bool FreeGround::at(const Point& p) const {
     const Box around = Box{p, p}.grown(kRoom);
-    return std::ranges::all_of(
-               volumes_.near(around),
-               [&](std::size_t i) { return is_clear_of(composition_.volumes[i].footprint, p); }) &&
+    return std::ranges::all_of(volumes_.near(around),
+                               [&](std::size_t i) { return is_clear_of(site_.volumes[i].footprint, p); }) &&
            std::ranges::all_of(obstacles_.near(around),
-                               [&](std::size_t i) { return is_clear_of(composition_.obstacles[i], p); });
+                               [&](std::size_t i) { return is_clear_of(built_.obstacles[i], p); });
 }
 
 bool FreeGround::is_start(const Point& p) const {
-    return at(p) && std::ranges::all_of(flights_.near(Box{p, p}.grown(kRoom)), [&](std::size_t i) {
-               return is_clear_of(composition_.flights[i], p);
-           });
+    return at(p) && std::ranges::all_of(flights_.near(Box{p, p}.grown(kRoom)),
+                                        [&](std::size_t i) { return is_clear_of(built_.flights[i], p); });
 }
 
 double FreeGround::sight(const Point& p, const Point& direction, double farthest) const {
@@ -84,11 +82,11 @@ double FreeGround::sight(const Point& p, const Point& direction, double farthest
         const double distance = i * kStep;
         const Point at = p + distance * direction;
         const bool hidden =
-            !composition_.map.box.contains(at) ||
+            !site_.map.box.contains(at) ||
             std::ranges::any_of(volumes_.at(at),
-                                [&](std::size_t k) { return has(composition_.volumes[k].footprint, at); }) ||
+                                [&](std::size_t k) { return has(site_.volumes[k].footprint, at); }) ||
             (distance < kNear && std::ranges::any_of(obstacles_.at(at), [&](std::size_t k) {
-                 return has(composition_.obstacles[k], at);
+                 return has(built_.obstacles[k], at);
              }));
         if (hidden) {
             return distance;
@@ -101,13 +99,13 @@ bool FreeGround::is_clear_of(const Polygons& area, const Point& p) const {
     return !contains(area, p) && nearest_on(area, p).distance >= kRoom;
 }
 
-void add_area_trigger(Composition& composition, const std::string& id, const std::string& building,
-                      const Polygons& area, double margin, double height) {
+DraftTrigger area_trigger(const Site& site, const std::string& id, const Polygons& area, double margin,
+                          double height) {
     std::vector<Point> all;
     for (const Polygon& polygon : area) {
         all.insert(all.end(), polygon.outer.begin(), polygon.outer.end());
     }
-    Ring rectangle = area.size() == 1 ? composition.geometry.least_rectangle(all) : Ring();
+    Ring rectangle = area.size() == 1 ? site.geometry.least_rectangle(all) : Ring();
     if (rectangle.empty()) {
         const Box box = box_of(all);
         rectangle = {box.min, {box.max.x(), box.min.y()}, box.max, {box.min.x(), box.max.y()}};
@@ -116,28 +114,27 @@ void add_area_trigger(Composition& composition, const std::string& id, const std
     const Point across = rectangle[2] - rectangle[1];
     const double length = norm(along);
     const double width = norm(across);
-    const double low = composition.terrain.lowest(area);
-    const double high = composition.terrain.highest(area) + height;
+    const double low = site.terrain.lowest(area);
+    const double high = site.terrain.highest(area) + height;
     const Point middle = 0.5 * (rectangle[0] + rectangle[2]);
     DraftTrigger trigger;
-    trigger.id = id;
-    trigger.building = building;
+    trigger.id = id + "/around";
+    trigger.building = id;
     trigger.center = {middle.x(), 0.5 * (low + high), -middle.y()};
     trigger.size = {length + 2.0 * margin, high - low + 1.0, width + 2.0 * margin};
     trigger.yaw_deg = yaw_along(along);
-    composition.draft.triggers.push_back(std::move(trigger));
+    return trigger;
 }
 
-void add_node_trigger(Composition& composition, const BoxIndex& volumes, const std::string& id,
-                      const std::string& building, const Point& at) {
+DraftTrigger node_trigger(const Site& site, const BoxIndex& volumes, const std::string& id, const Point& at) {
     constexpr double kSize = 4.0;
     constexpr double kHeight = 3.0;
     DraftTrigger trigger;
-    trigger.id = id;
-    trigger.building = building;
+    trigger.id = id + "/around";
+    trigger.building = id;
     trigger.size = {kSize, kHeight, kSize};
     Point center = at;
-    if (const Volume* volume = volume_at(composition, volumes, at)) {
+    if (const Volume* volume = volume_at(site, volumes, at)) {
         Nearest nearest;  // of the outer walls: not everyone gets into a courtyard
         for (const Polygon& polygon : volume->footprint) {
             const Nearest other = nearest_on(polygon.outer, true, at);
@@ -146,8 +143,8 @@ void add_node_trigger(Composition& composition, const BoxIndex& volumes, const s
         center = nearest.at;
         trigger.yaw_deg = yaw_along(nearest.along);
     }
-    trigger.center = standing_on(composition, center, kHeight);
-    composition.draft.triggers.push_back(std::move(trigger));
+    trigger.center = standing_on(site, center, kHeight);
+    return trigger;
 }
 
 }  // namespace campuswalk::scene::osm

@@ -4,14 +4,14 @@
 #include <vector>
 
 #include "scene/osm/geometry/box_index.h"
-#include "scene/osm/ways/compose.h"
+#include "scene/osm/ways/site.h"
 
 namespace campuswalk::scene::osm {
 
 /// Knows where visitors can be placed.
 class FreeGround {
 public:
-    explicit FreeGround(const Composition& composition);
+    FreeGround(const Site& site, const Built& built);
 
     /// Whether a visitor at `p` touches no building and no obstacle that is there by now.
     bool at(const Point& p) const;
@@ -24,7 +24,8 @@ public:
 private:
     bool is_clear_of(const Polygons& area, const Point& p) const;
 
-    const Composition& composition_;
+    const Site& site_;
+    const Built& built_;
     BoxIndex volumes_;
     BoxIndex obstacles_;
     BoxIndex flights_;
@@ -36,17 +37,16 @@ double yaw_towards(const Point& direction);
 double yaw_along(const Point& direction);
 
 /// A trigger over an area and `margin` metres around it.
-void add_area_trigger(Composition& composition, const std::string& id, const std::string& building,
-                      const Polygons& area, double margin, double height);
+DraftTrigger area_trigger(const Site& site, const std::string& id, const Polygons& area, double margin,
+                          double height);
 
 /// A trigger at a point; of one inside a building at the outside of the nearest wall.
-void add_node_trigger(Composition& composition, const BoxIndex& volumes, const std::string& id,
-                      const std::string& building, const Point& at);
+DraftTrigger node_trigger(const Site& site, const BoxIndex& volumes, const std::string& id, const Point& at);
 
 /// The volume whose ground floor is at a point; null for none.
-const Volume* volume_at(const Composition& composition, const BoxIndex& volumes, const Point& at);
+const Volume* volume_at(const Site& site, const BoxIndex& volumes, const Point& at);
 
-/// All volumes by their place in the composition.
-BoxIndex index_of_volumes(const Composition& composition);
+/// All volumes by their place in the site.
+BoxIndex index_of_volumes(const Site& site);
 
 }  // namespace campuswalk::scene::osm

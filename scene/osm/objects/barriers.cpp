@@ -69,19 +69,19 @@ void add_crossings(const Point& a, const Point& b, const std::vector<Point>& lin
 
 class Barriers {
 public:
-    explicit Barriers(Composition& composition)
-        : composition_(composition), on_path_(path_nodes(composition.paths)) {
-        for (std::size_t i = 0; i < composition.paths.size(); ++i) {
-            if (composition.paths[i].for_walkers && composition.paths[i].on_ground()) {
-                paths_.add(i, box_of(composition.paths[i].way->points));
+    Barriers(const Site& site, ModelBuilder& model)
+        : site_(site), model_(model), on_path_(path_nodes(site.paths)) {
+        for (std::size_t i = 0; i < site.paths.size(); ++i) {
+            if (site.paths[i].for_walkers && site.paths[i].on_ground()) {
+                paths_.add(i, box_of(site.paths[i].way->points));
             }
         }
-        for (const MapNode& node : composition.map.nodes) {
+        for (const MapNode& node : site.map.nodes) {
             if (is_gate(node.tags)) {
                 gates_.emplace(node.id, &node);
             }
         }
-        for (const MapWay& way : composition.map.ways) {
+        for (const MapWay& way : site.map.ways) {
             if (is_built(way) && is_gate(way.tags)) {
                 gate_lines_.add(gate_ways_.size(), box_of(way.points));
                 gate_ways_.push_back(&way);
@@ -96,7 +96,7 @@ public:
     }
 
     void add_lines() {
-        for (const MapWay& way : composition_.map.ways) {
+        for (const MapWay& way : site_.map.ways) {
             if (is_line(way)) {
                 add_line(way, *line_kind(way.tags));
             }
@@ -104,8 +104,8 @@ public:
     }
 
     void add_nodes() {
-        for (const MapNode& node : composition_.map.nodes) {
-            if (!composition_.map.box.contains(node.at)) {
+        for (const MapNode& node : site_.map.nodes) {
+            if (!site_.map.box.contains(node.at)) {
                 continue;
             }
             const std::string_view barrier = node.tags.get("barrier");
@@ -115,7 +115,7 @@ public:
                 kinds_.insert("gate");
                 add_gate({ElementKind::node, node.id}, node.tags,
                          opening == openings_.end() ? gate_opening(node, here) : opening->second,
-                         composition_);
+                         site_.terrain, model_, built_);
             } else if (barrier == "bollard") {
                 add_bollards(node, here);
             } else if (barrier == "block") {
@@ -129,10 +129,10 @@ public:
     /// Gates, and rows of bollards and blocks.
     void add_ways() {
         std::vector<const MapWay*> unknown;
-        for (const MapWay& way : composition_.map.ways) {
+        for (const MapWay& way : site_.map.ways) {
             const std::string_view barrier = way.tags.get("barrier");
             if (barrier.empty() || barrier == "no" || !is_built(way) ||
-                !box_of(way.points).overlaps(composition_.map.box)) {
+                !box_of(way.points).overlaps(site_.map.box)) {
                 continue;
             }
             if (is_gate(way.tags)) {
@@ -145,21 +145,21 @@ public:
         }
         if (!unknown.empty()) {
             const bool one = unknown.size() == 1;
-            composition_.warn("unknown-barrier",
-                              std::to_string(unknown.size()) + (one ? " way (" : " ways (the first: ") +
-                                  "way " + std::to_string(unknown.front()->id) +
-                                  ", barrier=" + std::string(unknown.front()->tags.get("barrier")) +
-                                  (one ? ") is a barrier" : ") are barriers") +
-                                  " of a kind that isn't built; left out");
+            site_.warn("unknown-barrier",
+                       std::to_string(unknown.size()) + (one ? " way (" : " ways (the first: ") + "way " +
+                           std::to_string(unknown.front()->id) +
+                           ", barrier=" + std::string(unknown.front()->tags.get("barrier")) +
+                           (one ? ") is a barrier" : ") are barriers") +
+                           " of a kind that isn't built; left out");
         }
     }
 
 private:
     void add_gate_way(const MapWay& way) {
         const std::vector<Point> opening = gate_opening(way);
-        if (composition_.map.box.contains(0.5 * (opening.front() + opening.back()))) {
+        if (site_.map.box.contains(0.5 * (opening.front() + opening.back()))) {
             kinds_.insert("gate");
-            add_gate({ElementKind::way, way.id}, way.tags, opening, composition_);
+            add_gate({ElementKind::way, way.id}, way.tags, opening, site_.terrain, model_, built_);
         }
     }
 
@@ -170,12 +170,11 @@ private:
         constexpr std::size_t kMost = 2'000;
         ObjectMesh& mesh = object(bollards ? "bollard" : "block", {ElementKind::way, way.id});
         if (way.closed() && box_of(way.points).size().maxCoeff() < kOutline) {
-            const Polygons area = composition_.geometry.clipped(
-                composition_.geometry.polygon({way.points.begin(), way.points.end() - 1}),
-                composition_.map.box);
+            const Polygons area = site_.geometry.clipped(
+                site_.geometry.polygon({way.points.begin(), way.points.end() - 1}), site_.map.box);
             extrude(bollards ? kGateSteel : kLines[1].look, area, kBelow, bollards ? 0.9 : 0.7,
-                    composition_.geometry, composition_.terrain, mesh);
-            composition_.obstacles.push_back(area);
+                    site_.geometry, site_.terrain, mesh);
+            built_.obstacles.push_back(area);
             return;
         }
         std::size_t placed = 0;
@@ -185,7 +184,7 @@ private:
             const bool end = i + 1 == way.points.size() && !way.closed();
             for (int k = 0; k < static_cast<int>(spaces) + (end ? 1 : 0) && placed < kMost; ++k) {
                 const Point at = way.points[i - 1] + d * (k / spaces);
-                if (composition_.map.box.contains(at)) {
+                if (site_.map.box.contains(at)) {
                     ++placed;
                     bollards ? add_bollard(at, mesh) : add_block(at, unit(d), mesh);
                 }
@@ -194,25 +193,25 @@ private:
     }
 
     void add_bollard(const Point& at, ObjectMesh& mesh) {
-        const double ground = composition_.terrain.height(at);
-        composition_.add_obstacle(at, 0.1);
+        const double ground = site_.terrain.height(at);
+        built_.add_obstacle(at, 0.1);
         mesh.cylinder(kGateSteel, at, 0.08, 0.08, 8, ground - 0.2, ground + 0.9);
     }
 
     void add_block(const Point& at, const Point& along, ObjectMesh& mesh) {
-        const double ground = composition_.terrain.height(at);
-        composition_.add_obstacle(at, 0.45);
+        const double ground = site_.terrain.height(at);
+        built_.add_obstacle(at, 0.45);
         mesh.box(kLines[1].look, at, along, Point(0.3, 0.3), ground - 0.2, ground + 0.7);
     }
 
     void add_line(const MapWay& way, const LineKind& kind) {
-        const PlanGeometry& geometry = composition_.geometry;
+        const PlanGeometry& geometry = site_.geometry;
         geometry.charge_to(ElementId{ElementKind::way, way.id}.text());
         const double height = std::clamp(length_of(way.tags, "height").value_or(kind.height), 0.1, 30.0);
         const double thickness =
             std::clamp(length_of(way.tags, "width").value_or(kind.thickness), 0.04, 10.0);
         Polygons area =
-            geometry.clipped(geometry.buffer(way.points, 0.5 * thickness, Caps::flat), composition_.map.box);
+            geometry.clipped(geometry.buffer(way.points, 0.5 * thickness, Caps::flat), site_.map.box);
         const std::vector<Polygons> gaps = gaps_of(way, thickness);
         std::vector<const Polygons*> all;
         all.reserve(gaps.size());
@@ -227,11 +226,10 @@ private:
             look.color = *material;
         }
         constexpr double kBelow = 0.3;
-        extrude(look, area, kBelow, height, geometry, composition_.terrain,
-                composition_.model.object(std::string(kind.value) + "/" +
-                                          ElementId{ElementKind::way, way.id}.text()));
+        extrude(look, area, kBelow, height, geometry, site_.terrain,
+                model_.object(std::string(kind.value) + "/" + ElementId{ElementKind::way, way.id}.text()));
         kinds_.insert(std::string(kind.value));
-        composition_.obstacles.push_back(std::move(area));
+        built_.obstacles.push_back(std::move(area));
     }
 
     static bool is_built(const MapWay& way) {
@@ -252,24 +250,24 @@ private:
         for (std::size_t i = 0; i < way.nodes.size(); ++i) {
             if (const auto gate = gates_.find(way.nodes[i]); gate != gates_.end()) {
                 if (!is_closed(gate->second->tags)) {  // where two barriers end, the gap is in both
-                    gaps.push_back(composition_.geometry.buffer(
-                        gate_opening(way, i, *gate->second, path_at(way.nodes[i])), 0.5 * thickness + kDeep,
-                        Caps::flat));
+                    gaps.push_back(
+                        site_.geometry.buffer(gate_opening(way, i, *gate->second, path_at(way.nodes[i])),
+                                              0.5 * thickness + kDeep, Caps::flat));
                 }
-                gaps.push_back(composition_.geometry.buffer(openings_.at(way.nodes[i]),
-                                                            0.5 * thickness + kDeep, Caps::flat));
+                gaps.push_back(
+                    site_.geometry.buffer(openings_.at(way.nodes[i]), 0.5 * thickness + kDeep, Caps::flat));
                 gates.push_back(way.points[i]);
             }
         }
         for (const std::size_t number : gate_lines_.near(box_of(way.points))) {
-            gaps.push_back(composition_.geometry.buffer(gate_opening(*gate_ways_[number]),
-                                                        0.5 * thickness + kDeep, Caps::flat));
+            gaps.push_back(site_.geometry.buffer(gate_opening(*gate_ways_[number]), 0.5 * thickness + kDeep,
+                                                 Caps::flat));
         }
         for (std::size_t i = 1; i < way.points.size(); ++i) {
             const Point& a = way.points[i - 1];
             const Point& b = way.points[i];
             for (const std::size_t number : paths_.near(box_of({a, b}))) {
-                add_gaps_for(composition_.paths[number], a, b, 0.5 * thickness + kDeep, gates, gaps);
+                add_gaps_for(site_.paths[number], a, b, 0.5 * thickness + kDeep, gates, gaps);
             }
         }
         return gaps;
@@ -303,7 +301,7 @@ private:
 
     ObjectMesh& object(const std::string& kind, const ElementId& id) {
         kinds_.insert(kind);
-        return composition_.model.object(kind + "/" + id.text());
+        return model_.object(kind + "/" + id.text());
     }
 
     void add_bollards(const MapNode& node, const PathNode& here) {
@@ -338,8 +336,8 @@ private:
         const double half = here.path == nullptr ? 1.0 : std::max(1.0, 0.5 * here.path->width);
         for (const double side : {1.0, -1.0}) {
             const Point at = node.at + side * (0.8 * here.along + 0.5 * (half + kFree) * left_of(here.along));
-            const double ground = composition_.terrain.height(at);
-            composition_.add_obstacle(at, 0.5 * half);
+            const double ground = site_.terrain.height(at);
+            built_.add_obstacle(at, 0.5 * half);
             object("cycle-barrier", {ElementKind::node, node.id})
                 .box(kBarrierRed, at, left_of(here.along), Point(0.5 * (half - kFree), 0.03), ground - 0.1,
                      ground + 1.0);
@@ -347,10 +345,24 @@ private:
     }
 
 public:
-    const std::set<std::string>& kinds() const { return kinds_; }
+    Built built() {
+        std::map<std::string, std::vector<std::string>>
+            globs;  // by id: of cycle barriers there are two kinds
+        for (const std::string& kind : kinds_) {
+            std::string id = kind;
+            std::ranges::replace(id, '_', '-');
+            globs[id].push_back(kind + "/*");
+        }
+        for (const auto& [id, of_kind] : globs) {
+            built_.solids.push_back({id, of_kind, "", id, true});
+        }
+        return std::move(built_);
+    }
 
 private:
-    Composition& composition_;
+    const Site& site_;
+    ModelBuilder& model_;
+    Built built_;
     std::unordered_map<std::int64_t, PathNode> on_path_;
     std::unordered_map<std::int64_t, const MapNode*> gates_;         ///< by number
     std::unordered_map<std::int64_t, std::vector<Point>> openings_;  ///< by gate: along the barrier
@@ -362,20 +374,12 @@ private:
 
 }  // namespace
 
-void add_barriers(Composition& composition) {
-    Barriers barriers(composition);
+Built add_barriers(const Site& site, ModelBuilder& model) {
+    Barriers barriers(site, model);
     barriers.add_lines();
     barriers.add_nodes();
     barriers.add_ways();
-    std::map<std::string, std::vector<std::string>> globs;  // by id: of cycle barriers there are two kinds
-    for (const std::string& kind : barriers.kinds()) {
-        std::string id = kind;
-        std::ranges::replace(id, '_', '-');
-        globs[id].push_back(kind + "/*");
-    }
-    for (const auto& [id, of_kind] : globs) {
-        composition.draft.solids.push_back({id, of_kind, "", id, true});
-    }
+    return barriers.built();
 }
 
 }  // namespace campuswalk::scene::osm

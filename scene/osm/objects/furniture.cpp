@@ -198,15 +198,13 @@ Point facing_of(const Tags& tags, const Point& otherwise) {
 
 class Furniture {
 public:
-    explicit Furniture(Composition& composition)
-        : composition_(composition),
-          on_path_(path_nodes(composition.paths)),
-          volumes_(index_of_volumes(composition)) {}
+    Furniture(const Site& site, ModelBuilder& model)
+        : site_(site), model_(model), on_path_(path_nodes(site.paths)), volumes_(index_of_volumes(site)) {}
 
     void add_nodes() {
-        for (const MapNode& node : composition_.map.nodes) {
+        for (const MapNode& node : site_.map.nodes) {
             const Thing* thing = thing_of(node.tags);
-            if (thing == nullptr || !composition_.map.box.contains(node.at) || node.tags.has("level")) {
+            if (thing == nullptr || !site_.map.box.contains(node.at) || node.tags.has("level")) {
                 continue;
             }
             Point at = node.at;
@@ -225,7 +223,7 @@ public:
     void add_tree_rows() {
         constexpr double kSpacing = 8.0;
         constexpr std::size_t kMost = 2'000;
-        for (const MapWay& way : composition_.map.ways) {
+        for (const MapWay& way : site_.map.ways) {
             if (!way.tags.is("natural", "tree_row")) {
                 continue;
             }
@@ -236,7 +234,7 @@ public:
                 const int trees = std::max(1, static_cast<int>(std::min(length / kSpacing, 1e4)));
                 for (int k = 0; k < trees && number < kMost; ++k) {
                     const Point at = way.points[i - 1] + d * (static_cast<double>(k) / trees);
-                    if (composition_.map.box.contains(at)) {
+                    if (site_.map.box.contains(at)) {
                         add(kThings[0],
                             ElementId{ElementKind::way, way.id}.text() + "/" + std::to_string(++number), at,
                             way.tags, Point(0, 1));
@@ -246,25 +244,28 @@ public:
         }
     }
 
-    void add_solids() const {
+    Built built() {
         for (const std::string& kind : kinds_) {
-            composition_.draft.solids.push_back({kind, {kind + "/*"}, "", kind, true});
+            built_.solids.push_back({kind, {kind + "/*"}, "", kind, true});
         }
+        return std::move(built_);
     }
 
 private:
     void add(const Thing& thing, const std::string& id, const Point& at, const Tags& tags,
              const Point& facing) {
-        if (volume_at(composition_, volumes_, at) != nullptr) {
+        if (volume_at(site_, volumes_, at) != nullptr) {
             return;
         }
-        const Place place{at, facing_of(tags, facing), composition_.terrain.height(at), tags};
-        thing.add(place, composition_.model.object(std::string(thing.name) + "/" + id));
+        const Place place{at, facing_of(tags, facing), site_.terrain.height(at), tags};
+        thing.add(place, model_.object(std::string(thing.name) + "/" + id));
         kinds_.insert(std::string(thing.name));
-        composition_.add_obstacle(at, thing.radius);
+        built_.add_obstacle(at, thing.radius);
     }
 
-    Composition& composition_;
+    const Site& site_;
+    ModelBuilder& model_;
+    Built built_;
     std::unordered_map<std::int64_t, PathNode> on_path_;
     BoxIndex volumes_;
     std::set<std::string> kinds_;
@@ -272,11 +273,11 @@ private:
 
 }  // namespace
 
-void add_furniture(Composition& composition) {
-    Furniture furniture(composition);
+Built add_furniture(const Site& site, ModelBuilder& model) {
+    Furniture furniture(site, model);
     furniture.add_nodes();
     furniture.add_tree_rows();
-    furniture.add_solids();
+    return furniture.built();
 }
 
 }  // namespace campuswalk::scene::osm

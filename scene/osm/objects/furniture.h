@@ -1,11 +1,11 @@
 #pragma once
 
-#include "scene/osm/ways/compose.h"
+#include "scene/osm/ways/site.h"
 
 namespace campuswalk::scene::osm {
 
 /// Trees, benches, lamps, bins, bicycle stands, signs and the like, solid; none on the middle of a path or in
 /// a building.
-void add_furniture(Composition& composition);
+Built add_furniture(const Site& site, ModelBuilder& model);
 
 }  // namespace campuswalk::scene::osm

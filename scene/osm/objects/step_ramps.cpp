@@ -53,17 +53,15 @@ RampLine beside(const FlightShape& shape, double side, double offset, double wid
 }
 
 /// Goes on straight beyond the foot while there is room.
-void extend(RampLine& line, double length, double ground, const FreeGround& free,
-            const Composition& composition) {
+void extend(RampLine& line, double length, double ground, const FreeGround& free, const Site& site) {
     constexpr double kStep = 0.5;    // metres
     constexpr double kUneven = 0.5;  // metres that the ground there may differ from that at the foot
     const Point end = line.points.back();
     const Point left = line.left.back();
     const Point along = Point(unit(left).y(), -unit(left).x()) * -1.0;  // away from the top
     const auto usable = [&](const Point& p) {
-        return composition.map.box.contains(p) &&
-               std::abs(composition.terrain.height(p) - ground) < kUneven && free.at(p + left) &&
-               free.at(p - left);
+        return site.map.box.contains(p) && std::abs(site.terrain.height(p) - ground) < kUneven &&
+               free.at(p + left) && free.at(p - left);
     };
     double done = 0.0;
     while (done + kStep < length && usable(end + (done + 2.0 * kStep) * along)) {
@@ -106,8 +104,8 @@ void add_strip(const RampLine& line, double top, const Terrain& terrain, ObjectM
 
 }  // namespace
 
-void add_step_ramps(const Path& path, const FlightShape& shape, const FreeGround& free,
-                    Composition& composition) {
+void add_step_ramps(const Path& path, const FlightShape& shape, const FreeGround& free, const Site& site,
+                    ModelBuilder& model) {
     constexpr double kGentleRun = 12.0;  // metres of run for each of rise
     constexpr double kSteepest = 6.0;
     const Tags& tags = path.way->tags;
@@ -125,14 +123,14 @@ void add_step_ramps(const Path& path, const FlightShape& shape, const FreeGround
         const double right = shape.reversed ? 1.0 : -1.0;  // as drawn
         RampLine line = beside(shape, right, offset, kind.width);
         if (kind.gentle && !path.hangs()) {
-            extend(line, kGentleRun * rise - line.length(), shape.foot, free, composition);
+            extend(line, kGentleRun * rise - line.length(), shape.foot, free, site);
         }
         if (kind.gentle && line.length() < kSteepest * rise) {
-            composition.warn("steep-ramp", "way " + std::to_string(path.way->id) + " has " + kind.key +
-                                               ", but there is no room for one that isn't steep");
+            site.warn("steep-ramp", "way " + std::to_string(path.way->id) + " has " + kind.key +
+                                        ", but there is no room for one that isn't steep");
         }
-        add_strip(line, shape.top, composition.terrain,
-                  composition.model.object("ramp/" + ElementId{ElementKind::way, path.way->id}.text()));
+        add_strip(line, shape.top, site.terrain,
+                  model.object("ramp/" + ElementId{ElementKind::way, path.way->id}.text()));
         taken += kind.width;
     }
 }

@@ -89,35 +89,36 @@ bool is_readable_incline(std::string_view incline) {
 }
 
 /// Warns of tags that the flight doesn't follow.
-void report_ignored_tags(const Path& path, const FlightShape& shape, Composition& composition) {
+void report_ignored_tags(const Path& path, const FlightShape& shape, const Site& site) {
     const Tags& tags = path.way->tags;
     const std::string id = ElementId{ElementKind::way, path.way->id}.text();
     const auto count = number_of(tags, "step_count");
     if (count && std::llround(*count) != static_cast<long long>(shape.treads())) {
-        composition.warn("odd-steps", id + " has step_count=" + std::string(tags.get("step_count")) +
-                                          " and climbs " +
-                                          std::to_string(std::lround(100.0 * (shape.top - shape.foot))) +
-                                          " cm; it has " + std::to_string(shape.treads()) + " treads");
+        site.warn("odd-steps", id + " has step_count=" + std::string(tags.get("step_count")) +
+                                   " and climbs " +
+                                   std::to_string(std::lround(100.0 * (shape.top - shape.foot))) +
+                                   " cm; it has " + std::to_string(shape.treads()) + " treads");
     }
     if (!is_readable_incline(tags.get("incline"))) {
-        composition.warn("odd-steps", id + ": incline=" + std::string(tags.get("incline")) +
-                                          " is ignored; write up, down, 30% or 17\u00B0");
+        site.warn("odd-steps", id + ": incline=" + std::string(tags.get("incline")) +
+                                   " is ignored; write up, down, 30% or 17\u00B0");
     }
 }
 
 }  // namespace
 
-void add_steps(Composition& composition) {
-    const FreeGround free(composition);
-    for (const Path& path : composition.paths) {
-        if (!has_treads(path, composition.terrain)) {
+Built add_steps(const Site& site, const Built& before, ModelBuilder& model) {
+    const FreeGround free(site, before);
+    Built built;
+    for (const Path& path : site.paths) {
+        if (!has_treads(path, site.terrain)) {
             continue;
         }
-        const FlightShape shape = shape_of(path, composition.terrain);
+        const FlightShape shape = shape_of(path, site.terrain);
         const std::string id = ElementId{ElementKind::way, path.way->id}.text();
-        ObjectMesh& mesh = composition.model.object("steps/" + id);
-        add_treads(shape, composition.terrain, mesh);
-        report_ignored_tags(path, shape, composition);
+        ObjectMesh& mesh = model.object("steps/" + id);
+        add_treads(shape, site.terrain, mesh);
+        report_ignored_tags(path, shape, site);
         const Tags& tags = path.way->tags;
         const bool both = affirmed(tags, "handrail") || affirmed(tags, "handrail:both");
         const double left = shape.reversed ? -1.0 : 1.0;  // tags mean the direction as drawn
@@ -130,11 +131,11 @@ void add_steps(Composition& composition) {
         if (affirmed(tags, "handrail:center")) {
             add_rail(shape, 0.0, mesh);
         }
-        composition.flights.push_back(
-            composition.geometry.polygon(outline_of_treads(path, composition.terrain)));
-        add_step_ramps(path, shape, free, composition);
+        built.flights.push_back(site.geometry.polygon(outline_of_treads(path, site.terrain)));
+        add_step_ramps(path, shape, free, site, model);
     }
-    composition.draft.solids.push_back({"ramp", {"ramp/*"}, "", "ramp", true});  // left out if there is none
+    built.solids.push_back({"ramp", {"ramp/*"}, "", "ramp", true});  // left out if there is none
+    return built;
 }
 
 }  // namespace campuswalk::scene::osm

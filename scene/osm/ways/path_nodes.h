@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <unordered_map>
 
-#include "scene/osm/ways/compose.h"
+#include "scene/osm/ways/site.h"
 
 namespace campuswalk::scene::osm {
 
