@@ -58,8 +58,9 @@ void list_candidates(MoveContext& context, const Support& stand, double up, doub
     ground.base = stand.base;
 }
 
-std::span<const std::uint32_t> choose_candidates(GroundCandidates& ground, double reach, float x, float z,
-                                                 float useful, float highest) {
+std::span<const std::uint32_t> choose_candidates(GroundCandidates& ground, double reach,
+                                                 const Descent& descent) {
+    const auto [x, z, useful, highest] = descent;
     // Far more than float32's of the numbers that are squared below.
     const double scale = reach + kProbeDistance + std::abs(static_cast<double>(highest));
     const double rounding = 1e-5 * scale * scale;

@@ -12,11 +12,19 @@ namespace campuswalk::collision {
 /// stands, with its foot up to `up` above and `down` below there.
 void list_candidates(MoveContext& context, const Support& stand, double up, double down);
 
-/// Chooses those of the candidates that a sphere may come to rest on at (x, z) with its centre between
-/// `useful` and `highest`, all about the place where the body stands: not those beside its way, not those
+/// Where a sphere moves straight down, about the place where the body stands: at (x, z), with its centre
+/// between `useful` and `highest`.
+struct Descent {
+    float x = 0.0F;
+    float z = 0.0F;
+    float useful = 0.0F;
+    float highest = 0.0F;
+};
+
+/// Chooses those of the candidates that the sphere may come to rest on: not those beside its way, not those
 /// that are too low, and not those all of which is so near to its centre, were that at `highest`, that it
 /// comes to rest above it. Returns indices into its lists, some beyond their end.
-std::span<const std::uint32_t> choose_candidates(GroundCandidates& ground, double reach, float x, float z,
-                                                 float useful, float highest);
+std::span<const std::uint32_t> choose_candidates(GroundCandidates& ground, double reach,
+                                                 const Descent& descent);
 
 }  // namespace campuswalk::collision

@@ -21,26 +21,6 @@ constexpr std::size_t kManyNear = 32;
 using Piece = ContactCache::Piece;
 using Rest = MoveBuffers::Rest;
 
-/// None where it would rest below `useful`, too. What it rests on doesn't depend on that, to the last bit:
-/// that depends on the order of the pieces, which is the cache's.
-std::optional<SphereRest> rest_on(const Obstacle& o, double x, double z, double reach, double highest,
-                                  double lowest, double useful) {
-    if (o.solid == nullptr) {
-        return sphere_rest(o.vertices, o.normal, x, z, reach, useful);
-    }
-    const Segment sphere{{x, highest, z}, {x, highest, z}};
-    const Vec3 drop(0, lowest - highest, 0);
-    if (closest(sphere, o).distance <= reach) {
-        return std::nullopt;  // beside or above
-    }
-    const auto fraction = sweep(sphere, reach, drop, o);
-    if (!fraction) {
-        return std::nullopt;
-    }
-    const Vec3 center = sphere.a + *fraction * drop;
-    return SphereRest{center.y(), closest(Segment{center, center}, o).on_shape};
-}
-
 /// Whether the point is farther than the tolerance from the triangle's plane, and the triangle surely in it.
 bool is_off_plane(const Obstacle& triangle, const Vec3& point) {
     constexpr double kFlat = 1e-6;  // metres
@@ -164,9 +144,28 @@ private:
         return left >= 0.0 && (above <= 0.0 || above * above <= left) && box.min.y() - reach_ <= highest_;
     }
 
+    /// None where it would rest below what is useful, too. What it rests on doesn't depend on that, to the
+    /// last bit: that depends on the order of the pieces, which is the cache's.
+    std::optional<SphereRest> rest_on(const Obstacle& o) const {
+        if (o.solid == nullptr) {
+            return sphere_rest(o.vertices, o.normal, x_, z_, reach_, useful());
+        }
+        const Segment sphere{{x_, highest_, z_}, {x_, highest_, z_}};
+        const Vec3 drop(0, lowest_ - 2.0 * kRestGap - highest_, 0);
+        if (closest(sphere, o).distance <= reach_) {
+            return std::nullopt;  // beside or above
+        }
+        const auto fraction = sweep(sphere, reach_, drop, o);
+        if (!fraction) {
+            return std::nullopt;
+        }
+        const Vec3 center = sphere.a + *fraction * drop;
+        return SphereRest{center.y(), closest(Segment{center, center}, o).on_shape};
+    }
+
     /// Not inline: over half of the pieces don't get here, and are left the sooner.
     [[gnu::noinline]] void offer_near(ContactCache::Index i, const Obstacle& obstacle) {
-        const auto sphere = rest_on(obstacle, x_, z_, reach_, highest_, lowest_ - 2.0 * kRestGap, useful());
+        const auto sphere = rest_on(obstacle);
         if (sphere && sphere->height <= highest_ && sphere->height >= useful() &&
             sphere->height - sphere->on.y() > min_drop_) {
             context_.buffers.rests.push_back({i, *sphere});
@@ -264,10 +263,11 @@ Ground find_ground_beside(MoveContext& context, double x, double z, const Suppor
     if (ground.highest) {
         search.offer(*ground.highest);
     }
-    const auto chosen = choose_candidates(
-        ground, context.body.radius + kRestGap, static_cast<float>(x - stand.foot.x()),
-        static_cast<float>(z - stand.foot.z()), static_cast<float>(search.useful() - stand.foot.y()),
-        static_cast<float>(search.highest() - stand.foot.y()));
+    const auto chosen = choose_candidates(ground, context.body.radius + kRestGap,
+                                          {.x = static_cast<float>(x - stand.foot.x()),
+                                           .z = static_cast<float>(z - stand.foot.z()),
+                                           .useful = static_cast<float>(search.useful() - stand.foot.y()),
+                                           .highest = static_cast<float>(search.highest() - stand.foot.y())});
     for (const std::uint32_t i : chosen) {
         if (i < ground.pieces.size() && ground.pieces[i] != ground.highest) {
             search.offer(ground.pieces[i]);

@@ -60,7 +60,8 @@ void Canvas::set_color(const Rgba& color) const {
     cairo_set_source_rgba(cairo(), color.red, color.green, color.blue, color.alpha);
 }
 
-void Canvas::rounded_rectangle(double x, double y, double width, double height, double radius) const {
+void Canvas::rounded_rectangle(const PixelRect& rect, double radius) const {
+    const auto [x, y, width, height] = rect;
     cairo_new_sub_path(cairo());
     cairo_arc(cairo(), x + width - radius, y + radius, radius, -0.5 * kPi, 0.0);
     cairo_arc(cairo(), x + width - radius, y + height - radius, radius, 0.0, 0.5 * kPi);

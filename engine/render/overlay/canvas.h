@@ -26,6 +26,14 @@ struct Rgba {
     double alpha = 1.0;
 };
 
+/// A part of an image, pixels; (x, y) is its upper left corner.
+struct PixelRect {
+    double x = 0.0;
+    double y = 0.0;
+    double width = 0.0;
+    double height = 0.0;
+};
+
 /// The fonts of overlays: fixed files regardless of the machine's font settings, so that text gives the same
 /// pixels everywhere. Greyscale anti-aliasing, no hinting.
 class Fonts {
@@ -67,7 +75,7 @@ public:
     _cairo* cairo() const { return cairo_.get(); }
 
     void set_color(const Rgba& color) const;
-    void rounded_rectangle(double x, double y, double width, double height, double radius) const;
+    void rounded_rectangle(const PixelRect& rect, double radius) const;
     /// Draws `image`, mapping its pixel p to scale * p + offset, within the current clip.
     void draw_image(const Image& image, double scale, const Eigen::Vector2d& offset) const;
 

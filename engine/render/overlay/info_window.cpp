@@ -63,11 +63,11 @@ public:
         const double h = height();
         for (int i = 4; i >= 1; --i) {  // drop shadow
             canvas_.set_color(kShadow);
-            canvas_.rounded_rectangle(x - i * s_, y - (i - 2) * s_, width_ + 2.0 * i * s_, h + 2.0 * i * s_,
+            canvas_.rounded_rectangle({x - i * s_, y - (i - 2) * s_, width_ + 2.0 * i * s_, h + 2.0 * i * s_},
                                       (12.0 + i) * s_);
             cairo_fill(canvas_.cairo());
         }
-        canvas_.rounded_rectangle(x, y, width_, h, 12.0 * s_);
+        canvas_.rounded_rectangle({x, y, width_, h}, 12.0 * s_);
         canvas_.set_color(kPanel);
         cairo_fill_preserve(canvas_.cairo());
         canvas_.set_color(kBorder);
@@ -142,7 +142,7 @@ private:
 };
 
 // A line from the window to a dot on the building, unless the window covers that point.
-void draw_leader(const Canvas& canvas, const WindowRect& rect, const Eigen::Vector2d& anchor) {
+void draw_leader(const Canvas& canvas, const PixelRect& rect, const Eigen::Vector2d& anchor) {
     const double s = canvas.scale();
     if (anchor.x() > rect.x - 12.0 * s || anchor.x() < 0 || anchor.y() < 0 || anchor.y() > canvas.height()) {
         return;
@@ -166,7 +166,7 @@ void draw_more(const Canvas& canvas, double right, double y, std::size_t count) 
     const Eigen::Vector2d size = canvas.text_size(text, style);
     const double width = size.x() + 24.0 * s;
     const double height = size.y() + 10.0 * s;
-    canvas.rounded_rectangle(right - width, y, width, height, 0.5 * height);
+    canvas.rounded_rectangle({right - width, y, width, height}, 0.5 * height);
     canvas.set_color(kPanel);
     cairo_fill_preserve(canvas.cairo());
     canvas.set_color(kBorder);
@@ -214,16 +214,16 @@ InfoWindow info_window_of(const scene::Building& building, const OpenPopup& popu
             std::nullopt};
 }
 
-std::vector<WindowRect> draw_info_windows(const Canvas& canvas, std::span<const InfoWindow> windows,
-                                          std::size_t max_windows) {
+std::vector<PixelRect> draw_info_windows(const Canvas& canvas, std::span<const InfoWindow> windows,
+                                         std::size_t max_windows) {
     const double s = canvas.scale();
-    std::vector<WindowRect> rects;
+    std::vector<PixelRect> rects;
     double y = kTop * s;
     double right = canvas.width() - kMargin * s;
     std::size_t drawn = 0;
     for (const InfoWindow& window : windows.first(std::min(windows.size(), max_windows))) {
         const WindowRenderer renderer(canvas, window, drawn == 0);
-        const WindowRect rect = {right - renderer.width(), y, renderer.width(), renderer.height()};
+        const PixelRect rect = {right - renderer.width(), y, renderer.width(), renderer.height()};
         // The first is always drawn, others only if "+n more" still fits below.
         if (drawn > 0 && rect.y + rect.height + 50.0 * s > canvas.height()) {
             break;

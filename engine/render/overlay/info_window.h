@@ -28,17 +28,9 @@ InfoWindow info_window_of(const scene::Building& building, const OpenPopup& popu
 /// "08-22" and "8:30-22" become "08:00 – 22:00" and "08:30 – 22:00"; anything else is returned unchanged.
 std::string readable_hours(const std::string& hours);
 
-/// The rectangle of a drawn window, pixels.
-struct WindowRect {
-    double x = 0.0;
-    double y = 0.0;
-    double width = 0.0;
-    double height = 0.0;
-};
-
 /// Stacks the windows on the right side: the first expanded, others collapsed, and "+n more" for those that
 /// don't fit or exceed `max_windows`. Returns the rectangles of those drawn.
-std::vector<WindowRect> draw_info_windows(const Canvas& canvas, std::span<const InfoWindow> windows,
-                                          std::size_t max_windows);
+std::vector<PixelRect> draw_info_windows(const Canvas& canvas, std::span<const InfoWindow> windows,
+                                         std::size_t max_windows);
 
 }  // namespace campuswalk::engine::render

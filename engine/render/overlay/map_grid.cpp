@@ -25,8 +25,13 @@ constexpr Rgba kShade = {0.05, 0.07, 0.09, 0.16};  // shows the line on bright g
 constexpr Rgba kLight = {1.0, 1.0, 1.0, 0.34};     // and on dark ground
 constexpr Rgba kTextColor = {1.0, 1.0, 1.0, 0.92};
 
-std::vector<MapGrid::Line> lines_along(const char* axis, double north_west, double from, double to,
-                                       double spacing, double pixels_per_metre) {
+/// Across dimension 0 or 1 of the plan, which is called `axis`.
+std::vector<MapGrid::Line> lines_along(const char* axis, int dimension, const PlanFrame& frame,
+                                       const Eigen::AlignedBox2d& area, double spacing) {
+    const double pixels_per_metre = frame.pixels_per_metre;
+    const double north_west = frame.north_west[dimension];
+    const double from = area.min()[dimension];
+    const double to = area.max()[dimension];
     const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(spacing) - 1e-9)));
     constexpr double kSlack = 1e-6;  // of the spacing: a line on the very edge is one
     const double first = std::ceil((north_west + from / pixels_per_metre) / spacing - kSlack);
@@ -89,10 +94,8 @@ PlanFrame frame_of(const Viewpoint& view, int width, int height) {
 MapGrid grid_across(const PlanFrame& frame, const Eigen::AlignedBox2d& area, double distance) {
     MapGrid grid;
     grid.spacing = round_length(kLongest * distance / frame.pixels_per_metre);
-    grid.x = lines_along("x", frame.north_west.x(), area.min().x(), area.max().x(), grid.spacing,
-                         frame.pixels_per_metre);
-    grid.z = lines_along("z", frame.north_west.y(), area.min().y(), area.max().y(), grid.spacing,
-                         frame.pixels_per_metre);
+    grid.x = lines_along("x", 0, frame, area, grid.spacing);
+    grid.z = lines_along("z", 1, frame, area, grid.spacing);
     return grid;
 }
 

@@ -105,13 +105,13 @@ void draw_map_labels(const Canvas& canvas, const Viewpoint& view, std::span<cons
 }
 
 void draw_labels(const Canvas& canvas, std::span<const PixelLabel> labels,
-                 std::span<const WindowRect> windows) {
+                 std::span<const PixelRect> windows) {
     const double s = canvas.scale();
     const TextStyle style = {14.0 * s, true, kForeground, 0.0, 1};
     const Eigen::AlignedBox2d image(Eigen::Vector2d::Zero(),
                                     Eigen::Vector2d(canvas.width(), canvas.height()));
     std::vector<Eigen::AlignedBox2d> taken;
-    for (const WindowRect& window : windows) {
+    for (const PixelRect& window : windows) {
         const Eigen::Vector2d upper_left(window.x, window.y);
         taken.emplace_back(upper_left, upper_left + Eigen::Vector2d(window.width, window.height));
     }
@@ -124,11 +124,11 @@ void draw_labels(const Canvas& canvas, std::span<const PixelLabel> labels,
     }
 }
 
-void draw_compass(const Canvas& canvas, double yaw, std::span<const WindowRect> windows) {
+void draw_compass(const Canvas& canvas, double yaw, std::span<const PixelRect> windows) {
     const double s = canvas.scale();
     const double radius = 30.0 * s;
     double right = canvas.width();
-    for (const WindowRect& window : windows) {
+    for (const PixelRect& window : windows) {
         right = std::min(right, window.x);
     }
     if (right < 0.5 * canvas.width()) {
@@ -180,10 +180,10 @@ void draw_ring(const Canvas& canvas, double x, double y) {
     stroke_outlined(canvas, kArrow, 2.6 * s, 2.2 * s);
 }
 
-void draw_heading_arrow(const Canvas& canvas, double x, double y, double yaw, double size) {
+void draw_heading_arrow(const Canvas& canvas, const Eigen::Vector2d& at, double yaw, double size) {
     cairo_t* cr = canvas.cairo();
     cairo_save(cr);
-    cairo_translate(cr, x, y);
+    cairo_translate(cr, at.x(), at.y());
     cairo_rotate(cr, -yaw);  // y points down
     cairo_move_to(cr, 0.0, -size);
     cairo_line_to(cr, 0.68 * size, 0.85 * size);

@@ -38,15 +38,15 @@ void draw_north_arrow(const Canvas& canvas);
 void draw_map_labels(const Canvas& canvas, const Viewpoint& view, std::span<const MapLabel> labels);
 /// Likewise, avoiding the windows.
 void draw_labels(const Canvas& canvas, std::span<const PixelLabel> labels,
-                 std::span<const WindowRect> windows = {});
+                 std::span<const PixelRect> windows = {});
 /// A compass for a camera with heading `yaw` (up is ahead), in the upper right corner or left of the windows
 /// there.
-void draw_compass(const Canvas& canvas, double yaw, std::span<const WindowRect> windows = {});
+void draw_compass(const Canvas& canvas, double yaw, std::span<const PixelRect> windows = {});
 /// `path` is in the world frame.
 void draw_path(const Canvas& canvas, const Viewpoint& view, std::span<const Eigen::Vector3d> path);
 /// A ring around a point of the image.
 void draw_ring(const Canvas& canvas, double x, double y);
-/// An arrow of `size` pixels at (x, y) along the heading `yaw` on a north-up map.
-void draw_heading_arrow(const Canvas& canvas, double x, double y, double yaw, double size);
+/// An arrow of `size` pixels along the heading `yaw` on a north-up map.
+void draw_heading_arrow(const Canvas& canvas, const Eigen::Vector2d& at, double yaw, double size);
 
 }  // namespace campuswalk::engine::render

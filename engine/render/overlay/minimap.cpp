@@ -47,7 +47,7 @@ void draw_minimap(const Canvas& canvas, const Minimap& minimap, const AvatarStat
     cairo_arc(cr, centre.x(), centre.y(), radius, 0.0, kFullTurn);
     cairo_stroke(cr);
     canvas.label(centre.x(), centre.y() - radius + 13.0 * s, "N", {12.0 * s, true, {1, 1, 1, 1}, 0.0, 1});
-    draw_heading_arrow(canvas, centre.x(), centre.y(), avatar.yaw, 11.0 * s);
+    draw_heading_arrow(canvas, centre, avatar.yaw, 11.0 * s);
 }
 
 }  // namespace campuswalk::engine::render

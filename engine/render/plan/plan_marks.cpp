@@ -161,7 +161,7 @@ void draw_marker(const Canvas& canvas, const Vector2d& at, PlanSeverity severity
     const auto shape = [&](double wider) {
         const Vector2d upper_left = at - half - Vector2d(wider, wider);
         const Vector2d size = 2.0 * (half + Vector2d(wider, wider));
-        canvas.rounded_rectangle(upper_left.x(), upper_left.y(), size.x(), size.y(),
+        canvas.rounded_rectangle({upper_left.x(), upper_left.y(), size.x(), size.y()},
                                  style.rounding * (kMarker + wider));
     };
     shape(1.5);

@@ -199,7 +199,7 @@ Image SnapshotRenderer::draw_overlays(const Image& image, const SnapshotRequest&
         }
         draw_path(canvas, view, request.path);
         if (const auto pixel = pixel_of(view, canvas.width(), canvas.height(), request.avatar.position)) {
-            draw_heading_arrow(canvas, pixel->x(), pixel->y(), request.avatar.yaw, 13.0 * canvas.scale());
+            draw_heading_arrow(canvas, *pixel, request.avatar.yaw, 13.0 * canvas.scale());
         }
         if (!request.overlays.grid) {
             draw_scale_bar(canvas, view);
@@ -208,7 +208,7 @@ Image SnapshotRenderer::draw_overlays(const Image& image, const SnapshotRequest&
     } else if (request.minimap && !renderer_.bounds().empty() && contents_of(request).minimap) {
         draw_minimap(canvas, minimap(), request.avatar);
     }
-    const std::vector<WindowRect> frames =
+    const std::vector<PixelRect> frames =
         draw_info_windows(canvas, windows(request, view), settings_.max_windows);
     if (request.overlays.labels) {
         draw_labels(canvas, visible_labels(request), frames);

@@ -46,7 +46,7 @@ render::Image draw_map(const scene::Campus& campus, render::SnapshotRenderer& sn
     render::draw_map_grid(canvas, view);
     render::draw_path(canvas, view, state.path);
     if (const auto here = render::pixel_of(view, width, height, state.avatar.position)) {
-        render::draw_heading_arrow(canvas, here->x(), here->y(), state.avatar.yaw, kArrow * s);
+        render::draw_heading_arrow(canvas, *here, state.avatar.yaw, kArrow * s);
     }
     render::draw_north_arrow(canvas);
     const render::TextStyle style = {16.0 * s, true, {1, 1, 1, 1}, 0.0, 1};

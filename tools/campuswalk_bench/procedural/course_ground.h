@@ -19,21 +19,22 @@ struct CourseGround {
         parts.add_box(X, 0.5 * (low + high), 0.5 * (high - low));
     }
 
-    /// A wedge from y = 0 at `foot_z` up to `height` at `top_z`, where it is open.
-    void add_ramp(double low_x, double high_x, double foot_z, double top_z, double height) const {
-        // Looking up the slope.
-        const double left = foot_z > top_z ? low_x : high_x;
-        const double right = foot_z > top_z ? high_x : low_x;
+    /// A wedge from its corner `foot`, where it is lowest, to the one across, where it is highest and open;
+    /// foot.x < top.x.
+    void add_ramp(const collision::Vec3& foot, const collision::Vec3& top) const {
+        const bool towards_north = foot.z() > top.z();
+        const double left = towards_north ? foot.x() : top.x();  // looking up the slope
+        const double right = towards_north ? top.x() : foot.x();
         const auto vertex = [&](double x, double y, double z) {
             return parts.add_point(X * collision::Vec3(x, y, z));
         };
-        const std::uint32_t a = vertex(left, 0.0, foot_z);
-        const std::uint32_t b = vertex(right, 0.0, foot_z);
-        const std::uint32_t c = vertex(right, height, top_z);
-        const std::uint32_t d = vertex(left, height, top_z);
+        const std::uint32_t a = vertex(left, foot.y(), foot.z());
+        const std::uint32_t b = vertex(right, foot.y(), foot.z());
+        const std::uint32_t c = vertex(right, top.y(), top.z());
+        const std::uint32_t d = vertex(left, top.y(), top.z());
         parts.add_quad(a, b, c, d);
-        parts.add_triangle(a, d, vertex(left, 0.0, top_z));
-        parts.add_triangle(b, vertex(right, 0.0, top_z), c);
+        parts.add_triangle(a, d, vertex(left, foot.y(), top.z()));
+        parts.add_triangle(b, vertex(right, foot.y(), top.z()), c);
     }
 
     void add_path(const char* name, const collision::Vec3& start,

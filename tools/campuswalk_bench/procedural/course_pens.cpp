@@ -59,7 +59,7 @@ void add_slope(const Pen& pen) {
     const auto [sin, cos] = collision::sin_cos(std::numbers::pi / 180.0 * pen.ground.sizes.too_steep);
     const double run = kPlateau * cos / sin;
     pen.ground.add_box({pen.x - kHalfPen, -0.5, kFront}, {pen.x + kHalfPen, kPlateau, kBack});
-    pen.ground.add_ramp(pen.x - kHalfPen, pen.x + kHalfPen, kFront - run, kFront, kPlateau);
+    pen.ground.add_ramp({pen.x - kHalfPen, 0.0, kFront - run}, {pen.x + kHalfPen, kPlateau, kFront});
     pen.add_path("slope too steep", kPlateau, run + 1.0);
 }
 

@@ -16,7 +16,7 @@ void add_ramp_and_drop(const CourseGround& ground) {
     constexpr double kTop = 1.5;
     const auto [sin, cos] = collision::sin_cos(std::numbers::pi / 180.0 * ground.sizes.ramp);
     const double foot = -7.0 + kTop * cos / sin;
-    ground.add_ramp(13.0, 17.0, foot, -7.0, kTop);
+    ground.add_ramp({13.0, 0.0, foot}, {17.0, kTop, -7.0});
     ground.add_box({13.0, -0.5, -11.0}, {17.0, kTop, -7.0});
     ground.add_path("ramp and drop", {15.0, 0.0, foot + 1.5}, {{15.0, kTop, -9.0}, {15.0, 0.0, -14.0}});
 }

@@ -18,7 +18,7 @@ InfoWindow library() {
 
 struct Drawn {
     Image image;
-    std::vector<WindowRect> rects;
+    std::vector<PixelRect> rects;
 };
 
 Drawn drawn(const std::vector<InfoWindow>& windows, int width = kImageWidth, int height = kImageHeight,
@@ -31,7 +31,7 @@ Drawn drawn(const std::vector<InfoWindow>& windows, int width = kImageWidth, int
     return result;
 }
 
-bool within(const WindowRect& rect, double margin, int x, int y) {
+bool within(const PixelRect& rect, double margin, int x, int y) {
     return x >= rect.x - margin && y >= rect.y - margin && x < rect.x + rect.width + margin &&
            y < rect.y + rect.height + margin;
 }
@@ -41,7 +41,7 @@ std::size_t changed_outside(const Drawn& drawn) {
     for (int y = 0; y < drawn.image.height; ++y) {
         for (int x = 0; x < drawn.image.width; ++x) {
             const bool inside = std::ranges::any_of(
-                drawn.rects, [&](const WindowRect& rect) { return within(rect, kShade, x, y); });
+                drawn.rects, [&](const PixelRect& rect) { return within(rect, kShade, x, y); });
             count += !inside && drawn.image.pixel(x, y) != kMeadow ? 1U : 0U;
         }
     }
@@ -50,7 +50,7 @@ std::size_t changed_outside(const Drawn& drawn) {
 
 // The number of pixels as bright as text between `top` and `bottom`, as shares of the window height.
 int letters(const Drawn& drawn, double top, double bottom, double left = 0.02, double right = 0.85) {
-    const WindowRect& rect = drawn.rects.at(0);
+    const PixelRect& rect = drawn.rects.at(0);
     int count = 0;
     for (int y = 0; y < drawn.image.height; ++y) {
         for (int x = 0; x < drawn.image.width; ++x) {
@@ -90,7 +90,7 @@ TEST(InfoWindow, UsesTheBuildingsDataAndItsIdWithoutATitle) {
 TEST(InfoWindow, DrawsTitleAndBodyWithinItsRectangle) {
     const Drawn full = drawn({library()});
     ASSERT_EQ(full.rects.size(), 1U);
-    const WindowRect& rect = full.rects[0];
+    const PixelRect& rect = full.rects[0];
     EXPECT_GE(rect.x, 0.0);
     EXPECT_LE(rect.x + rect.width, kImageWidth);
     EXPECT_EQ(changed_outside(full), 0U);
@@ -165,7 +165,7 @@ TEST(InfoWindow, FitsSmallAndNarrowImages) {
     InfoWindow window = library();
     window.text = std::string(2000, 'x');
     for (const auto& [width, height] : {std::pair(320, 180), std::pair(200, 600), std::pair(3840, 2160)}) {
-        const WindowRect rect = drawn({window}, width, height).rects.at(0);
+        const PixelRect rect = drawn({window}, width, height).rects.at(0);
         EXPECT_GE(rect.x, 0.0) << width;
         EXPECT_LE(rect.x + rect.width, width) << width;
         EXPECT_LE(rect.y + rect.height, height) << width;

@@ -62,10 +62,10 @@ TEST_F(MapMarks, ScaleBarHasTheLengthOfItsLabel) {
 
 TEST_F(MapMarks, HeadingArrowPointsAlongTheYaw) {
     // The tip is farther from the middle than the barbs.
-    draw_heading_arrow(canvas_, 100, 100, 0.0, 20.0);
+    draw_heading_arrow(canvas_, {100, 100}, 0.0, 20.0);
     EXPECT_GT(marked(98, 78, 103, 84), 0) << "north is up";
     EXPECT_EQ(marked(98, 118, 103, 124), 0);
-    draw_heading_arrow(canvas_, 300, 300, 1.5707963267948966, 20.0);
+    draw_heading_arrow(canvas_, {300, 300}, 1.5707963267948966, 20.0);
     EXPECT_GT(marked(278, 298, 284, 303), 0) << "a left turn from north is west, left on the map";
     EXPECT_EQ(marked(318, 298, 324, 303), 0);
 }
@@ -108,8 +108,8 @@ TEST_F(MapMarks, OverlappingLabelsMoveAside) {
 }
 
 TEST_F(MapMarks, LabelsAndCompassAvoidWindows) {
-    const WindowRect window = {250, 20, 140, 120};
-    const std::vector<WindowRect> windows = {window};
+    const PixelRect window = {250, 20, 140, 120};
+    const std::vector<PixelRect> windows = {window};
     const std::vector<PixelLabel> labels = {{"Hall", {320, 80}}, {"Gate", {248, 80}}, {"Pond", {100, 80}}};
     draw_labels(canvas_, labels, windows);
     draw_compass(canvas_, 0.3, windows);
