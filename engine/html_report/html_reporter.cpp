@@ -3,20 +3,53 @@
 #include <algorithm>
 #include <functional>
 #include <set>
+#include <string>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
-#include "engine/html_report/report_images.h"
 #include "engine/html_report/walk_row.h"
 #include "engine/report/report_paths.h"
 #include "engine/report/result_json.h"
+#include "engine/report/walk_result.h"
+#include "scene/export/webp_image.h"
 
 namespace campuswalk::engine {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// A picture as a report contains it.
+struct ReportImage {
+    std::string bytes;
+    std::string media_type;
+};
+
+constexpr int kMaxWidth = 1280;    // pixels
+constexpr int kMaxHeight = 16383;  // pixels, WebP's own limit
+constexpr float kQuality = 80.0F;  // of 100
+
+bool is_compared(const Artifact& artifact) {
+    const std::string& path = artifact.path;
+    return path.ends_with("-actual.png") || path.ends_with("-expected.png") || path.ends_with("-diff.png");
+}
+
+/// Whether a report shows this file: a still picture.
+bool is_still_image(const Artifact& artifact) {
+    return artifact.media_type == "image/png";
+}
+
+/// As WebP: pictures that are compared keep every pixel, others lose what is hard to see and are at most 1280
+/// pixels wide.
+ReportImage report_image(const Artifact& artifact, const scene::PixelView& pixels) {
+    if (is_compared(artifact)) {
+        const scene::Pixels whole = scene::shrunk_to_fit(pixels, kMaxHeight, kMaxHeight);
+        return {scene::encode_webp_lossless(whole.view()), "image/webp"};
+    }
+    const scene::Pixels shown = scene::shrunk_to_fit(pixels, kMaxWidth, kMaxHeight);
+    return {scene::encode_webp(shown.view(), kQuality), "image/webp"};
+}
 
 /// Bytes that aren't UTF-8 can't be written in JSON: they become U+FFFD.
 std::string dumped(const Json& json) {

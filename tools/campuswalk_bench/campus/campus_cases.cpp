@@ -1,17 +1,23 @@
 #include "tools/campuswalk_bench/campus/campus_cases.h"
 
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
+#include "collision/geometry/ray.h"
+#include "collision/geometry/shapes.h"
+#include "collision/geometry/triangle_mesh.h"
 #include "collision/mesh/mesh_query.h"
 #include "tools/campuswalk_bench/campus/answer_check.h"
 #include "tools/campuswalk_bench/campus/query_case.h"
-#include "tools/campuswalk_bench/campus/query_inputs.h"
 #include "tools/campuswalk_bench/engines/peer_engines.h"
 #include "tools/campuswalk_bench/procedural/generated_campus.h"
+#include "tools/campuswalk_bench/procedural/split_mix.h"
 
 namespace campuswalk::tools::bench {
 
@@ -23,6 +29,39 @@ using collision::TreeKind;
 using collision::Vec3;
 
 namespace {
+
+// The inputs of the queries that visitors of a campus cause; for a seed, they are the same on every machine.
+
+constexpr double kEyeHeight = 1.6;     ///< metres
+constexpr double kAvatarRadius = 0.3;  ///< metres
+constexpr double kAvatarHeight = 1.8;  ///< metres
+
+std::size_t below(std::size_t count, SplitMix& random) {
+    return static_cast<std::size_t>(random.between(0.0, static_cast<double>(count)));
+}
+
+/// Rays of `length` metres from eye height above some of `feet`, uniformly distributed over all directions.
+std::vector<Ray> eye_rays(std::span<const Vec3> feet, double length, std::size_t count, std::uint32_t seed) {
+    SplitMix random(seed);
+    std::vector<Ray> rays;
+    while (rays.size() < count) {
+        const Vec3 eye = feet[below(feet.size(), random)] + Vec3(0.0, kEyeHeight, 0.0);
+        rays.push_back({eye, eye + length * random.direction()});
+    }
+    return rays;
+}
+
+/// The segments of upright avatars (radius kAvatarRadius, kAvatarHeight tall), most of which touch something.
+std::vector<Segment> avatars(const collision::TriangleMesh& mesh, std::size_t count, std::uint32_t seed) {
+    SplitMix random(seed);
+    std::vector<Segment> made;
+    while (made.size() < count) {
+        const collision::Triangle near = vertices(mesh, below(mesh.triangles.size(), random));
+        const Vec3 foot = (near.a + near.b + near.c) / 3.0 + 0.5 * random.direction();
+        made.push_back({foot + Vec3(0, kAvatarRadius, 0), foot + Vec3(0, kAvatarHeight - kAvatarRadius, 0)});
+    }
+    return made;
+}
 
 using Fraction = std::optional<double>;
 using Triangles = std::vector<std::uint32_t>;

@@ -1,24 +1,91 @@
 #include "tools/campuswalk_bench/draw/draw_bench.h"
 
+#include <sys/resource.h>
+
 #include <cstdio>
 #include <exception>
+#include <filesystem>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "engine/render/image/png.h"
+#include "engine/render/renderer.h"
+#include "scene/model/model.h"
 #include "tools/campuswalk_bench/draw/draw_by_processes.h"
-#include "tools/campuswalk_bench/draw/draw_ours.h"
 #include "tools/campuswalk_bench/draw/draw_report.h"
+#include "tools/campuswalk_bench/draw/draw_times.h"
+#include "tools/campuswalk_bench/draw/drawn_campus.h"
 #include "tools/campuswalk_bench/draw/looks.h"
 #include "tools/campuswalk_bench/files/scratch_folder.h"
 #include "tools/campuswalk_bench/files/write_glb.h"
+#include "tools/campuswalk_bench/measure/heap.h"
+#include "tools/campuswalk_bench/measure/shuffled_runs.h"
 
 namespace campuswalk::tools::bench {
 
 namespace fs = std::filesystem;
 
+using engine::render::Image;
+using engine::render::Renderer;
+using engine::render::Viewpoint;
+
 namespace {
+
+struct OurDrawing {
+    std::vector<DrawTimes> looks;
+    double encode_ms = 0.0;      ///< to encode an image as PNG; in a walk, this runs in parallel with drawing
+    std::size_t heap_bytes = 0;  ///< allocated besides the model: geometry, textures, maps, targets
+};
+
+/// The processor time of all threads of this process.
+double cpu_ms() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    const auto ms = [](const timeval& t) {
+        return 1e3 * static_cast<double>(t.tv_sec) + 1e-3 * static_cast<double>(t.tv_usec);
+    };
+    return ms(usage.ru_utime) + ms(usage.ru_stime);
+}
+
+DrawTimes draw_look(Renderer& renderer, const std::vector<Viewpoint>& views, int rounds) {
+    DrawTimes times;
+    double start = 0.0;
+    for (int round = 0; round <= rounds; ++round) {
+        if (round == 1) {
+            start = cpu_ms();
+        }
+        for (std::size_t i = 0; i < views.size(); ++i) {
+            const double us = microseconds_of([&] { renderer.draw(views[i], kDrawnWidth, kDrawnHeight); });
+            if (round > 0) {
+                times.images.push_back({i, 1e-3 * us});
+            }
+        }
+    }
+    times.cpu_ms = (cpu_ms() - start) / static_cast<double>(times.images.size());
+    return times;
+}
+
+/// Draws the views in each look: once to warm up, then `rounds` times. The first view is saved as
+/// `folder`/campuswalk-LOOK.png. Throws RenderError when the machine can't draw.
+OurDrawing draw_ours(const scene::Model& model, const std::vector<DrawnView>& views, int rounds,
+                     const std::filesystem::path& folder) {
+    OurDrawing drawing;
+    const std::vector<Viewpoint> points = viewpoints(views);
+    for (const Look& look : looks()) {
+        const std::size_t before = heap_in_use();
+        Renderer renderer(std::span(&model, 1), look.settings);
+        drawing.looks.push_back(draw_look(renderer, points, rounds));
+        drawing.looks.back().engine = kOurs;
+        drawing.looks.back().look = look.name;
+        drawing.heap_bytes = heap_in_use() - before;
+        const Image image = renderer.draw(points.front(), kDrawnWidth, kDrawnHeight);
+        drawing.encode_ms = 1e-3 * microseconds_of([&] { engine::render::encode_png(image); });
+        engine::render::write_png(image, folder / ("campuswalk-" + look.name + ".png"));
+    }
+    return drawing;
+}
 
 /// A model to draw, the views of it, and the times of the processes that have drawn it.
 struct Subject {

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
 
 #include <nlohmann/json.hpp>
 
 #include "engine/render/passes/render_settings.h"
+#include "scene/base/atomic_file.h"
 #include "tools/campuswalk/base/text.h"
 #include "tools/campuswalk_bench/draw/looks.h"
 
@@ -35,12 +35,7 @@ void write_views(const std::vector<DrawnView>& views, int rounds, const std::fil
     for (const DrawnView& view : views) {
         all["views"].push_back({{"eye", list_of(view.eye)}, {"target", list_of(view.target)}});
     }
-    std::ofstream out(folder / "views.json");
-    out << all.dump(1) << '\n';
-    out.close();
-    if (!out) {
-        throw std::runtime_error("'" + (folder / "views.json").string() + "' couldn't be written");
-    }
+    scene::write_file_atomically(folder / "views.json", all.dump(1) + '\n');
 }
 
 std::vector<DrawTimes> parse_times(const std::string& peer, const std::string& printed) {

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
-#include <stdexcept>
 #include <string_view>
 
 #include "engine/events/decimals.h"
+#include "scene/base/atomic_file.h"
 
 namespace campuswalk::tools::bench {
 
@@ -136,25 +135,18 @@ void print_draw_verdicts(const std::vector<DrawVerdict>& verdicts) {
 }
 
 void write_draw_csv(const std::vector<DrawnCampus>& campuses, const std::filesystem::path& file) {
-    if (file.has_parent_path()) {
-        std::filesystem::create_directories(file.parent_path());
-    }
-    std::ofstream out(file, std::ios::binary);
-    out << "campus,triangles,engine,look,ms_median,ms_mean,ms_least,ms_cpu,times_ours\n";
+    std::string text = "campus,triangles,engine,look,ms_median,ms_mean,ms_least,ms_cpu,times_ours\n";
     for (const DrawnCampus& campus : campuses) {
         for (const DrawTimes& times : campus.looks) {
             const auto ratio = times_ours(campus, times.engine, times.look);
-            out << campus.name << ',' << campus.triangles << ',' << times.engine << ',' << times.look << ','
-                << engine::fixed(median_ms(times), 2) << ',' << engine::fixed(mean_ms(times), 2) << ','
-                << engine::fixed(least_ms(times), 2) << ','
-                << (times.cpu_ms ? engine::fixed(*times.cpu_ms, 2) : "") << ','
-                << (ratio ? engine::fixed(*ratio, 3) : "") << '\n';
+            text += campus.name + ',' + std::to_string(campus.triangles) + ',' + times.engine + ',' +
+                    times.look + ',' + engine::fixed(median_ms(times), 2) + ',' +
+                    engine::fixed(mean_ms(times), 2) + ',' + engine::fixed(least_ms(times), 2) + ',' +
+                    (times.cpu_ms ? engine::fixed(*times.cpu_ms, 2) : "") + ',' +
+                    (ratio ? engine::fixed(*ratio, 3) : "") + '\n';
         }
     }
-    out.close();
-    if (!out) {
-        throw std::runtime_error("'" + file.string() + "' couldn't be written");
-    }
+    scene::write_file_atomically(file, text);
 }
 
 }  // namespace campuswalk::tools::bench

@@ -1,9 +1,7 @@
 #include "tools/campuswalk_bench/measure/write_csv.h"
 
-#include <fstream>
-#include <stdexcept>
-
 #include "engine/events/decimals.h"
+#include "scene/base/atomic_file.h"
 
 namespace campuswalk::tools::bench {
 
@@ -28,18 +26,11 @@ std::string line(const Row& row) {
 }  // namespace
 
 void write_csv(const std::vector<Row>& rows, const std::filesystem::path& file) {
-    if (file.has_parent_path()) {
-        std::filesystem::create_directories(file.parent_path());
-    }
-    std::ofstream out(file, std::ios::binary);
-    out << "case,pairs,engine,query,us_min,us_median,nv,np,set_equal\n";
+    std::string text = "case,pairs,engine,query,us_min,us_median,nv,np,set_equal\n";
     for (const Row& row : rows) {
-        out << line(row);
+        text += line(row);
     }
-    out.close();
-    if (!out) {
-        throw std::runtime_error("'" + file.string() + "' couldn't be written");
-    }
+    scene::write_file_atomically(file, text);
 }
 
 }  // namespace campuswalk::tools::bench

@@ -1,13 +1,120 @@
 #include "tools/campuswalk_bench/pairs/pair_engines.h"
 
 #include <exception>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
 
-#include "tools/campuswalk_bench/engines/our_engines.h"
+#include "collision/geometry/triangle_mesh.h"
+#include "collision/hybrid/hybrid_tree.h"
+#include "collision/mesh/mesh_collider.h"
+#include "collision/mesh/mesh_contacts.h"
+#include "tools/campuswalk_bench/engine/engine.h"
 #include "tools/campuswalk_bench/engines/peer_engines.h"
 
 namespace campuswalk::tools::bench {
 
+using collision::HybridContactStatistics;
+using collision::MeshCollider;
+using collision::NodeTest;
+using collision::Pose;
+using collision::SimdTarget;
 using collision::TriangleMesh;
+using collision::TrianglePair;
+
+namespace {
+
+class HybridEngine final : public Engine {
+public:
+    HybridEngine(const TriangleMesh& a, const TriangleMesh& b, NodeTest test)
+        : tree_a_(build_hybrid_tree(a)),
+          tree_b_(build_hybrid_tree(b)),
+          a_{a, tree_a_},
+          b_{b, tree_b_},
+          test_(test) {}
+
+    void set_pose(const Pose& X_a_b) override { X_a_b_ = X_a_b; }
+
+    void all_pairs(std::vector<TrianglePair>& out) override {
+        work_ = {};
+        all_contacts(a_, b_, X_a_b_, test_, out, work_);
+    }
+
+    std::optional<TrianglePair> first_pair() override {
+        work_ = {};
+        return first_contact(a_, b_, X_a_b_, test_, work_);
+    }
+
+    std::optional<HybridContactStatistics> work() const override { return work_; }
+
+private:
+    collision::HybridTree tree_a_;
+    collision::HybridTree tree_b_;
+    collision::HybridMesh a_;
+    collision::HybridMesh b_;
+    NodeTest test_;
+    Pose X_a_b_;
+    HybridContactStatistics work_;
+};
+
+class Bvh8Engine final : public Engine {
+public:
+    Bvh8Engine(const TriangleMesh& a, const TriangleMesh& b, SimdTarget simd_target)
+        : a_(a, collision::TreeKind::bvh8, collision::Interior::unknown),
+          b_(b, collision::TreeKind::bvh8, collision::Interior::unknown),
+          simd_target_(simd_target) {}
+
+    void set_pose(const Pose& X_a_b) override { X_a_b_ = X_a_b; }
+
+    void all_pairs(std::vector<TrianglePair>& out) override {
+        work_ = {};
+        all_contacts(a_, b_, X_a_b_, out, &work_, simd_target_);
+    }
+
+    std::optional<TrianglePair> first_pair() override {
+        work_ = {};
+        return first_contact(a_, b_, X_a_b_, &work_, simd_target_);
+    }
+
+    std::optional<HybridContactStatistics> work() const override { return work_; }
+
+private:
+    MeshCollider a_;
+    MeshCollider b_;
+    SimdTarget simd_target_;
+    Pose X_a_b_;
+    HybridContactStatistics work_;
+};
+
+const std::map<std::string, NodeTest> kNodeTests = {{"paper", NodeTest::hybrid},
+                                                    {"obb", NodeTest::box},
+                                                    {"sphere", NodeTest::sphere},
+                                                    {"mixed", NodeTest::mixed}};
+const std::map<std::string, SimdTarget> kBvh8Engines = {
+    {"wide_sse42", SimdTarget::sse42}, {"wide_avx2", SimdTarget::avx2}, {"wide_avx512", SimdTarget::avx512}};
+
+/// The names of our engines: the paper's tree with each node test (paper, obb, sphere, mixed) and the BVH8
+/// with each SIMD target (wide_sse42, wide_avx2, wide_avx512).
+bool is_our_engine(const std::string& name) {
+    return kNodeTests.contains(name) || kBvh8Engines.contains(name);
+}
+
+/// One of our engines. Both meshes must outlive it. Throws std::runtime_error if this machine lacks its SIMD
+/// target.
+std::unique_ptr<Engine> make_our_engine(const std::string& name, const TriangleMesh& a,
+                                        const TriangleMesh& b) {
+    if (const auto test = kNodeTests.find(name); test != kNodeTests.end()) {
+        return std::make_unique<HybridEngine>(a, b, test->second);
+    }
+    const SimdTarget simd_target = kBvh8Engines.at(name);
+    if (!can_run(simd_target)) {
+        throw std::runtime_error("this processor lacks the instruction set");
+    }
+    return std::make_unique<Bvh8Engine>(a, b, simd_target);
+}
+
+}  // namespace
 
 PairEngines make_engines(const TriangleMesh& a, const TriangleMesh& b, std::span<const char* const> names) {
     PairEngines made;

@@ -21,8 +21,8 @@ struct PairEngines {
     std::vector<std::string> absent;  ///< one line per engine: its name, and why it is absent
 };
 
-/// Makes the engines of `names`, ours (our_engines.h) or peers' (peer_engines.h), that this machine can run,
-/// in that order. Both meshes must outlive them.
+/// Makes the engines of `names`, ours or peers' (peer_engines.h), that this machine can run, in that order.
+/// Both meshes must outlive them.
 PairEngines make_engines(const collision::TriangleMesh& a, const collision::TriangleMesh& b,
                          std::span<const char* const> names);
 

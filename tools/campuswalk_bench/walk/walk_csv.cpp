@@ -1,10 +1,9 @@
 #include "tools/campuswalk_bench/walk/walk_csv.h"
 
-#include <fstream>
-#include <stdexcept>
 #include <string>
 
 #include "engine/events/decimals.h"
+#include "scene/base/atomic_file.h"
 
 namespace campuswalk::tools::bench {
 
@@ -25,21 +24,15 @@ std::string line(std::size_t triangles, const WalkScore& score) {
 }  // namespace
 
 void write_walk_csv(const std::vector<WalkedCampus>& campuses, const std::filesystem::path& file) {
-    if (file.has_parent_path()) {
-        std::filesystem::create_directories(file.parent_path());
-    }
-    std::ofstream out(file, std::ios::binary);
-    out << "triangles,controller,us_mean,us_p50,us_p99,us_max,goals,reached,forbidden,max_penetration_mm,"
-           "crossings\n";
+    std::string text =
+        "triangles,controller,us_mean,us_p50,us_p99,us_max,goals,reached,forbidden,max_penetration_mm,"
+        "crossings\n";
     for (const WalkedCampus& campus : campuses) {
         for (const WalkScore& score : campus.scores) {
-            out << line(campus.triangles, score);
+            text += line(campus.triangles, score);
         }
     }
-    out.close();
-    if (!out) {
-        throw std::runtime_error("'" + file.string() + "' couldn't be written");
-    }
+    scene::write_file_atomically(file, text);
 }
 
 }  // namespace campuswalk::tools::bench
