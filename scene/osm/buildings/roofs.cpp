@@ -274,10 +274,9 @@ bool is_ring_shape(RoofShape shape) {
 
 }  // namespace
 
-RoofShape roof_shape(std::string_view word, bool& known) {
+std::optional<RoofShape> roof_shape(std::string_view word) {
     const auto* found = std::ranges::find(kShapes, word, &NamedShape::name);
-    known = found != kShapes.end();
-    return known ? found->shape : RoofShape::flat;
+    return found == kShapes.end() ? std::nullopt : std::optional(found->shape);
 }
 
 bool allows(const Polygons& footprint, RoofShape shape, const PlanGeometry& geometry) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "scene/osm/geometry/model_builder.h"
@@ -22,8 +23,8 @@ enum class RoofShape {
     round
 };
 
-/// flat for a word that isn't one of them; `known` says whether it is.
-RoofShape roof_shape(std::string_view word, bool& known);
+/// The shape that the tag's value names; nothing if it isn't one of them.
+std::optional<RoofShape> roof_shape(std::string_view word);
 
 struct Roof {
     RoofShape shape = RoofShape::flat;

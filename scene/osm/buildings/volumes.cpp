@@ -103,10 +103,10 @@ void set_roof(const PlanGeometry& geometry, const SourceMark& mark, Volume& volu
     if (word.empty()) {
         return;
     }
-    bool known = false;
-    volume.roof.shape = roof_shape(word, known);
+    const std::optional<RoofShape> shape = roof_shape(word);
+    volume.roof.shape = shape.value_or(RoofShape::flat);
     const std::string name = volume.id.text();
-    if (!known) {
+    if (!shape) {
         warnings.warning(mark, "roof-shape",
                          name + ": roof:shape '" + std::string(word) + "' isn't supported; its roof is flat");
     } else if (!allows(volume.footprint, volume.roof.shape, geometry)) {

@@ -10,12 +10,33 @@
 #include "tools/campuswalk/cluster/explore_on_slurm.h"
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/commands/explore_campus.h"
+#include "tools/campuswalk/explore/findings.h"
 #include "tools/campuswalk/loading/model_importer.h"
 #include "tools/campuswalk/loading/walk_loader.h"
 
 namespace campuswalk::tools {
 
 namespace {
+
+std::vector<std::string> names_of_findings() {
+    std::vector<std::string> names;
+    for (const explore::FindingName& finding : explore::kFindingNames) {
+        names.emplace_back(finding.name);
+    }
+    return names;
+}
+
+/// A line for each kind.
+std::string meanings_of_findings() {
+    constexpr std::size_t kWidth = 11;
+    std::string lines;
+    for (const explore::FindingName& finding : explore::kFindingNames) {
+        std::string name = finding.name;
+        name.resize(kWidth, ' ');
+        lines += "  " + name + finding.meaning + "\n";
+    }
+    return lines;
+}
 
 /// Which campuses, and where.
 struct ExploreCommand {
@@ -113,8 +134,7 @@ void add_explore(Command program, CommandAction& chosen) {
         {.names = "--fail-on",
          .help = "Exit with 1 if there are such findings; several with commas between: traps,holes",
          .is_list = true},
-        {"unreached", "traps", "stuck", "holes", "narrow", "triggers", "popups", "islands", "hot"},
-        options->fail_on);
+        names_of_findings(), options->fail_on);
     command.option({.names = "--min-width",
                     .help = "Find passages that are too narrow for a visitor of this width",
                     .value = "METRES"},
@@ -167,16 +187,7 @@ void add_explore(Command program, CommandAction& chosen) {
     add_import_options(command);
     add_root_option(command);
     command.footer(
-        "What --fail-on looks for:\n"
-        "  unreached  a spawn, a place, a building or an object that nobody gets to\n"
-        "  traps      ground that one gets to and not away from, of 1 m² or more\n"
-        "  stuck      such a spot that is smaller\n"
-        "  holes      edges over which one falls out of the world\n"
-        "  narrow     passages that are too narrow for --min-width\n"
-        "  triggers   triggers that nobody can enter, or that reach through a floor\n"
-        "  popups     buildings' pop-ups that nobody can open\n"
-        "  islands    other walkable ground that isn't reached, of more than 1 m²\n"
-        "  hot        spots with so many triangles around the visitor that ticks take long\n"
+        "What --fail-on looks for:\n" + meanings_of_findings() +
         "\n"
         "Exit code: 0 explored, 1 the report has what --require, --fail-on or --fail-under forbids,\n"
         "2 bad usage or input, 3 something failed on the way, or --max-cells ended it.");

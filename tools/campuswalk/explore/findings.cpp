@@ -351,27 +351,7 @@ std::string why_unreached(const engine::Subject& subject) {
 }
 
 const char* name_of(FindingKind kind) {
-    switch (kind) {
-        case FindingKind::unreached:
-            return "unreached";
-        case FindingKind::trap:
-            return "traps";
-        case FindingKind::stuck:
-            return "stuck";
-        case FindingKind::hole:
-            return "holes";
-        case FindingKind::narrow:
-            return "narrow";
-        case FindingKind::trigger:
-            return "triggers";
-        case FindingKind::popup:
-            return "popups";
-        case FindingKind::island:
-            return "islands";
-        case FindingKind::hot:
-            return "hot";
-    }
-    return "";
+    return std::ranges::find(kFindingNames, kind, &FindingName::kind)->name;
 }
 
 bool is_of_kind(const Finding& finding, const std::string& name) {

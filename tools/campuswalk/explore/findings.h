@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,8 +35,25 @@ std::vector<Finding> find_findings(const scene::Campus& campus, const engine::Wa
 /// Why a subject isn't reached that has a reason, such as "other objects hide it".
 std::string why_unreached(const engine::Subject& subject);
 
-/// What it is called in files and in `--fail-on`: "unreached", "traps", "stuck", "holes", "narrow",
-/// "triggers", "popups", "islands", "hot".
+struct FindingName {
+    FindingKind kind;
+    const char* name;     ///< in files and in `--fail-on`
+    const char* meaning;  ///< what `--fail-on` looks for
+};
+
+/// In the order of FindingKind.
+inline constexpr std::array<FindingName, 9> kFindingNames = {{
+    {FindingKind::unreached, "unreached", "a spawn, a place, a building or an object that nobody gets to"},
+    {FindingKind::trap, "traps", "ground that one gets to and not away from, of 1 m² or more"},
+    {FindingKind::stuck, "stuck", "such a spot that is smaller"},
+    {FindingKind::hole, "holes", "edges over which one falls out of the world"},
+    {FindingKind::narrow, "narrow", "passages that are too narrow for --min-width"},
+    {FindingKind::trigger, "triggers", "triggers that nobody can enter, or that reach through a floor"},
+    {FindingKind::popup, "popups", "buildings' pop-ups that nobody can open"},
+    {FindingKind::island, "islands", "other walkable ground that isn't reached, of more than 1 m²"},
+    {FindingKind::hot, "hot", "spots with so many triangles around the visitor that ticks take long"},
+}};
+
 const char* name_of(FindingKind kind);
 
 /// Whether the finding is of the kind of this name, or also of it.
