@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "engine/expect/evaluator.h"
 #include "engine/expect/walk_bounds.h"
 #include "engine/script/avatar_body.h"
+#include "engine/script/failure_codes.h"
 #include "engine/script/travel.h"
 #include "engine/script/walk.h"
 
@@ -26,7 +28,7 @@ namespace {
 /// A time that the walk's steps exceed whatever happens. An xfail of that failure can't be wrong.
 struct CertainTimeout {
     SourceMark mark;        ///< of the step, or of the walk's status
-    const char* code = "";  ///< of the failure: a walk_to or follow that takes too long is `blocked`
+    std::string_view code;  ///< of the failure: a walk_to or follow that takes too long is `blocked`
 };
 
 /// The least time of the steps so far, and where the avatar then is, if that is known.
@@ -45,12 +47,12 @@ public:
         at_ = {step.position, kPlacementSearch};
         yaw_ = step.yaw ? step.yaw : yaw_;
     }
-    void add(const WalkToStep& step) { go_to(step, {step.target}, step.if_blocked, "blocked"); }
-    void add(const FollowStep& step) { go_to(step, step.points, step.if_blocked, "blocked"); }
+    void add(const WalkToStep& step) { go_to(step, {step.target}, step.if_blocked, kBlockedCode); }
+    void add(const FollowStep& step) { go_to(step, step.points, step.if_blocked, kBlockedCode); }
     void add(const GoToStep& step) {
         std::vector<Target> points = step.through;
         points.push_back(step.target);
-        go_to(step, points, IfBlocked::fail, "timeout");
+        go_to(step, points, IfBlocked::fail, kTimeoutCode);
     }
     void add(const WaitStep& step) { seconds_ += step.seconds; }
     void add(const TurnStep& step) {
@@ -80,7 +82,7 @@ private:
 
     /// Straight from point to point, each of which counts as passed within as much as the last.
     template <typename Step>
-    void go_to(const Step& step, const std::vector<Target>& points, IfBlocked if_blocked, const char* code) {
+    void go_to(const Step& step, const std::vector<Target>& points, IfBlocked if_blocked, std::string_view code) {
         double length = -step.within;
         for (std::size_t i = at_ ? 0 : 1; i < points.size(); ++i) {
             const Position from = i > 0 ? Position{points[i - 1].point, 2.0 * step.within} : *at_;
@@ -116,7 +118,7 @@ std::vector<CertainTimeout> certain_timeouts(const Walk& walk) {
     }
     std::vector<CertainTimeout> certain = time.take_too_short();
     if (walk.timeout && *walk.timeout < time.seconds()) {
-        certain.push_back({walk.status.mark, "timeout"});
+        certain.push_back({walk.status.mark, kTimeoutCode});
     }
     return certain;
 }
@@ -210,7 +212,7 @@ std::vector<VacuousExpectation> vacuous_expectations(const scene::Campus& campus
     }
     for (const CertainTimeout& certain : certain_timeouts(walk)) {
         if (std::ranges::find(walk.status.codes, certain.code) != walk.status.codes.end()) {
-            found.push_back({certain.mark, certain.code, false});
+            found.push_back({certain.mark, std::string(certain.code), false});
         }
     }
     return found;

@@ -28,7 +28,7 @@ struct FailureScene {
 /// Why a walk did not pass: a step that gave up or an expectation that doesn't hold.
 struct Failure {
     SourceMark mark;      ///< the step or expectation in the walk file
-    std::string code;     ///< one of failure_codes(), is_lack(), or "xfail": should have failed but didn't
+    std::string code;     ///< one of failure_codes() or of those in failure_codes.h
     std::string message;  ///< one line: what was expected and what happened instead
     FailureScene scene = {};
     // The facts that the message words, as far as there are any.

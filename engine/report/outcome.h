@@ -9,9 +9,6 @@
 
 namespace campuswalk::engine {
 
-/// The code of the failure to fail as a walk's status says. It belongs to no moment of the walk.
-inline constexpr std::string_view kXfailCode = "xfail";
-
 struct EvaluatedWalk {
     Outcome outcome = Outcome::passed;
     std::vector<Failure> failures;  ///< the walk's own and, if it should have failed differently, kXfailCode

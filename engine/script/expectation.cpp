@@ -17,12 +17,11 @@ std::vector<std::string> plain_names(std::index_sequence<index...>) {
 }  // namespace
 
 bool is_lack(std::string_view code) {
-    return code == kGoldenMissing || code == kGoldenUnreadable || code == kSnapshotMissing ||
-           code == kNotEvaluated || code == kRouteUnknown;
+    return std::ranges::find(kLackCodes, code) != kLackCodes.end();
 }
 
 std::vector<std::string> failure_codes() {
-    std::vector<std::string> codes = {"blocked", "enclosed", "timeout", "unreachable"};
+    std::vector<std::string> codes(kStopCodes.begin(), kStopCodes.end());
     const std::vector<std::string> names =
         plain_names(std::make_index_sequence<std::variant_size_v<PlainExpectation>>());
     codes.insert(codes.end(), names.begin(), names.end());

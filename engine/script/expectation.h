@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/script/avatar.h"
+#include "engine/script/failure_codes.h"
 #include "engine/script/image_tolerance.h"
 #include "engine/script/mentions.h"
 
@@ -270,21 +271,10 @@ bool is_about_images(const Expectation& expectation);
 /// The failure codes of those.
 std::vector<std::string> image_failure_codes();
 
-// Codes of failures that say nothing about a walk: something that its verdict needs is lacking. No status
-// can expect them.
-inline constexpr std::string_view kGoldenMissing = "golden-missing";        ///< a golden log or image
-inline constexpr std::string_view kGoldenUnreadable = "golden-unreadable";  ///< a golden image
-inline constexpr std::string_view kSnapshotMissing = "snapshot-missing";    ///< no step took it
-inline constexpr std::string_view kNotEvaluated =
-    "not-evaluated";  ///< nothing draws images, or the walk ended before
-inline constexpr std::string_view kRouteUnknown = "route-unknown";  ///< a search for one was cut
-
-/// Whether it is one of these.
+/// Whether it is one of kLackCodes.
 bool is_lack(std::string_view code);
 
-/// What a failure's `code` can be: the names above, the same with `not-` before them, and the reasons for
-/// which a walk ends early; not what is_lack(). A walk that should have failed has the code `xfail`, which
-/// isn't among them.
+/// The codes that a status can expect: kStopCodes, the names above, and the same with `not-` before them.
 std::vector<std::string> failure_codes();
 
 }  // namespace campuswalk::engine

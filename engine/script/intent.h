@@ -11,6 +11,7 @@
 
 #include "engine/events/event.h"
 #include "engine/script/avatar.h"
+#include "engine/script/failure_codes.h"
 #include "engine/script/walk.h"
 
 namespace campuswalk::engine {
@@ -55,7 +56,7 @@ struct StepEnd {
                 .target = &target,
                 .within = step.within,
                 .fatal = step.if_blocked == IfBlocked::fail,
-                .code = "blocked",
+                .code = std::string(kBlockedCode),
                 .message = std::move(message)};
     }
     static StepEnd failed(const SourceMark& mark, std::string_view code, std::string message,

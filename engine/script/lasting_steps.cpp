@@ -10,6 +10,7 @@
 #include "engine/events/decimals.h"
 #include "engine/script/event_pattern.h"
 #include "engine/script/expectation.h"
+#include "engine/script/failure_codes.h"
 #include "engine/script/player.h"
 #include "engine/script/travel.h"
 
@@ -205,7 +206,7 @@ std::optional<StepEnd> ScriptPlayer::end_of(Playing<GoToStep>& playing, const Av
     if (playing.planned.why_not) {
         return is_unsearched(*playing.planned.why_not)
                    ? failed(kRouteUnknown, ": it isn't known whether a route leads there")
-                   : failed("unreachable", " can't be reached");
+                   : failed(kUnreachableCode, " can't be reached");
     }
     const std::vector<RoutePiece>& pieces = playing.planned.route.pieces;
     const RoutePiece& piece = pieces[playing.piece];
@@ -221,7 +222,7 @@ std::optional<StepEnd> ScriptPlayer::end_of(Playing<GoToStep>& playing, const Av
     if (!playing.progress.is_late(dt_)) {
         return std::nullopt;
     }
-    return failed("timeout", " was not reached within " + fixed(playing.progress.allowed, 1) + " s");
+    return failed(kTimeoutCode, " was not reached within " + fixed(playing.progress.allowed, 1) + " s");
 }
 
 // ---- jump -----------------------------------------------------------------------------------------------
@@ -270,7 +271,7 @@ std::optional<StepEnd> ScriptPlayer::end_of(Playing<WaitUntilStep>& playing, con
     if (!walk_.sim.has_passed(playing.step.timeout, playing.ticks)) {
         return std::nullopt;
     }
-    return StepEnd::failed(playing.step.mark, "timeout",
+    return StepEnd::failed(playing.step.mark, kTimeoutCode,
                            "'" + to_string(playing.step.event) + "' did not occur within " +
                                fixed(playing.step.timeout, 1) + " s");
 }

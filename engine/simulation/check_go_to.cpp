@@ -10,15 +10,13 @@ namespace campuswalk::engine {
 
 namespace {
 
-constexpr const char* kUnreachable = "unreachable";
-
 bool is_go_to(const Step& step) {
     return std::holds_alternative<GoToStep>(step);
 }
 
 bool must_be_unreachable(const WalkStatus& status) {
     return status.kind == WalkStatus::Kind::xfail &&
-           (status.codes.empty() || std::ranges::find(status.codes, kUnreachable) != status.codes.end());
+           (status.codes.empty() || std::ranges::find(status.codes, kUnreachableCode) != status.codes.end());
 }
 
 /// What comes after the last go_to doesn't matter.
@@ -53,7 +51,7 @@ std::vector<scene::Diagnostic> check_go_to(const scene::Campus& campus, const Wa
             simulation.step();
         }
         const std::optional<Stop>& stop = simulation.stop();
-        if (!stop || stop->code != kUnreachable) {
+        if (!stop || stop->code != kUnreachableCode) {
             break;
         }
         diagnostics.push_back({scene::Severity::warning, stop->mark, "unreachable-place", stop->message});

@@ -25,7 +25,8 @@ std::optional<Stop> execute_step(const CrouchStep& step, SimulationState& state)
     if (!state.body.resize(step.height, state.statistics)) {
         StoppedBody body = state.body.in_place();
         body.strides.body.height = step.height;
-        Stop stop{step.mark, "blocked", "there is no headroom for " + fixed(step.height, 2) + " m"};
+        Stop stop{step.mark, std::string(kBlockedCode),
+                  "there is no headroom for " + fixed(step.height, 2) + " m"};
         stop.reason = reason_of_low_headroom(state.campus, body);
         if (const auto by = state.body.obstruction(step.height, state.statistics)) {
             stop.object = state.name_of(*by);
@@ -67,7 +68,7 @@ std::optional<Stop> execute_step(const EnableStep& step, SimulationState& state)
     if (step.enabled) {
         const Body::Adjustment adjustment = state.body.adjust_to_enabled(state.statistics);
         if (adjustment.enclosed_by) {
-            stop = Stop{step.mark, "enclosed", ""};
+            stop = Stop{step.mark, std::string(kEnclosedCode), ""};
             stop->reason = reason_of_enclosure(state.campus, state.body.in_place(), *adjustment.enclosed_by);
             stop->message = text_of(*stop->reason) + "; move the avatar away before 'enable'";
             stop->at = look_at(*stop->reason);

@@ -131,7 +131,7 @@ void Simulation::report_motion(const Intent& intent, const Motion& motion) {
 Stop Simulation::stop_of_fall() const {
     const std::vector<Step>& steps = state_.walk.steps;
     const std::size_t step = std::min(intents_.steps_over(), steps.size() - 1);
-    Stop stop{mark_of(steps[step]), "fell", "the avatar fell out of the world"};
+    Stop stop{mark_of(steps[step]), std::string(ExpectFell::kName), "the avatar fell out of the world"};
     const auto stood = state_.body.last_stood();
     if (!stood) {
         stop.message += "; it never stood on any ground since it was placed";
@@ -210,7 +210,7 @@ void Simulation::check_timeout() {
         const std::string most =
             over ? fixed(*walk.timeout, 3) + " s, its timeout"
                  : std::to_string(walk.sim.max_ticks) + " ticks, the most that are played";
-        stop_ = Stop{mark != nullptr ? *mark : walk.mark, "timeout",
+        stop_ = Stop{mark != nullptr ? *mark : walk.mark, std::string(kTimeoutCode),
                      "the walk was still in this step after " + most};
     }
 }

@@ -18,7 +18,7 @@ namespace campuswalk::engine {
 /// Why a walk ended early.
 struct Stop {
     SourceMark mark;
-    std::string code;  ///< "blocked", "enclosed", "fell", "timeout", "unreachable" or an expectation's
+    std::string code;  ///< one of kStopCodes, or an expectation's
     std::string message;
     std::optional<FailureScene> scene = {};  ///< none: the end of the walk
     std::optional<Reason> reason = {};       ///< as the message words it

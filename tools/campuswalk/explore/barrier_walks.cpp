@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "engine/script/failure_codes.h"
 #include "engine/script/travel.h"
 #include "engine/walkspace/route/campus_route.h"
 #include "scene/base/glob.h"
@@ -101,8 +102,9 @@ public:
             if (!player_.play({start, {}}).stands_at_first) {
                 continue;
             }
-            const ShownWalk walk{
-                {start, {{.kind = DraftStep::Kind::go_to, .to = goal_}}}, "unreachable", goal_};
+            const ShownWalk walk{{start, {{.kind = DraftStep::Kind::go_to, .to = goal_}}},
+                                 std::string(engine::kUnreachableCode),
+                                 goal_};
             return !mended_ || has_route(*mended_, start) ? std::optional(walk) : std::nullopt;
         }
         return std::nullopt;
@@ -111,7 +113,7 @@ public:
 private:
     std::optional<ShownWalk> straight_from(const Vec3& start) const {
         constexpr double kAtBarrier = 1.0;  // metres
-        const ShownWalk walk{{start, {{.to = goal_}}}, "blocked", goal_};
+        const ShownWalk walk{{start, {{.to = goal_}}}, std::string(engine::kBlockedCode), goal_};
         const DraftEnd end = player_.play(as_tried(walk.draft));
         return end.stands_at_first && end.is_blocked && end.failure.empty() &&
                        (end.foot - barrier_.from).norm() <= kAtBarrier

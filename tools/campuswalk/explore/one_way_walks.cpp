@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/script/expectation.h"
 #include "engine/simulation/body.h"
 
 namespace campuswalk::tools::explore {
@@ -139,12 +140,12 @@ private:
         if (!in.failure.empty() || !in.stands_at_first || !is_inside(in.foot)) {
             return std::nullopt;
         }
-        for (const auto& [kind, failure] : {std::pair(DraftStep::Kind::go_to, "unreachable"),
-                                            std::pair(DraftStep::Kind::walk_to, "blocked")}) {
+        for (const auto& [kind, failure] : {std::pair(DraftStep::Kind::go_to, engine::kUnreachableCode),
+                                            std::pair(DraftStep::Kind::walk_to, engine::kBlockedCode)}) {
             draft.steps.push_back({.kind = kind, .to = back});
             const DraftEnd end = player_.play(draft);
             if (end.failure == failure && is_inside(end.foot)) {
-                return ShownWalk{draft, failure, back};
+                return ShownWalk{draft, end.failure, back};
             }
             draft.steps.pop_back();
         }
@@ -227,7 +228,8 @@ private:
                      {.kind = DraftStep::Kind::wait,
                       .seconds = fall_seconds(edge.at, player_.campus().world.bounds().min.y())}}};
                 const DraftEnd end = player_.play(draft);
-                if (end.stands_at_first && end.failure == "fell" && is_at_edge(end.stood)) {
+                if (end.stands_at_first && end.failure == engine::ExpectFell::kName &&
+                    is_at_edge(end.stood)) {
                     return ShownWalk{draft, end.failure, start.foot};
                 }
             }

@@ -99,7 +99,7 @@ engine::FailureScene scene_of(const ComparableLog& run, std::size_t at) {
 engine::Failure failure_at(const fs::path& file, const ComparableLog& golden, const ComparableLog& run,
                            std::size_t at) {
     engine::Failure failure;
-    failure.code = "log";
+    failure.code = engine::ExpectLog::kName;
     const std::size_t number = at < golden.numbers.size() ? golden.numbers[at]
                                : golden.numbers.empty()   ? 1
                                                           : golden.numbers.back() + 1;
