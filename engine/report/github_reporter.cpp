@@ -25,7 +25,7 @@ public:
             annotate(result, whole);
         }
         for (const auto& [severity, mark, code, message] : result.diagnostics) {
-            annotate(result, {mark, code.empty() ? "error" : code, message, {}});
+            annotate(result, {mark, code.empty() ? "error" : std::string(code.text()), message, {}});
         }
         for (const Failure& failure : result.failures) {
             annotate(result, failure);

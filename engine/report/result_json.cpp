@@ -59,6 +59,9 @@ Json json_of(double value) {
 Json json_of(const Eigen::Vector3d& value) {
     return {json_of(value.x()), json_of(value.y()), json_of(value.z())};
 }
+Json json_of(scene::DiagnosticCode value) {
+    return std::string(value.text());
+}
 Json json_of(Outcome value) {
     return std::string(name_of(value));
 }
@@ -179,6 +182,15 @@ void read(const Json& json, const std::string& where, std::optional<Value>& valu
     } else {
         read(json, where, value.emplace());
     }
+}
+void read(const Json& json, const std::string& where, scene::DiagnosticCode& value) {
+    std::string text;
+    read(json, where, text);
+    const std::optional<scene::DiagnosticCode> known = scene::DiagnosticCode::find(text);
+    if (!known && !text.empty()) {
+        refuse(where, "the code of a diagnostic", json);
+    }
+    value = known.value_or(scene::DiagnosticCode());
 }
 void read(const Json& json, const std::string& where, Outcome& value) {
     for (const auto& [outcome, name] : kOutcomeNames) {

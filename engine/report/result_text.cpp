@@ -52,7 +52,7 @@ std::string not_evaluated_in_words(std::size_t not_evaluated) {
 }
 
 std::string headline_of(const Failure& failure) {
-    return scene::to_string({scene::Severity::error, failure.mark, failure.code, failure.message});
+    return scene::error_line(failure.mark, failure.code, failure.message);
 }
 
 std::string place_of(const FailureScene& scene) {

@@ -16,6 +16,18 @@ std::string joined(const std::vector<Diagnostic>& diagnostics) {
     return text;
 }
 
+std::string line_of(Severity severity, const SourceMark& mark, std::string_view code,
+                    const std::string& message) {
+    std::string text = mark.file;
+    if (mark.line > 0) {
+        text += ":" + std::to_string(mark.line) + ":" + std::to_string(mark.column);
+    }
+    text += text.empty() ? "" : ": ";
+    text += severity == Severity::error ? "error" : "warning";
+    text += code.empty() ? "" : " " + std::string(code);
+    return text + ": " + message;
+}
+
 /// Optimal string alignment distance: Levenshtein distance plus transpositions of adjacent characters, the
 /// most common typo.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -41,29 +53,25 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string to_string(const Diagnostic& diagnostic) {
-    std::string text = diagnostic.mark.file;
-    if (diagnostic.mark.line > 0) {
-        text += ":" + std::to_string(diagnostic.mark.line) + ":" + std::to_string(diagnostic.mark.column);
-    }
-    text += text.empty() ? "" : ": ";
-    text += diagnostic.severity == Severity::error ? "error" : "warning";
-    text += diagnostic.code.empty() ? "" : " " + diagnostic.code;
-    return text + ": " + diagnostic.message;
+    return line_of(diagnostic.severity, diagnostic.mark, diagnostic.code.text(), diagnostic.message);
+}
+
+std::string error_line(const SourceMark& mark, std::string_view code, const std::string& message) {
+    return line_of(Severity::error, mark, code, message);
 }
 
 InputError::InputError(std::vector<Diagnostic> diagnostics)
     : std::runtime_error(joined(diagnostics)), diagnostics_(std::move(diagnostics)) {}
 
-InputError::InputError(SourceMark mark, std::string code, std::string message)
-    : InputError(
-          std::vector<Diagnostic>{{Severity::error, std::move(mark), std::move(code), std::move(message)}}) {}
+InputError::InputError(SourceMark mark, DiagnosticCode code, std::string message)
+    : InputError(std::vector<Diagnostic>{{Severity::error, std::move(mark), code, std::move(message)}}) {}
 
-void DiagnosticList::error(const SourceMark& mark, std::string code, std::string message) {
-    diagnostics_.push_back({Severity::error, mark, std::move(code), std::move(message)});
+void DiagnosticList::error(const SourceMark& mark, DiagnosticCode code, std::string message) {
+    diagnostics_.push_back({Severity::error, mark, code, std::move(message)});
 }
 
-void DiagnosticList::warning(const SourceMark& mark, std::string code, std::string message) {
-    diagnostics_.push_back({Severity::warning, mark, std::move(code), std::move(message)});
+void DiagnosticList::warning(const SourceMark& mark, DiagnosticCode code, std::string message) {
+    diagnostics_.push_back({Severity::warning, mark, code, std::move(message)});
 }
 
 void DiagnosticList::append(const std::vector<Diagnostic>& diagnostics) {

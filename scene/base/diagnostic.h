@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/base/diagnostic_code.h"
+
 namespace campuswalk::scene {
 
 /// A position in a user's file. Lines and columns count from 1; 0 means the file as a whole.
@@ -24,7 +26,7 @@ enum class Severity { error, warning };
 struct Diagnostic {
     Severity severity = Severity::error;
     SourceMark mark;
-    std::string code;
+    DiagnosticCode code;
     std::string message;
 
     friend bool operator==(const Diagnostic&, const Diagnostic&) = default;
@@ -32,12 +34,14 @@ struct Diagnostic {
 
 /// `file:line:col: error CODE: message`, without what it has none of.
 std::string to_string(const Diagnostic& diagnostic);
+/// The same of an error whose code is no diagnostic's, such as the failure of a walk.
+std::string error_line(const SourceMark& mark, std::string_view code, const std::string& message);
 
 /// The exception for bad input. Carries all errors of a file, found before anything runs.
 class InputError : public std::runtime_error {
 public:
     explicit InputError(std::vector<Diagnostic> diagnostics);
-    InputError(SourceMark mark, std::string code, std::string message);
+    InputError(SourceMark mark, DiagnosticCode code, std::string message);
 
     const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
 
@@ -48,8 +52,8 @@ private:
 /// Collects diagnostics, so that all errors of a file are reported together.
 class DiagnosticList {
 public:
-    void error(const SourceMark& mark, std::string code, std::string message);
-    void warning(const SourceMark& mark, std::string code, std::string message);
+    void error(const SourceMark& mark, DiagnosticCode code, std::string message);
+    void warning(const SourceMark& mark, DiagnosticCode code, std::string message);
     void append(const std::vector<Diagnostic>& diagnostics);
 
     bool has_errors() const;

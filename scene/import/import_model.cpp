@@ -89,10 +89,10 @@ private:
     void load_texture(const SourceImage& image, SourceMaterial& source);
     void report_bad_texture(const std::string& message);
     void report_repairs(const SanitizedMesh& sanitized, const std::string& node);
-    void error(const char* code, const std::string& message) {
+    void error(DiagnosticCode code, const std::string& message) {
         diagnostics_.error(file_.mark, code, file_.file + ": " + message);
     }
-    void warning(const char* code, const std::string& message) {
+    void warning(DiagnosticCode code, const std::string& message) {
         diagnostics_.warning(file_.mark, code, file_.file + ": " + message);
     }
 

@@ -56,7 +56,7 @@ struct ModelLint {
         Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< world
     };
 
-    std::string code;
+    DiagnosticCode code;
     std::string message;
     std::vector<Place> places = {};  ///< empty if it concerns the model as a whole
 };

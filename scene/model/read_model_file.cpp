@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "collision/mesh/mesh_extent.h"
+#include "scene/base/diagnostic_archive.h"
 #include "scene/model/model_file.h"
 #include "scene/model/model_limits.h"
 
@@ -35,23 +36,11 @@ void take_finite(ArchiveReader& in, std::array<float, Count>& numbers) {
 }
 
 // The size of an entry with empty strings and arrays, bytes.
-constexpr std::size_t kMinDiagnosticBytes = 36;
 constexpr std::size_t kMinRequestBytes = 12;
 constexpr std::size_t kMinTextureBytes = 28;
 constexpr std::size_t kMinMaterialBytes = 88;
 constexpr std::size_t kMinMeshBytes = 52;
 constexpr std::size_t kMinNodeBytes = 116;
-
-Diagnostic take_diagnostic(ArchiveReader& in) {
-    Diagnostic diagnostic;
-    diagnostic.severity = static_cast<Severity>(in.take_below(2, "severity"));
-    diagnostic.mark.file = in.take_text();
-    diagnostic.mark.line = in.take<std::int32_t>();
-    diagnostic.mark.column = in.take<std::int32_t>();
-    diagnostic.code = in.take_text();
-    diagnostic.message = in.take_text();
-    return diagnostic;
-}
 
 FileRequest take_request(ArchiveReader& in) {
     FileRequest request;

@@ -1,3 +1,4 @@
+#include "scene/base/diagnostic_archive.h"
 #include "scene/model/model_file.h"
 
 namespace campuswalk::scene {
@@ -7,15 +8,6 @@ template <typename Element>
 void put_counted(ArchiveWriter& out, const Storage<Element>& elements) {
     out.put(std::uint64_t{elements.size()});
     out.put_aligned(std::span<const Element>(elements));
-}
-
-void put(ArchiveWriter& out, const Diagnostic& diagnostic) {
-    out.put(static_cast<std::uint32_t>(diagnostic.severity));
-    out.put_text(diagnostic.mark.file);
-    out.put(std::int32_t{diagnostic.mark.line});
-    out.put(std::int32_t{diagnostic.mark.column});
-    out.put_text(diagnostic.code);
-    out.put_text(diagnostic.message);
 }
 
 void put(ArchiveWriter& out, const FileRequest& request) {

@@ -22,7 +22,7 @@ constexpr double kHuge = std::numeric_limits<double>::max();
 constexpr Range kAny{-kHuge, kHuge, false, ""};
 
 std::string code_of(const char* text) {
-    return parse_number(text, kAny).code;
+    return std::string(parse_number(text, kAny).code.text());
 }
 
 /// An independent definition of a decimal number.
@@ -66,9 +66,9 @@ TEST(ParseNumber, NamesTheRangeAndTheText) {
     EXPECT_THAT(parse_number("tall", lengths).message, HasSubstr("'tall'"));
     EXPECT_THAT(parse_number("08", lengths).message, HasSubstr("'08'"));
     EXPECT_THAT(parse_number(".inf", lengths).message, HasSubstr("'.inf'"));
-    EXPECT_EQ(parse_number("0", seconds).code, "");
-    EXPECT_EQ(parse_number("10", lengths).code, "");
-    EXPECT_EQ(parse_number("2.5", seconds).code, "");
+    EXPECT_EQ(parse_number("0", seconds).code.text(), "");
+    EXPECT_EQ(parse_number("10", lengths).code.text(), "");
+    EXPECT_EQ(parse_number("2.5", seconds).code.text(), "");
 }
 
 TEST(ParseNumber, RoundsLikeStrtod) {
@@ -87,7 +87,7 @@ TEST(ParseNumber, RoundsLikeStrtod) {
             text += "e" + std::to_string(dice.below(560) - 290);
         }
         const ParsedNumber parsed = parse_number(text, kAny);
-        ASSERT_EQ(parsed.code, "") << text;
+        ASSERT_EQ(parsed.code.text(), "") << text;
         ASSERT_EQ(parsed.value, std::strtod(text.c_str(), nullptr)) << text;
     }
 }
@@ -106,9 +106,9 @@ TEST(ParseNumber, AcceptsDecimalNumbersAndNothingElse) {
         const bool fits = std::isfinite(value) && !underflow;
         const ParsedNumber parsed = parse_number(text, kAny);
         if (!is_decimal(text)) {
-            ASSERT_NE(parsed.code, "") << '\'' << text << '\'';
+            ASSERT_NE(parsed.code.text(), "") << '\'' << text << '\'';
         } else if (fits) {
-            ASSERT_EQ(parsed.code, "") << '\'' << text << '\'';
+            ASSERT_EQ(parsed.code.text(), "") << '\'' << text << '\'';
             ASSERT_EQ(parsed.value, value) << text;
             ++accepted;
         }

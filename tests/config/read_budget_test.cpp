@@ -38,7 +38,7 @@ TEST(ReadBudget, RefusesOneFileOfTooManyMarks) {
     EXPECT_FALSE(diagnostics.has_errors());
     EXPECT_FALSE(budget.admit(repeated("a,", kMaxMarks + 1), "b.yaml", diagnostics));
     ASSERT_EQ(diagnostics.all().size(), 1U);
-    EXPECT_EQ(diagnostics.all()[0].code, "too-large");
+    EXPECT_EQ(diagnostics.all()[0].code.text(), "too-large");
     EXPECT_EQ(diagnostics.all()[0].mark.file, "b.yaml");
     EXPECT_THAT(diagnostics.all()[0].message, testing::HasSubstr("1500001"));
 }

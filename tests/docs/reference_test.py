@@ -4,6 +4,7 @@
 `reference_test.py PROGRAM SITE`. Plays all walks of config/walks without pictures.
 """
 
+import itertools
 import json
 import os
 import re
@@ -30,6 +31,9 @@ OF_PROGRAMS = {"avatar.spawn"}
 # Failures that no walk may name as the one that it must have.
 OTHERS = {"golden-missing", "golden-unreadable", "snapshot-missing", "not-evaluated", "route-unknown", "not-identical", "xfail"}
 TESTS_OF_TOOLS = {"check_layers_test.py", "check_citations_test.py", "check_glossary_test.py"}
+# Failures that have the names of expectations, and their own rows, since more than the expectation ends with them.
+EXPECTATIONS = {"fell", "log", "snapshot"}
+SOURCES = ("scene", "engine", "config/loader", "tools/campuswalk")
 # Warnings of an import, which a comparison of pictures refuses.
 MADE_ERRORS = {"bad-texture"}
 
@@ -101,13 +105,24 @@ class Reference(unittest.TestCase):
         print("reference: %d walks, %d fields of events" % (len(walks), len(seen)))
         return seen
 
-    def test_every_code_in_the_source_is_described_and_no_other(self):
-        """A new literal that looks like a code goes into diagnostics.toml, or is listed as none."""
+    def test_every_code_of_the_program_is_described_and_no_other(self):
+        """The compiler refuses a diagnostic whose code isn't in the program's table."""
         failures = set(diagnostic_codes.table()["failures"])
         codes = set(diagnostic_codes.severities())
-        self.assertEqual(sorted(diagnostic_codes.in_source(ROOT) - failures), sorted(codes))
+        self.assertEqual(diagnostic_codes.of_diagnostics(ROOT), sorted(codes))
+        self.assertEqual(failures - EXPECTATIONS, set(diagnostic_codes.of_failures(ROOT)))
         self.assertEqual(codes & failures, set())
         print("reference: %d codes, %d failures" % (len(codes), len(failures)))
+
+    def test_every_code_is_reported_somewhere(self):
+        """A code that nothing reports any more goes out of the program's table."""
+        unreported = set(diagnostic_codes.of_diagnostics(ROOT))
+        for base, _, names in itertools.chain.from_iterable(os.walk(os.path.join(ROOT, folder)) for folder in SOURCES):
+            for name in names:
+                if name.endswith((".h", ".cpp")) and name != "diagnostic_code.h":
+                    with open(os.path.join(base, name), encoding="utf-8") as file:
+                        unreported -= set(re.findall(r'"([a-z-]+)"', file.read()))
+        self.assertEqual(unreported, set())
 
     def test_every_code_has_a_sentence_and_a_row(self):
         described = diagnostic_codes.table()
@@ -128,6 +143,17 @@ class Reference(unittest.TestCase):
         self.assertLessEqual(set(expectations), set(codes))
         own = set(diagnostic_codes.table()["failures"]) - OTHERS
         self.assertEqual(own | set(expectations), set(diagnostic_codes.enum_of_failures(schema)))
+
+    def test_findings_have_the_same_names_everywhere(self):
+        page = self.sources.output("explore", "--help")
+        names = re.findall(r"(?m)^  (\w+)  ", page[page.index("What --fail-on looks for:"):])
+        self.assertGreater(len(names), 5)
+        kinds = self.sources.schema("explore.schema.json")["properties"]["findings"]["items"]["properties"]["kind"]["enum"]
+        self.assertEqual(names, kinds)
+        with open(os.path.join(ROOT, "docs", "how-to", "reachability.md"), encoding="utf-8") as file:
+            table = file.read().split("| `--fail-on` |")[1].split("\n\n")[0]
+        described = [name for row in table.splitlines()[1:] for name in re.findall(r"`(\w+)`", row.split("|")[-2])]
+        self.assertEqual(sorted(names), sorted(described))
 
     def test_codes_are_reported_as_tests_expect(self):
         """The tests name codes as the program prints them, and don't read its source."""

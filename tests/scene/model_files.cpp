@@ -204,7 +204,7 @@ std::vector<Diagnostic> errors_of(const std::function<void()>& call) {
 }
 
 bool has_code(const std::vector<Diagnostic>& diagnostics, const std::string& code) {
-    return std::ranges::any_of(diagnostics, [&](const Diagnostic& d) { return d.code == code; });
+    return std::ranges::any_of(diagnostics, [&](const Diagnostic& d) { return d.code.text() == code; });
 }
 
 std::string text_of(const std::vector<Diagnostic>& diagnostics) {

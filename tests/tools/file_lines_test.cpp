@@ -21,7 +21,7 @@ protected:
             while (lines.next()) {
             }
         } catch (const scene::InputError& error) {
-            return error.diagnostics().front().code;
+            return std::string(error.diagnostics().front().code.text());
         }
         return "";
     }

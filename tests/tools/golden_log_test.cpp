@@ -180,7 +180,7 @@ TEST_F(GoldenLog, IsRefusedWithoutAnEchoIfItIsGarbage) {
             check(kLog, UpdateSnapshots::none);
             ADD_FAILURE() << text;
         } catch (const scene::InputError& error) {
-            EXPECT_EQ(error.diagnostics().front().code, "unreadable");
+            EXPECT_EQ(error.diagnostics().front().code.text(), "unreadable");
             EXPECT_EQ(std::string(error.what()).find("secret"), std::string::npos) << error.what();
         }
     }

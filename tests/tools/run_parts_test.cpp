@@ -177,7 +177,7 @@ TEST(Selector, RefusesInvalidExpressionsWithTheirPlace) {
         selector.require("a(", {"walks.config.yaml", 3, 9});
         FAIL() << "it was accepted";
     } catch (const scene::InputError& error) {
-        EXPECT_EQ(error.diagnostics().at(0).code, "bad-regex");
+        EXPECT_EQ(error.diagnostics().at(0).code.text(), "bad-regex");
         EXPECT_EQ(error.diagnostics().at(0).mark.line, 3);
     }
 }

@@ -186,7 +186,7 @@ TEST(StoreyPlans, AreNotMadeOfGroundsTooFarApart) {
         plans_of(campus);
         FAIL() << "81 km² on one plan";
     } catch (const scene::InputError& error) {
-        EXPECT_EQ(error.diagnostics().front().code, "plan-too-large");
+        EXPECT_EQ(error.diagnostics().front().code.text(), "plan-too-large");
     }
 }
 

@@ -1,29 +1,11 @@
-"""The codes of diagnostics and failures with what they mean, from diagnostics.toml; and those in the source, to compare it with.
-
-In the source, a code is a string literal of words with hyphens (or one of PLAIN_CODES). Literals that look like codes and are
-none are listed, so that a new one has to be put either here or into diagnostics.toml.
-"""
+"""The codes of diagnostics and failures with what they mean, from diagnostics.toml; and those of the program, to compare it with."""
 
 import os
 import re
 import tomllib
 
-from check_layers.source import without_comments
-
-FOLDERS = ("collision", "scene", "engine", "config/loader", "tools/campuswalk")
 TABLE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "diagnostics.toml")
-# Codes of a single word.
-PLAIN_CODES = {"strict", "unreadable", "xfail"}
-# Names of commands, help topics, options, files, formats and attributes; tags of maps and what is made of them.
-NOT_CODES = {"also-called", "assumed-entrance", "bicycle-stand", "bridge-pier", "campuswalk-import-request", "campuswalk-import-response",
-             "cycle-barrier", "exit-codes", "half-hipped", "image-helper", "import-helper", "jsonl-log", "map-helper", "merge-reports",
-             "multi-storey", "nonnull-attribute", "parcel-locker", "post-box", "short-name", "slurm-explore", "stop-sign", "system-err", "system-out",
-             "timed-trace", "vending-machine", "xxxxxxxx-xxxx-xxxx-xxxx-xxxxxxxxxxxx"}
 SEVERITIES = {"errors": ("error",), "warnings": ("warning",), "errors_or_warnings": ("error", "warning")}
-
-_LITERAL = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
-_PRINTED = re.compile(r"(?:error|warning) ([a-z]+(?:-[a-z0-9]+)+):")
-_CODE = re.compile(r"[a-z]+(?:-[a-z0-9]+)+")
 
 
 def table():
@@ -38,19 +20,16 @@ def severities():
     return {code: words for section, words in SEVERITIES.items() for code in described[section]}
 
 
-def in_source(root):
-    """The literals that are, or look like, codes."""
-    found = set()
-    for folder in FOLDERS:
-        for base, _, names in os.walk(os.path.join(root, folder)):
-            for name in names:
-                if name.endswith((".h", ".cpp")):
-                    with open(os.path.join(base, name), encoding="utf-8") as file:
-                        for literal in _LITERAL.findall(without_comments(file.read())):
-                            found.update(_PRINTED.findall(literal))
-                            if literal in PLAIN_CODES or _CODE.fullmatch(literal):
-                                found.add(literal)
-    return found - NOT_CODES
+def of_diagnostics(root):
+    """The codes that the program has, in their order."""
+    with open(os.path.join(root, "scene", "base", "diagnostic_code.h"), encoding="utf-8") as file:
+        return re.findall(r'"([a-z-]+)"', re.search(r"kDiagnosticCodes = .*?;", file.read(), re.DOTALL)[0])
+
+
+def of_failures(root):
+    """The codes of failures that aren't the names of expectations."""
+    with open(os.path.join(root, "engine", "script", "failure_codes.h"), encoding="utf-8") as file:
+        return re.findall(r'"([a-z-]+)"', file.read())
 
 
 def rows():

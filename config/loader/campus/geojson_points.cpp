@@ -230,7 +230,7 @@ private:
     }
 
     void report_left_out() {
-        const auto warn = [&](const LeftOut& left, const char* code, const std::string& text) {
+        const auto warn = [&](const LeftOut& left, scene::DiagnosticCode code, const std::string& text) {
             if (left.count > 0) {
                 const std::string them =
                     left.count == 1

@@ -140,7 +140,7 @@ private:
         std::map<std::string, int> lines = {};  ///< map: the line of each key so far
     };
 
-    bool refuse(const scene::SourceMark& mark, const char* code, const std::string& message) {
+    bool refuse(const scene::SourceMark& mark, scene::DiagnosticCode code, const std::string& message) {
         add_diagnostic(diagnostics_, mark, code, message);
         root = nullptr;
         return false;

@@ -41,10 +41,10 @@ bool CheckedMap::has(std::string_view key) const {
     return std::ranges::find(entries_, key, &CheckedNode::Entry::key) != entries_.end();
 }
 
-void CheckedMap::diagnose_at(std::string_view key, std::string code, std::string message) const {
+void CheckedMap::diagnose_at(std::string_view key, scene::DiagnosticCode code, std::string message) const {
     const auto found = std::ranges::find(entries_, key, &CheckedNode::Entry::key);
     const CheckedNode& at = found == entries_.end() ? node_ : found->value;
-    at.diagnose(std::move(code), std::move(message));
+    at.diagnose(code, std::move(message));
 }
 
 void CheckedMap::text(std::string_view key, std::string& target) {

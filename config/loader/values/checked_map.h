@@ -24,11 +24,11 @@ public:
     /// As `find`; reports an absent key (missing-key).
     std::optional<CheckedNode> require(std::string_view key);
     bool has(std::string_view key) const;
-    void diagnose(std::string code, std::string message) const {
-        node_.diagnose(std::move(code), std::move(message));
+    void diagnose(scene::DiagnosticCode code, std::string message) const {
+        node_.diagnose(code, std::move(message));
     }
     /// Reports an error at the key's value, or at the map if the key is absent.
-    void diagnose_at(std::string_view key, std::string code, std::string message) const;
+    void diagnose_at(std::string_view key, scene::DiagnosticCode code, std::string message) const;
 
     void text(std::string_view key, std::string& target);
     void as_bool(std::string_view key, bool& target);

@@ -33,8 +33,8 @@ std::string_view kind_name(const YamlNode& node) {
 
 }  // namespace
 
-void CheckedNode::diagnose(std::string code, std::string message) const {
-    add_diagnostic(*diagnostics_, mark(), std::move(code), std::move(message));
+void CheckedNode::diagnose(scene::DiagnosticCode code, std::string message) const {
+    add_diagnostic(*diagnostics_, mark(), code, std::move(message));
 }
 
 bool CheckedNode::require_scalar(std::string_view expected) const {

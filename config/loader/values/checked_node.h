@@ -37,7 +37,7 @@ public:
     const YamlNode& node() const { return *node_; }
     const std::string& file() const { return *file_; }
     scene::SourceMark mark() const { return {*file_, node_->line, node_->column}; }
-    void diagnose(std::string code, std::string message) const;
+    void diagnose(scene::DiagnosticCode code, std::string message) const;
     scene::DiagnosticList& diagnostics() const { return *diagnostics_; }
 
     bool is_null() const { return node_->kind == YamlNode::Kind::null; }

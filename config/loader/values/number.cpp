@@ -61,7 +61,7 @@ ParsedNumber parse_number(std::string_view text, const Range& range) {
     if (value < range.min || value > range.max || (range.excludes_min && value == range.min)) {
         return {0.0, "bad-value", "must be " + shown_range(range) + ", not " + in_quotes(text)};
     }
-    return {value, "", ""};
+    return {value, {}, ""};
 }
 
 }  // namespace campuswalk::config

@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "scene/base/diagnostic_code.h"
+
 namespace campuswalk::config {
 
 /// The values that a number may have.
@@ -17,8 +19,8 @@ struct Range {
 /// A number, or why the text isn't a valid one: `code` is wrong-type (not a number at all) or bad-value.
 struct ParsedNumber {
     double value = 0.0;
-    std::string code;     ///< empty if `value` is valid
-    std::string message;  ///< follows the key's name: "must be …"
+    scene::DiagnosticCode code;  ///< empty if `value` is valid
+    std::string message;         ///< follows the key's name: "must be …"
 };
 
 /// Reads a decimal number: digits, at most one point, an exponent, a sign. Not accepted: hexadecimal and

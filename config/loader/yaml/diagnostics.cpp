@@ -20,12 +20,12 @@ bool is_full(const scene::DiagnosticList& diagnostics) {
     return diagnostics.all().size() >= kMaxDiagnostics;
 }
 
-void add_diagnostic(scene::DiagnosticList& diagnostics, const scene::SourceMark& mark, std::string code,
-                    std::string message) {
+void add_diagnostic(scene::DiagnosticList& diagnostics, const scene::SourceMark& mark,
+                    scene::DiagnosticCode code, std::string message) {
     if (is_full(diagnostics)) {
         return;
     }
-    diagnostics.error(mark, std::move(code), std::move(message));
+    diagnostics.error(mark, code, std::move(message));
     if (is_full(diagnostics)) {
         diagnostics.error(
             {mark.file, 0, 0}, "too-many",

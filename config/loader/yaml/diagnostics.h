@@ -11,8 +11,8 @@ namespace campuswalk::config {
 bool is_full(const scene::DiagnosticList& diagnostics);
 
 /// Adds an error unless the list is full; the one that fills it is followed by a last one, too-many.
-void add_diagnostic(scene::DiagnosticList& diagnostics, const scene::SourceMark& mark, std::string code,
-                    std::string message);
+void add_diagnostic(scene::DiagnosticList& diagnostics, const scene::SourceMark& mark,
+                    scene::DiagnosticCode code, std::string message);
 
 /// Throws scene::InputError if there are errors: those in the file of `first`, then those in the files it
 /// names, in the order in which they were read, each from top to bottom. Duplicates, from a file that was

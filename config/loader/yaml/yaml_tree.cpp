@@ -32,7 +32,7 @@ constexpr std::size_t kMaxAnchors = 10'000;
 /// Thrown to stop the parser at an error after which reading on is pointless.
 struct Refusal {
     YAML::Mark mark = {};
-    const char* code = "";
+    scene::DiagnosticCode code;
     const char* message = "";
 };
 
@@ -256,7 +256,7 @@ private:
 std::shared_ptr<const YamlNode> parse_yaml(const std::string& text, const std::string& file,
                                            DiagnosticList& diagnostics) {
     TreeBuilder builder(text, file, diagnostics);
-    const auto fail = [&](const YAML::Mark& mark, const char* code, const std::string& message) {
+    const auto fail = [&](const YAML::Mark& mark, scene::DiagnosticCode code, const std::string& message) {
         const Position at = position_of(text, mark);
         add_diagnostic(diagnostics, {file, at.line, at.column}, code, message);
         return nullptr;

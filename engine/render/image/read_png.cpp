@@ -35,7 +35,8 @@ public:
         stream_.reset(std::fopen(file.c_str(), "rb"));
         if (!stream_) {
             const int reason = errno;
-            refuse(reason == ENOENT || reason == ENOTDIR ? "missing-file" : "unreadable-file",
+            refuse(reason == ENOENT || reason == ENOTDIR ? scene::DiagnosticCode("missing-file")
+                                                         : "unreadable-file",
                    std::string("can't read the picture: ") + std::strerror(reason));
         }
         check_signature();
@@ -89,7 +90,7 @@ private:
         refuse("bad-picture", std::string("the PNG file is truncated or corrupt: ") + spng_strerror(error));
     }
 
-    [[noreturn]] void refuse(const char* code, const std::string& message) const {
+    [[noreturn]] void refuse(scene::DiagnosticCode code, const std::string& message) const {
         throw scene::InputError(scene::SourceMark{name_.string(), 0, 0}, code, message);
     }
 

@@ -191,7 +191,7 @@ std::vector<FileRequest> GltfSource::requests() const {
 }
 
 void GltfSource::add_warnings(DiagnosticList& warnings) {
-    const auto warn = [&](const char* code, const std::string& message) {
+    const auto warn = [&](DiagnosticCode code, const std::string& message) {
         warnings.warning(file_.mark, code, file_.file + ": " + message);
     };
     const GraphNotes& notes = parts_->notes;

@@ -25,15 +25,19 @@ void require(bool valid, const char* what) {
 }
 
 /// Words that may be shown: see clean() in read_map.cpp.
-std::string take_words(ArchiveReader& in) {
-    std::string text = in.take_text();
+void check_words(std::string_view text) {
     require(text.size() <= kMostTextBytes, "a text is too long");
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t length = utf8_length(text, at);
-        require(length > 0 && !controls_display(code_point(std::string_view(text).substr(at, length))),
+        require(length > 0 && !controls_display(code_point(text.substr(at, length))),
                 "a text has control characters or isn't UTF-8");
         at += length;
     }
+}
+
+std::string take_words(ArchiveReader& in) {
+    std::string text = in.take_text();
+    check_words(text);
     return text;
 }
 
@@ -198,20 +202,6 @@ DraftPlace take_place(ArchiveReader& in) {
 
 }  // namespace
 
-void put_mark(ArchiveWriter& out, const SourceMark& mark) {
-    out.put_text(mark.file);
-    out.put(std::int32_t{mark.line});
-    out.put(std::int32_t{mark.column});
-}
-
-SourceMark take_mark(ArchiveReader& in) {
-    SourceMark mark;
-    mark.file = in.take_text();
-    mark.line = in.take<std::int32_t>();
-    mark.column = in.take<std::int32_t>();
-    return mark;
-}
-
 double take_finite(ArchiveReader& in) {
     const auto value = in.take<double>();
     require(std::isfinite(value), "a number is not finite");
@@ -219,21 +209,13 @@ double take_finite(ArchiveReader& in) {
 }
 
 void put_diagnostics(ArchiveWriter& out, const std::vector<Diagnostic>& diagnostics) {
-    put_list(out, diagnostics, [&](const Diagnostic& diagnostic) {
-        out.put(static_cast<std::uint32_t>(diagnostic.severity));
-        put_mark(out, diagnostic.mark);
-        out.put_text(diagnostic.code);
-        out.put_text(diagnostic.message);
-    });
+    put_list(out, diagnostics, [&](const Diagnostic& diagnostic) { put(out, diagnostic); });
 }
 
 std::vector<Diagnostic> take_diagnostics(ArchiveReader& in) {
-    std::vector<Diagnostic> diagnostics = take_list(in, 3 * kLeastText + 12, [&] {
-        Diagnostic diagnostic;
-        diagnostic.severity = static_cast<Severity>(in.take_below(2, "severity"));
-        diagnostic.mark = take_mark(in);  // printed like any path of a user
-        diagnostic.code = take_id(in);
-        diagnostic.message = take_words(in);
+    std::vector<Diagnostic> diagnostics = take_list(in, kMinDiagnosticBytes, [&] {
+        Diagnostic diagnostic = take_diagnostic(in);  // its file is printed like any path of a user
+        check_words(diagnostic.message);
         return diagnostic;
     });
     require(diagnostics.size() <= kMostDiagnostics, "too many warnings");

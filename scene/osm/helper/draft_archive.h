@@ -2,8 +2,7 @@
 
 #include <vector>
 
-#include "scene/base/binary_archive.h"
-#include "scene/base/diagnostic.h"
+#include "scene/base/diagnostic_archive.h"
 #include "scene/osm/ways/campus_draft.h"
 
 namespace campuswalk::scene::osm {
@@ -12,9 +11,6 @@ namespace campuswalk::scene::osm {
 // back is checked before files are made of it: names are ids, texts are UTF-8 without control characters and
 // not longer than a map's, coordinates are those of a map, enumerations and counts are in their ranges. The
 // functions that take throw DamagedFile for anything else.
-
-void put_mark(ArchiveWriter& out, const SourceMark& mark);
-SourceMark take_mark(ArchiveReader& in);
 
 /// Any finite number.
 double take_finite(ArchiveReader& in);

@@ -47,9 +47,9 @@ MapSection take_section(ArchiveReader& in) {
 
 std::vector<std::byte> write_request(const MapHelperRequest& request) {
     ArchiveWriter out(kMapRequest);
-    put_mark(out, request.map.mark);
+    put(out, request.map.mark);
     out.put_text(request.map.file.string());
-    put_mark(out, request.map.heights_mark);
+    put(out, request.map.heights_mark);
     out.put_text(request.map.heights.string());
     put_section(out, request.map.section);
     out.put(request.limits.memory);

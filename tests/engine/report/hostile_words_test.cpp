@@ -55,6 +55,7 @@ private:
         text = words_;
         ++texts;
     }
+    void fill(scene::DiagnosticCode& code) { code = "bad-value"; }
     void fill(std::optional<Reason>& reason) {
         reason = Reason{.object = words_, .node = words_, .name = words_};
         reason->parts = {*reason};

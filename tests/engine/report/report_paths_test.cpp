@@ -55,7 +55,7 @@ TEST(ReportPaths, WhatIsNoPathStays) {
     WalkResult result = bad_input_result("typo");
     result.config = "";
     result.diagnostics = {{{}, {"--project", 0, 0}, "bad-value", "there is no project x"},
-                          {{}, {}, "", "killed: error out of memory"}};
+                          {{}, {}, {}, "killed: error out of memory"}};
     result.failures = {{{}, "stopped", "…"}};
     const WalkResult placed = with_paths_in_repository("a", result);
     EXPECT_EQ(placed.config, "");

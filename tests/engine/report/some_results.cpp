@@ -140,7 +140,8 @@ RunReport hostile_report() {
     result.id = result.name = result.file = result.project = odd;
     result.status_reason = result.campus = odd;
     result.tags = {odd};
-    result.diagnostics = {{{}, {odd, 1, 1}, odd, odd}, {{}, {}, "", odd}, {{}, {": error :", 0, 0}, "", ""}};
+    result.diagnostics = {
+        {{}, {odd, 1, 1}, "bad-value", odd}, {{}, {}, {}, odd}, {{}, {": error :", 0, 0}, {}, ""}};
     Failure& failure = result.failures[0];
     failure.code = failure.message = failure.mark.file = odd;
     failure.scene.building = failure.scene.nearest = odd;

@@ -37,7 +37,7 @@ std::vector<int> warned_lines(const Walk& walk) {
     std::vector<int> lines;
     for (const scene::Diagnostic& diagnostic : check_go_to(fenced_yard(), walk, nullptr)) {
         EXPECT_EQ(diagnostic.severity, scene::Severity::warning);
-        EXPECT_EQ(diagnostic.code, "unreachable-place");
+        EXPECT_EQ(diagnostic.code.text(), "unreachable-place");
         lines.push_back(diagnostic.mark.line);
     }
     return lines;

@@ -143,7 +143,7 @@ TEST(CheckWalk, ReportsEverythingAtOnce) {
     std::vector<std::string> codes;
     codes.reserve(found.size());
     for (const scene::Diagnostic& diagnostic : found) {
-        codes.push_back(diagnostic.code);
+        codes.emplace_back(diagnostic.code.text());
     }
     EXPECT_EQ(codes, Diagnostics(
                          {"spawn-blocked", "spawn-blocked", "unknown-name", "unknown-name", "unknown-name"}));

@@ -202,7 +202,7 @@ TEST(GoTo, ToAvoidAnObjectThatIsNotThereIsAnError) {
     step.avoid.push_back({NamePattern{{}, "gates"}, {}, 0.0});
     const auto diagnostics = check_walk(campus, walk_of({spawn_at({0, 0, 6}), step}));
     ASSERT_EQ(diagnostics.size(), 1U);
-    EXPECT_EQ(diagnostics.front().code, "unknown-name");
+    EXPECT_EQ(diagnostics.front().code.text(), "unknown-name");
 }
 
 }  // namespace

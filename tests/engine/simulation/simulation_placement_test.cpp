@@ -65,7 +65,7 @@ TEST(Placement, UsesTheHeightOfACrouchedAvatar) {
     const auto codes = [&](std::vector<Step> steps) {
         std::vector<std::string> found;
         for (const scene::Diagnostic& d : check_walk(campus, walk_of(std::move(steps)))) {
-            found.push_back(d.code);
+            found.emplace_back(d.code.text());
         }
         return found;
     };

@@ -273,7 +273,7 @@ TEST_F(CachedCampus, ReportsTheSameWithConcurrentImports) {
                 throw InputError(file.mark, "bad-model", file.file + " is broken");
             }
             ImportedModel imported = import_model(file_, if_empty);
-            imported.warnings = {{Severity::warning, {}, "odd", file.file + " is odd"}};
+            imported.warnings = {{Severity::warning, {}, "odd-scale", file.file + " is odd"}};
             return imported;
         };
         CampusDescription description;

@@ -241,7 +241,7 @@ TEST_F(CampusTest, ReportsEveryGlobThatMatchesNothing) {
     const auto found = errors();
     ASSERT_EQ(found.size(), 3U) << text_of(found);
     for (const Diagnostic& error : found) {
-        EXPECT_EQ(error.code, "no-node");
+        EXPECT_EQ(error.code.text(), "no-node");
     }
     EXPECT_EQ(found[0].mark.line, 11);
     EXPECT_EQ(found[1].mark.line, 21);
@@ -257,9 +257,9 @@ TEST_F(CampusTest, ReportsCollidersWithoutTriangles) {
     add("nothing", MeshShape{});
     const auto found = errors();
     ASSERT_EQ(found.size(), 2U) << text_of(found);
-    EXPECT_EQ(found[0].code, "empty-mesh");
+    EXPECT_EQ(found[0].code.text(), "empty-mesh");
     EXPECT_EQ(found[0].mark.line, 20);
-    EXPECT_EQ(found[1].code, "missing-nodes");
+    EXPECT_EQ(found[1].code.text(), "missing-nodes");
 }
 
 TEST_F(CampusTest, ReportsEqualIds) {
@@ -267,7 +267,7 @@ TEST_F(CampusTest, ReportsEqualIds) {
     add("tree/tree-02", MeshShape{}, {"terrain"});
     const auto found = errors();
     ASSERT_EQ(found.size(), 1U) << text_of(found);
-    EXPECT_EQ(found[0].code, "duplicate-id");
+    EXPECT_EQ(found[0].code.text(), "duplicate-id");
     EXPECT_EQ(found[0].mark.line, 25);
 }
 

@@ -67,7 +67,7 @@ TEST(NodeSelector, SuggestsNothingForWordsOfManyPages) {
     DiagnosticList diagnostics;
     NodeSelector(models).check(std::vector<NodeGlob>{glob_at(7, std::string(100'000, 'b'))}, diagnostics);
     ASSERT_EQ(diagnostics.all().size(), 1U);
-    EXPECT_EQ(diagnostics.all()[0].code, "no-node");
+    EXPECT_EQ(diagnostics.all()[0].code.text(), "no-node");
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ TEST(PlaceHeights, StayWhereTheyAreGiven) {
     EXPECT_EQ(places[0].position.y(), 1.5);
     EXPECT_NEAR(places[2].position.y(), 0.0, 1e-9);
     ASSERT_EQ(warnings.size(), 1U);
-    EXPECT_EQ(warnings[0].code, "no-ground-below");
+    EXPECT_EQ(warnings[0].code.text(), "no-ground-below");
     EXPECT_EQ(warnings[0].mark.line, 2);
     EXPECT_NE(warnings[0].message.find("'out' and one other"), std::string::npos) << warnings[0].message;
 }

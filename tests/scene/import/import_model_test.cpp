@@ -157,7 +157,7 @@ TEST_F(ImportModelTest, AppliesFbxUnitsAndAxes) {
 TEST_F(ImportModelTest, ReportsAMissingFileAtItsMark) {
     const auto found = errors("nowhere.gltf");
     ASSERT_EQ(found.size(), 1U);
-    EXPECT_EQ(found[0].code, "missing-file");
+    EXPECT_EQ(found[0].code.text(), "missing-file");
     EXPECT_EQ(found[0].mark.file, "test.campus.yaml");
     EXPECT_EQ(found[0].mark.line, 3);
     EXPECT_TRUE(has_code(errors("."), "missing-file"));  // a folder
@@ -167,7 +167,7 @@ TEST_F(ImportModelTest, ReportsUnsupportedFormatsAndDamagedFiles) {
     folder_.write("broken.gltf", "{\"asset\":");
     const auto found = errors("broken.gltf");
     ASSERT_EQ(found.size(), 1U);
-    EXPECT_EQ(found[0].code, "bad-model");
+    EXPECT_EQ(found[0].code.text(), "bad-model");
     EXPECT_EQ(found[0].message.find(folder_.path().string()), std::string::npos) << found[0].message;
     folder_.write("notes.xyz", "hello");
     EXPECT_TRUE(has_code(errors("notes.xyz"), "bad-model"));
@@ -320,7 +320,7 @@ TEST_F(ImportModelTest, NamesNodesWithBadVertices) {
                                  "o bad_wall\nv 0 0 0\nv 1 inf 0\nv 0 1 0\nf 12 13 14\n");
     const auto found = errors("nan.obj");
     ASSERT_EQ(found.size(), 2U) << text_of(found);
-    EXPECT_EQ(found[0].code, "bad-vertex");
+    EXPECT_EQ(found[0].code.text(), "bad-vertex");
     EXPECT_NE(found[0].message.find("bad_tree"), std::string::npos);
     EXPECT_NE(found[1].message.find("bad_wall"), std::string::npos);
 }

@@ -79,14 +79,14 @@ TEST_F(TextureTest, TexturesWithHolesSetTheMaskMode) {
 TEST_F(TextureTest, WarnsAboutMissingAndBrokenImagesWithTheirMaterial) {
     const auto missing = imported_with("map_Kd gone.png\n").warnings;
     ASSERT_EQ(missing.size(), 1U);
-    EXPECT_EQ(missing[0].code, "bad-texture");
+    EXPECT_EQ(missing[0].code.text(), "bad-texture");
     EXPECT_NE(missing[0].message.find("'wood'"), std::string::npos) << missing[0].message;
     EXPECT_NE(missing[0].message.find("'gone.png'"), std::string::npos) << missing[0].message;
 
     folder_.write("broken.png", "\x89PNG\r\n\x1a\n and then nothing");
     const auto broken = imported_with("map_Kd broken.png\n").warnings;
     ASSERT_EQ(broken.size(), 1U);
-    EXPECT_EQ(broken[0].code, "bad-texture");
+    EXPECT_EQ(broken[0].code.text(), "bad-texture");
     EXPECT_NE(broken[0].message.find("decoded"), std::string::npos) << broken[0].message;
 }
 

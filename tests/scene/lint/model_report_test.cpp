@@ -11,13 +11,13 @@ namespace campuswalk::scene {
 namespace {
 
 bool has_lint(const ModelReport& report, const std::string& code) {
-    return std::ranges::any_of(report.warnings, [&](const ModelLint& o) { return o.code == code; });
+    return std::ranges::any_of(report.warnings, [&](const ModelLint& o) { return o.code.text() == code; });
 }
 
 std::string all_lints(const ModelReport& report) {
     std::string text;
     for (const ModelLint& lint : report.warnings) {
-        text += lint.code + ": " + lint.message + "\n";
+        text += std::string(lint.code.text()) + ": " + lint.message + "\n";
     }
     return text;
 }
@@ -131,7 +131,7 @@ TEST_F(ModelReportTest, CountsDuplicateFaces) {
 TEST_F(ModelReportTest, ReportsOnlyTheAxisOfAModelOnItsBack) {
     const ModelReport r = report_of({{.name = "map", .size = {100, 80, 5}}});
     ASSERT_EQ(r.warnings.size(), 1U) << all_lints(r);
-    EXPECT_EQ(r.warnings[0].code, "z-up");
+    EXPECT_EQ(r.warnings[0].code.text(), "z-up");
 }
 
 TEST_F(ModelReportTest, FindsTheNodeThatStretchesTheBounds) {

@@ -26,7 +26,7 @@ TEST(NamedSizes, ReportsADoorOfFiveCentimetres) {
     test::add_box(model, "Door_01", {0.2, 0, 0}, {0.22, 0.05, 0.001});
     const auto lints = lints_of(model);
     ASSERT_EQ(lints.size(), 1U);
-    EXPECT_EQ(lints[0].code, "door-size");
+    EXPECT_EQ(lints[0].code.text(), "door-size");
     EXPECT_NE(lints[0].message.find("'Door_01' of 0.05 m"), std::string::npos) << lints[0].message;
     ASSERT_EQ(lints[0].places.size(), 1U);
     EXPECT_TRUE(lints[0].places[0].at.isApprox(Eigen::Vector3d(0.21, 0, 0.0005), 1e-5));
@@ -82,7 +82,7 @@ TEST(NamedSizes, NamesTheUnitInWhichRisersAreThoseOfStairs) {
         add_stairs(model, "Stairs", riser);
         const auto lints = lints_of(model);
         ASSERT_EQ(lints.size(), 1U) << riser;
-        EXPECT_EQ(lints[0].code, "odd-scale");
+        EXPECT_EQ(lints[0].code.text(), "odd-scale");
         EXPECT_NE(lints[0].message.find(std::string("with ") + unit + " they would be of 0.17 m"),
                   std::string::npos)
             << lints[0].message;
@@ -94,7 +94,7 @@ TEST(NamedSizes, NamesTheUnitInWhichRisersAreThoseOfStairs) {
     }
     const auto lints = lint_named_sizes(lying, report(lying).nodes, 2);
     ASSERT_EQ(lints.size(), 1U);
-    EXPECT_EQ(lints[0].code, "odd-scale");
+    EXPECT_EQ(lints[0].code.text(), "odd-scale");
 }
 
 TEST(NamedSizes, TakesStoreysFarApartForNoUnit) {
@@ -102,7 +102,7 @@ TEST(NamedSizes, TakesStoreysFarApartForNoUnit) {
         Model model;
         add_stairs(model, "Stairs", storey);
         ASSERT_EQ(lints_of(model).size(), 1U);
-        EXPECT_EQ(lints_of(model)[0].code, "stair-riser");
+        EXPECT_EQ(lints_of(model)[0].code.text(), "stair-riser");
     }
 }
 
@@ -113,7 +113,7 @@ TEST(NamedSizes, ReportsRisersTooHighToClimb) {
         const auto lints = lints_of(model);
         ASSERT_EQ(lints.size(), riser > 0.3 ? 1U : 0U) << riser;
         if (!lints.empty()) {
-            EXPECT_EQ(lints[0].code, "stair-riser");
+            EXPECT_EQ(lints[0].code.text(), "stair-riser");
             EXPECT_EQ(lints[0].places.at(0).node, "Stairs");
         }
     }

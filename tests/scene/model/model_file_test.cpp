@@ -207,7 +207,10 @@ TEST(ModelFile, RoundTripsManyEntriesOfMinimalSize) {
         fill(imported);
         return read_model_file(write_model_file(imported));
     };
-    EXPECT_EQ(read_back([](auto& i) { i.warnings.resize(kMany); }).warnings.size(), kMany);
+    EXPECT_EQ(read_back([](auto& i) {
+                  i.warnings.resize(kMany, {{}, {}, "z-up", ""});
+              }).warnings.size(),
+              kMany);
     EXPECT_EQ(read_back([](auto& i) { i.requests.resize(kMany); }).requests.size(), kMany);
     EXPECT_EQ(read_back([](auto& i) { i.model.materials.resize(kMany); }).model.materials.size(), kMany);
     EXPECT_EQ(read_back([](auto& i) { i.model.nodes.resize(kMany); }).model.nodes.size(), kMany);

@@ -246,7 +246,8 @@ TEST_F(ImportMap, FindsDoorsAtWallsNearEntrances) {
     map.node(10, 0, {{"entrance", "yes"}, {"level", "2"}});
     map.node(60, 60, {{"entrance", "yes"}});
     const ImportedMap imported = import(map.xml());
-    EXPECT_EQ(std::ranges::count(imported.warnings, "entrance-without-wall", &Diagnostic::code), 1);
+    EXPECT_EQ(
+        std::ranges::count(imported.warnings, DiagnosticCode("entrance-without-wall"), &Diagnostic::code), 1);
     ASSERT_EQ(imported.draft.places.size(), 2U) << "not that of another floor";
     for (const DraftPlace& place : imported.draft.places) {
         EXPECT_NEAR(place.at.z(), 1.0, 0.01) << "a metre in front of the wall";
@@ -327,7 +328,7 @@ TEST_F(ImportMap, SurvivesWhatMapsGetWrong) {
     }
     const ImportedMap imported = import(map.xml());
     EXPECT_TRUE(test::has_code(imported.warnings, "open-ring"));
-    EXPECT_EQ(std::ranges::count(imported.warnings, "odd-levels", &Diagnostic::code), 5);
+    EXPECT_EQ(std::ranges::count(imported.warnings, DiagnosticCode("odd-levels"), &Diagnostic::code), 5);
     for (const Mesh& mesh : imported.model.meshes) {
         for (const Eigen::Vector3f& p : mesh.positions) {
             ASSERT_TRUE(p.allFinite()) << mesh.name;

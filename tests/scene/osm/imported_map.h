@@ -26,7 +26,7 @@ protected:
     }
     std::string refusal(const std::string& xml, const std::string& name = "a.osm") {
         const auto errors = test::errors_of([&] { import(xml, name); });
-        return errors.empty() ? "" : errors.front().code;
+        return errors.empty() ? "" : std::string(errors.front().code.text());
     }
 
     test::TemporaryFolder folder_;

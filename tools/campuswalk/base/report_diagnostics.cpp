@@ -8,7 +8,7 @@
 
 namespace campuswalk::tools {
 
-scene::InputError error_about(const std::filesystem::path& subject, const std::string& code,
+scene::InputError error_about(const std::filesystem::path& subject, scene::DiagnosticCode code,
                               const std::string& message) {
     return {scene::SourceMark{subject.string(), 0, 0}, code, message};
 }

@@ -10,7 +10,7 @@
 namespace campuswalk::tools {
 
 /// About a file, a folder or an option as a whole.
-scene::InputError error_about(const std::filesystem::path& subject, const std::string& code,
+scene::InputError error_about(const std::filesystem::path& subject, scene::DiagnosticCode code,
                               const std::string& message);
 
 /// To standard error, one per line.

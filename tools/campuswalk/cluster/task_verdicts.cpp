@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Problem {
-    const char* code;
+    scene::DiagnosticCode code;
     std::string what;
 };
 

@@ -41,7 +41,7 @@ struct Field {
 /// An argument that is being parsed, and how to report that it is wrong.
 struct Argument {
     std::string text;
-    std::string code;
+    scene::DiagnosticCode code;
     std::string expected;  ///< the end of every diagnostic
 
     [[noreturn]] void refuse(const std::string& why) const {

@@ -132,12 +132,13 @@ void check_files(const ImportOptions& options, const CampusFiles& files) {
 /// Prints the first few warnings of each code, and how many there are.
 void print_warnings(const std::vector<scene::Diagnostic>& warnings) {
     constexpr std::size_t kShown = 5;
-    std::vector<std::pair<std::string, std::size_t>> counts;
+    std::vector<std::pair<std::string_view, std::size_t>> counts;
     std::vector<scene::Diagnostic> shown;
     for (const scene::Diagnostic& warning : warnings) {
-        auto count = std::ranges::find(counts, warning.code, &std::pair<std::string, std::size_t>::first);
+        auto count =
+            std::ranges::find(counts, warning.code.text(), &std::pair<std::string_view, std::size_t>::first);
         if (count == counts.end()) {
-            count = counts.insert(counts.end(), {warning.code, 0});
+            count = counts.insert(counts.end(), {warning.code.text(), 0});
         }
         if (++count->second <= kShown) {
             shown.push_back(warning);
@@ -146,7 +147,8 @@ void print_warnings(const std::vector<scene::Diagnostic>& warnings) {
     diagnose(shown);
     for (const auto& [code, count] : counts) {
         if (count > kShown) {
-            print_error_line("… and " + scene::plural(count - kShown, "more warning") + " " + code);
+            print_error_line("… and " + scene::plural(count - kShown, "more warning") + " " +
+                             std::string(code));
         }
     }
 }

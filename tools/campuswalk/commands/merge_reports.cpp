@@ -48,9 +48,11 @@ struct MergeOptions {
 /// Says so when reports are taken without signatures though somebody meant to demand them.
 std::optional<std::string> key_to_demand() {
     if (const char* value = std::getenv("CAMPUSWALK_RUN_KEY"); value != nullptr && *value == '\0') {
-        print_error_line(
-            "warning unsigned-reports: CAMPUSWALK_RUN_KEY is empty, as a secret is that a job doesn't get: "
-            "reports are taken without signatures");
+        diagnose({{scene::Severity::warning,
+                   {},
+                   "unsigned-reports",
+                   "CAMPUSWALK_RUN_KEY is empty, as a secret is that a job doesn't get: "
+                   "reports are taken without signatures"}});
     }
     return shared_run_key(environment_variable);
 }

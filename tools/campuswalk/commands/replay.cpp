@@ -108,7 +108,7 @@ private:
         return known->second;
     }
 
-    scene::InputError about(const RecordedWalk& recorded, const char* code,
+    scene::InputError about(const RecordedWalk& recorded, scene::DiagnosticCode code,
                             const std::string& message) const {
         return scene::InputError({options_.run.string(), static_cast<int>(recorded.line), 1}, code, message);
     }

@@ -70,7 +70,7 @@ Json json_of(const scene::Flight& flight) {
 }
 
 Json json_of(const scene::ModelLint& lint) {
-    Json warning = {{"code", lint.code}, {"message", lint.message}};
+    Json warning = {{"code", lint.code.text()}, {"message", lint.message}};
     for (const scene::ModelLint::Place& place : lint.places) {
         warning["places"].push_back({{"node", place.node}, {"at", json_of(place.at)}});
     }

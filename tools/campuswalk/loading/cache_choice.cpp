@@ -11,7 +11,6 @@
 #include <string_view>
 
 #include "tools/campuswalk/base/environment.h"
-#include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/repository.h"
 
@@ -70,8 +69,11 @@ std::atomic<bool>& warned() {
 /// A cache that can't be written isn't an error: only the time that the next start takes depends on it.
 void warn_once(const std::string& reason) {
     if (!warned().exchange(true)) {
-        print_error_line("warning cache-unwritable: models are imported again each time: " + reason +
-                         "; name another folder with CAMPUSWALK_CACHE_DIR, or use --no-cache");
+        diagnose({{scene::Severity::warning,
+                   {},
+                   "cache-unwritable",
+                   "models are imported again each time: " + reason +
+                       "; name another folder with CAMPUSWALK_CACHE_DIR, or use --no-cache"}});
     }
 }
 

@@ -14,7 +14,6 @@
 #include "scene/import/helper/sandbox.h"
 #include "scene/import/helper/serve_import.h"
 #include "scene/osm/helper/map_process.h"
-#include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/text.h"
 #include "tools/campuswalk/loading/cache_choice.h"
@@ -36,7 +35,7 @@ void check_sandbox() {
     if (sandbox == scene::SandboxMode::require) {
         throw error_about("--sandbox", "no-sandbox", lacks);
     }
-    print_error_line("warning no-sandbox: " + lacks + "; --sandbox off accepts that");
+    diagnose({{scene::Severity::warning, {}, "no-sandbox", lacks + "; --sandbox off accepts that"}});
 }
 
 /// When the first model is imported: caches need none.

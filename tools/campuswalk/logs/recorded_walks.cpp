@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-scene::InputError about_line(const fs::path& file, std::size_t line, const char* code,
+scene::InputError about_line(const fs::path& file, std::size_t line, scene::DiagnosticCode code,
                              const std::string& message) {
     return scene::InputError(scene::SourceMark{file.string(), static_cast<int>(line), 1}, code, message);
 }

@@ -120,7 +120,7 @@ WalkResult Scheduler::result_of(std::size_t index, const Ending& ending) const {
     }
     WalkResult result = plan_.cases[index].result;
     result.outcome = Outcome::broken;
-    result.diagnostics = {{scene::Severity::error, {}, "", result.id + ": " + ending.text}};
+    result.diagnostics = {{scene::Severity::error, {}, {}, result.id + ": " + ending.text}};
     return result;
 }
 

@@ -11,7 +11,7 @@ namespace campuswalk::tools {
 void print_lints(const std::vector<scene::ModelLint>& lints) {
     constexpr std::size_t kMax = 5;
     for (const scene::ModelLint& lint : lints) {
-        print_line("  %s: %s", lint.code.c_str(), lint.message.c_str());
+        print_line("  %s: %s", std::string(lint.code.text()).c_str(), lint.message.c_str());
         for (std::size_t p = 0; p < std::min(lint.places.size(), kMax); ++p) {
             print_line("    '%s' at %s", lint.places[p].node.c_str(),
                        engine::fixed(lint.places[p].at).c_str());

@@ -11,7 +11,7 @@ namespace campuswalk::tools {
 
 using Eigen::Vector3d;
 
-bool has_lint(const scene::ModelReport& report, const std::string& code) {
+bool has_lint(const scene::ModelReport& report, scene::DiagnosticCode code) {
     return std::ranges::any_of(report.warnings,
                                [&](const scene::ModelLint& lint) { return lint.code == code; });
 }

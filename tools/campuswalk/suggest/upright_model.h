@@ -23,7 +23,7 @@ struct UprightModel {
 UprightModel load_upright(const scene::SceneFile& file);
 
 /// Whether there is a lint with this code.
-bool has_lint(const scene::ModelReport& report, const std::string& code);
+bool has_lint(const scene::ModelReport& report, scene::DiagnosticCode code);
 
 /// The names of the nodes that are called doors and close a doorway, each once.
 std::vector<std::string> closed_door_names(const scene::ModelReport& report);

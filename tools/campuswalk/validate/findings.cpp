@@ -39,23 +39,23 @@ std::string uri_of(std::string_view path) {
     return uri;
 }
 
-Json sarif_result(const Diagnostic& diagnostic, const std::vector<std::string>& codes) {
+Json sarif_result(const Diagnostic& diagnostic, const std::vector<std::string_view>& codes) {
     Json place = {{"artifactLocation", {{"uri", uri_of(diagnostic.mark.file)}}}};
     if (diagnostic.mark.line > 0) {
         place["region"] = {{"startLine", diagnostic.mark.line},
                            {"startColumn", std::max(1, diagnostic.mark.column)}};
     }
-    return {{"ruleId", diagnostic.code},
-            {"ruleIndex", std::ranges::find(codes, diagnostic.code) - codes.begin()},
+    return {{"ruleId", diagnostic.code.text()},
+            {"ruleIndex", std::ranges::find(codes, diagnostic.code.text()) - codes.begin()},
             {"level", level_of(diagnostic)},
             {"message", {{"text", diagnostic.message}}},
             {"locations", Json::array({{{"physicalLocation", std::move(place)}}})}};
 }
 
-std::vector<std::string> codes_of(const Findings& findings) {
-    std::vector<std::string> codes;
+std::vector<std::string_view> codes_of(const Findings& findings) {
+    std::vector<std::string_view> codes;
     for (const Diagnostic& diagnostic : findings.diagnostics) {
-        codes.push_back(diagnostic.code);
+        codes.push_back(diagnostic.code.text());
     }
     std::ranges::sort(codes);
     codes.erase(std::unique(codes.begin(), codes.end()), codes.end());
@@ -93,7 +93,7 @@ std::string as_json(const Findings& findings) {
             entry["column"] = diagnostic.mark.column;
         }
         entry["severity"] = level_of(diagnostic);
-        entry["code"] = diagnostic.code;
+        entry["code"] = diagnostic.code.text();
         entry["message"] = diagnostic.message;
         diagnostics.push_back(std::move(entry));
     }
@@ -103,9 +103,9 @@ std::string as_json(const Findings& findings) {
 }
 
 std::string as_sarif(const Findings& findings) {
-    const std::vector<std::string> codes = codes_of(findings);
+    const std::vector<std::string_view> codes = codes_of(findings);
     Json rules = Json::array();
-    for (const std::string& code : codes) {
+    for (const std::string_view code : codes) {
         rules.push_back({{"id", code}});
     }
     Json results = Json::array();
@@ -131,7 +131,7 @@ std::string as_github(const Findings& findings) {
             lines += ",line=" + std::to_string(diagnostic.mark.line) +
                      ",col=" + std::to_string(diagnostic.mark.column);
         }
-        lines += ",title=" + engine::github_escaped(diagnostic.code, true) +
+        lines += ",title=" + engine::github_escaped(std::string(diagnostic.code.text()), true) +
                  "::" + engine::github_escaped(diagnostic.message, false) + "\n";
     }
     return lines;

@@ -59,7 +59,7 @@ std::string error_of(const std::filesystem::path& file) {
     } catch (const scene::InputError& error) {
         const scene::Diagnostic& first = error.diagnostics().front();
         EXPECT_EQ(first.mark.file, file.string());
-        return first.code + ": " + first.message;
+        return std::string(first.code.text()) + ": " + first.message;
     }
     return {};
 }

@@ -283,7 +283,7 @@ TEST(ImportRequest, IsRejectedOrValidWhenForged) {
 TEST(ImportResponse, IsRejectedOrValidWhenForged) {
     ImportedModel response;
     response.model.nodes.resize(2);
-    response.warnings = {{Severity::warning, {"a.glb", 0, 0}, "mirrored", "a warning"}};
+    response.warnings = {{Severity::warning, {"a.glb", 0, 0}, "mirrored-node", "a warning"}};
     int refused = 0;
     int thrown = 0;
     with_forgeries(write_model_file(response), [&](std::span<const std::byte> bytes) {

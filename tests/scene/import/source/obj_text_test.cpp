@@ -156,7 +156,7 @@ TEST_F(ObjFile, ReadsVerticesWithoutALeadingZeroAndComments) {
 TEST_F(ObjFile, IsRefusedWithTheLineOfAFaultyVertex) {
     const auto errors = test::errors_of([&] { import("o a\nv 1 2\nf 1 1 1\n"); });
     ASSERT_EQ(errors.size(), 1U);
-    EXPECT_EQ(errors[0].code, "bad-model");
+    EXPECT_EQ(errors[0].code.text(), "bad-model");
     EXPECT_NE(errors[0].message.find("line 2 has a vertex without three numbers"), std::string::npos);
 }
 

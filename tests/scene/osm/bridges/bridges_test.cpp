@@ -205,7 +205,8 @@ TEST_F(Bridges, StandOnPiers) {
     const auto square = map.rectangle(-1, -12, 1, -11, {{"bridge:support", "pier"}});
     map.node(30, 10, {{"bridge:support", "pier"}});
     const ImportedMap imported = import(map.xml());
-    EXPECT_EQ(std::ranges::count(imported.warnings, "pier-without-bridge", &Diagnostic::code), 1);
+    EXPECT_EQ(std::ranges::count(imported.warnings, DiagnosticCode("pier-without-bridge"), &Diagnostic::code),
+              1);
     for (const auto& [name, north] : {std::pair("bridge-pier/node-" + std::to_string(round), 10.0),
                                       std::pair("bridge-pier/way-" + std::to_string(square), -11.5)}) {
         ASSERT_NE(find(imported.model, name), nullptr) << name;
@@ -225,7 +226,7 @@ TEST_F(Bridges, AreReportedWhereNothingPassesBelow) {
     map.way({{-50, 60}, {50, 60}}, {{"highway", "footway"}, {"layer", "-1"}});
     const ImportedMap imported = import(map.xml());
     EXPECT_TRUE(test::has_code(imported.warnings, "bridge-at-ground"));
-    EXPECT_EQ(std::ranges::count(imported.warnings, "underground", &Diagnostic::code), 2);
+    EXPECT_EQ(std::ranges::count(imported.warnings, DiagnosticCode("underground"), &Diagnostic::code), 2);
     EXPECT_EQ(find(imported.model, "bridge/way-" + std::to_string(bridge)), nullptr);
     EXPECT_NEAR(top_at(imported.model, 0.1, 0.1, "footway/way-" + std::to_string(bridge)), 0.0, 1e-6);
 }

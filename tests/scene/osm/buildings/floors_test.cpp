@@ -15,7 +15,7 @@ class Floors : public ImportMap {
 protected:
     static std::string message_of(const ImportedMap& imported, const std::string& code) {
         for (const Diagnostic& warning : imported.warnings) {
-            if (warning.code == code) {
+            if (warning.code.text() == code) {
                 return warning.message;
             }
         }
@@ -121,7 +121,8 @@ TEST_F(ImportMap, BuildsBuildingsOnNegativeLayersThatStandAboveTheGround) {
         const ImportedMap imported = import(map.xml());
         const bool high = std::string(key) != "building";
         EXPECT_EQ(find(imported.model, "building/way-" + std::to_string(id)) != nullptr, high) << key;
-        const auto warning = std::ranges::find(imported.warnings, "underground-building", &Diagnostic::code);
+        const auto warning =
+            std::ranges::find(imported.warnings, DiagnosticCode("underground-building"), &Diagnostic::code);
         ASSERT_EQ(warning == imported.warnings.end(), high) << key;
         if (!high) {
             EXPECT_TRUE(warning->message.starts_with("way-" + std::to_string(id) + " (Elm Hall) "));
@@ -136,7 +137,8 @@ TEST_F(ImportMap, NamesBuildingsOfManyKilometres) {
         const ImportedMap imported = import(map.xml());
         const bool built = length < 5'000.0;
         EXPECT_EQ(find(imported.model, "building/way-" + std::to_string(id)) != nullptr, built);
-        EXPECT_EQ(std::ranges::count(imported.warnings, "huge-building", &Diagnostic::code), built ? 0 : 1);
+        EXPECT_EQ(std::ranges::count(imported.warnings, DiagnosticCode("huge-building"), &Diagnostic::code),
+                  built ? 0 : 1);
     }
 }
 
@@ -154,7 +156,9 @@ TEST_F(ImportMap, NamesBuildingsAndPartsBelowTheGround) {
         map.way({{-60, -40}, {60, -40}}, {{"highway", "footway"}});
         const ImportedMap imported = import(map.xml());
         EXPECT_EQ(find(imported.model, "building/way-" + std::to_string(id)), nullptr);
-        EXPECT_EQ(std::ranges::count(imported.warnings, "underground-building", &Diagnostic::code), 1)
+        EXPECT_EQ(
+            std::ranges::count(imported.warnings, DiagnosticCode("underground-building"), &Diagnostic::code),
+            1)
             << tags.back().first;
     }
 }
@@ -180,7 +184,8 @@ TEST_F(ImportMap, PutsEntrancesOfFloorsWhereAWayLeadsToThem) {
     ASSERT_NE(find(imported.model, door(bridged)), nullptr);
     EXPECT_GT(bounds_of(imported.model, door(bridged)).min.y(), 4.0) << "on the bridge";
     EXPECT_EQ(find(imported.model, door(lost)), nullptr);
-    const auto warning = std::ranges::find(imported.warnings, "entrance-on-floor", &Diagnostic::code);
+    const auto warning =
+        std::ranges::find(imported.warnings, DiagnosticCode("entrance-on-floor"), &Diagnostic::code);
     ASSERT_NE(warning, imported.warnings.end());
     EXPECT_TRUE(warning->message.starts_with("1 entrance (node " + std::to_string(lost) + ", level=3) is"));
 }

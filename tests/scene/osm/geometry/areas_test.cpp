@@ -192,7 +192,7 @@ TEST_F(CutRelations, OfInnerRingsAloneAreLeftOut) {
                      {{"type", "multipolygon"}, {key, std::string(key) == "natural" ? "water" : "yes"}});
     }
     const ImportedMap imported = import(map.xml());
-    EXPECT_EQ(std::ranges::count(imported.warnings, "open-ring", &Diagnostic::code), 2);
+    EXPECT_EQ(std::ranges::count(imported.warnings, DiagnosticCode("open-ring"), &Diagnostic::code), 2);
     for (const Node& node : imported.model.nodes) {
         EXPECT_FALSE(node.name.starts_with("building/") || node.name.starts_with("water")) << node.name;
     }

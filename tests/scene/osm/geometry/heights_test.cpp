@@ -75,7 +75,7 @@ TEST_F(Heights, MayBeMissingBesideTheMap) {
             grid_of([](double longitude, double) -> std::string { return longitude > 11.0 ? "nan" : "7"; }));
     });
     ASSERT_EQ(errors.size(), 1U);
-    EXPECT_EQ(errors[0].code, "bad-heights");
+    EXPECT_EQ(errors[0].code.text(), "bad-heights");
 }
 
 TEST_F(Heights, TakeTheirFormFromTheGivenName) {
@@ -87,9 +87,9 @@ TEST_F(Heights, TakeTheirFormFromTheGivenName) {
     mark.file = "heights.asc";
     EXPECT_EQ(read_heights(folder_.path() / "link-target", mark, map, map.box).height({0, 0}), 0.0);
     mark.file = "N-5E011.hgt";
-    EXPECT_EQ(
-        test::errors_of([&] { read_heights(folder_.path() / "link-target", mark, map, map.box); })[0].code,
-        "bad-heights");
+    EXPECT_EQ(test::errors_of([&] { read_heights(folder_.path() / "link-target", mark, map, map.box); })[0]
+                  .code.text(),
+              "bad-heights");
 }
 
 TEST_F(ImportMap, HasNoWindowsBelowTheGround) {

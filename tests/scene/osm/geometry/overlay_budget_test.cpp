@@ -109,7 +109,7 @@ protected:
     void expect_too_costly(const MapText& map, const std::string& costly) {
         const auto errors = test::errors_of([&] { import(map.xml()); });
         ASSERT_EQ(errors.size(), 1U);
-        EXPECT_EQ(errors[0].code, "bad-size");
+        EXPECT_EQ(errors[0].code.text(), "bad-size");
         EXPECT_NE(errors[0].message.find("overlap more than can be worked out"), std::string::npos);
         EXPECT_NE(errors[0].message.find(costly + "; leave that out"), std::string::npos)
             << errors[0].message;

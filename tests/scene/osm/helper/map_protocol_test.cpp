@@ -138,7 +138,7 @@ TEST(MapProtocol, RefusesWhatNoMapMakes) {
         [](MapFiles& f) { f.draft.triggers[0].size.y() = 0.0; },
         [](MapFiles& f) { f.draft.layers[0] = "x]"; },
         [](MapFiles& f) { f.draft.latitude_deg = 91.0; },
-        [](MapFiles& f) { f.warnings[0].code = "two words"; },
+        [](MapFiles& f) { f.warnings[0].code = {}; },
         [](MapFiles& f) { f.warnings[0].message = "a\nb: error c: d"; }};
     for (std::size_t i = 0; i < changes.size(); ++i) {
         MapFiles files = good_files();

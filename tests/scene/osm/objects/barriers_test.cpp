@@ -164,7 +164,8 @@ TEST_F(Barriers, OfUnknownKindsAreCounted) {
     map.way({{-6, 19}, {6, 19}}, {{"barrier", "chain"}});
     map.way({{-80, -80}, {80, -80}}, {{"highway", "footway"}});
     const ImportedMap imported = import(map.xml());
-    const auto warning = std::ranges::find(imported.warnings, "unknown-barrier", &Diagnostic::code);
+    const auto warning =
+        std::ranges::find(imported.warnings, DiagnosticCode("unknown-barrier"), &Diagnostic::code);
     ASSERT_NE(warning, imported.warnings.end());
     EXPECT_TRUE(warning->message.starts_with("2 ways (the first: way " + std::to_string(first) +
                                              ", barrier=ditch) are barriers"));

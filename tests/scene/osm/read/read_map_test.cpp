@@ -113,7 +113,7 @@ TEST_F(ReadMap, TakesTheFormatFromTheGivenName) {
     mark_.file = "campus.osm.pbf";
     const auto errors = test::errors_of([&] { read_map(folder_.path() / "abc123", mark_, {}, warnings_); });
     ASSERT_EQ(errors.size(), 1U);
-    EXPECT_EQ(errors[0].code, "bad-map");
+    EXPECT_EQ(errors[0].code.text(), "bad-map");
 }
 
 /// A footway, and what else is in the file.
@@ -238,7 +238,7 @@ TEST_F(ReadMap, RefusesALargeMapBeforeItIsRead) {
     }
     const auto errors = test::errors_of([&] { read(xml + "</broken>"); });
     ASSERT_EQ(errors.size(), 1U);
-    EXPECT_EQ(errors[0].code, "bad-size");
+    EXPECT_EQ(errors[0].code.text(), "bad-size");
 }
 
 /// Buildings of 4.9 km with 200 levels of windows would take gigabytes.
@@ -254,7 +254,7 @@ TEST_F(ImportMap, LimitsTheTrianglesOfAMap) {
     }
     const auto errors = test::errors_of([&] { import(map.xml()); });
     ASSERT_EQ(errors.size(), 1U);
-    EXPECT_EQ(errors[0].code, "bad-size");
+    EXPECT_EQ(errors[0].code.text(), "bad-size");
     EXPECT_NE(errors[0].message.find("10 million triangles, of which building/way-" + std::to_string(hall) +
                                      " has "),
               std::string::npos)

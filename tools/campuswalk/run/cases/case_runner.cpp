@@ -172,7 +172,7 @@ void draw_frames(const Case& played, const PlaySettings& settings, std::size_t p
 
 void note_broken(WalkResult& result, const std::string& why) {
     result.outcome = Outcome::broken;
-    result.diagnostics = {{scene::Severity::error, {}, "", why}};
+    result.diagnostics = {{scene::Severity::error, {}, {}, why}};
 }
 
 template <typename Value>

@@ -118,7 +118,7 @@ void MergedRun::for_each(const ResultVisitor& visit) const {
     for_each_merged(files, visit);
 }
 
-void MergedRun::note(const fs::path& subject, const char* code, const std::string& message) {
+void MergedRun::note(const fs::path& subject, scene::DiagnosticCode code, const std::string& message) {
     problems_.push_back(
         scene::to_string({scene::Severity::error, {subject.generic_string(), 0, 0}, code, message}));
 }

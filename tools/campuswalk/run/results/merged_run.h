@@ -37,7 +37,7 @@ public:
     const std::map<int, ShardState>& states() const { return states_; }
 
 private:
-    void note(const std::filesystem::path& subject, const char* code, const std::string& message);
+    void note(const std::filesystem::path& subject, scene::DiagnosticCode code, const std::string& message);
     void add(const ResultFile& file);
     void note_missing_shards();
     /// Compares each shard's cases with those that the plan gives it.

@@ -20,8 +20,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const char* code_for(const ReportTarget& target) {
-    return target.name == "log" || target.name == "jsonl-log" ? "log-unwritable" : "report-unwritable";
+scene::DiagnosticCode code_for(const ReportTarget& target) {
+    return target.name == "log" || target.name == "jsonl-log" ? scene::DiagnosticCode("log-unwritable")
+                                                              : "report-unwritable";
 }
 
 scene::InputError about(const ReportTarget& target, const std::string& message) {
@@ -29,7 +30,7 @@ scene::InputError about(const ReportTarget& target, const std::string& message) 
 }
 
 std::string noun(const ReportTarget& target) {
-    return std::string(code_for(target)).starts_with("log") ? "log" : "report";
+    return code_for(target) == "log-unwritable" ? "log" : "report";
 }
 
 /// Whether a file begins like a report of this kind, or is empty.

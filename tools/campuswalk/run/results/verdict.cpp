@@ -39,8 +39,7 @@ std::vector<std::string> verdict_lines(const WalkResult& result, const std::file
     const bool as_expected = result.expected_to_fail && result.outcome == Outcome::passed;
     if (result.outcome == Outcome::failed) {
         for (const engine::Failure& failure : result.failures) {
-            lines.push_back(
-                scene::to_string({scene::Severity::error, failure.mark, failure.code, failure.message}));
+            lines.push_back(scene::error_line(failure.mark, failure.code, failure.message));
         }
         for (const engine::Artifact& artifact : result.artifacts) {
             if (artifact.name.starts_with("failure ")) {
@@ -97,7 +96,7 @@ void compare_repetitions(const WalkResult& first, WalkResult& later) {
     }
     engine::Failure failure;
     failure.mark.file = later.file;
-    failure.code = "not-identical";
+    failure.code = engine::kNotIdentical;
     failure.message = "repetition " + std::to_string(later.repetition + 1) + " ended with hash " +
                       engine::hexadecimal(later.hash) + " after " + std::to_string(later.ticks) +
                       " ticks, the first with " + engine::hexadecimal(first.hash) + " after " +
