@@ -1,7 +1,6 @@
 #include "collision/mesh/query_volumes.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <Eigen/Geometry>
 

@@ -1,7 +1,6 @@
 #include "collision/mover/fall.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <span>
 #include <tuple>

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 #include "collision/mover/fall.h"
 #include "collision/mover/ground_query.h"

@@ -1,7 +1,5 @@
 #include "collision/world/bounds.h"
 
-#include <cmath>
-
 #include "collision/mesh/mesh_collider.h"
 #include "collision/mesh/mesh_extent.h"
 

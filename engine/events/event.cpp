@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cassert>
-#include <utility>
 
 namespace campuswalk::engine {
 

@@ -1,7 +1,6 @@
 #include "engine/events/event_text.h"
 
 #include <algorithm>
-#include <string_view>
 
 #include "engine/events/decimals.h"
 #include "scene/base/printable.h"

@@ -1,7 +1,6 @@
 #include "engine/expect/step_events.h"
 
 #include <algorithm>
-#include <variant>
 
 #include "engine/script/event_pattern.h"
 #include "scene/base/glob.h"

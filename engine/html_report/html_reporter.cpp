@@ -1,7 +1,6 @@
 #include "engine/html_report/html_reporter.h"
 
 #include <algorithm>
-#include <functional>
 #include <set>
 #include <string>
 #include <utility>

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <concepts>
 #include <limits>
-#include <optional>
 #include <set>
 #include <stdexcept>
 #include <type_traits>

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <utility>
-#include <vector>
 
 #include "engine/events/decimals.h"
 #include "engine/report/reporters.h"

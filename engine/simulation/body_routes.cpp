@@ -6,7 +6,6 @@
 #include "engine/script/travel.h"
 #include "engine/simulation/cached_route.h"
 #include "engine/walkspace/route/keep_out.h"
-#include "engine/walkspace/route/route.h"
 #include "engine/walkspace/route/unreachable.h"
 #include "engine/walkspace/stride/tight_places.h"
 #include "engine/walkspace/stride/trial_walk.h"

@@ -1,7 +1,6 @@
 #include "engine/simulation/check_go_to.h"
 
 #include <algorithm>
-#include <iterator>
 #include <variant>
 
 #include "engine/simulation/simulation.h"

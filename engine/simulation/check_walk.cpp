@@ -1,12 +1,10 @@
 #include "engine/simulation/check_walk.h"
 
 #include <algorithm>
-#include <optional>
 #include <set>
 #include <string>
 #include <utility>
 #include <variant>
-#include <vector>
 
 #include "collision/world/placement.h"
 #include "engine/events/decimals.h"

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "engine/events/decimals.h"
-#include "engine/expect/expectation_set.h"
 #include "engine/expect/failure_scene.h"
 #include "engine/simulation/simulation.h"
 

@@ -1,6 +1,5 @@
 #include "scene/cache/load_model.h"
 
-#include <optional>
 #include <utility>
 
 #include "scene/base/binary_archive.h"

@@ -1,6 +1,5 @@
 #include "scene/cache/tree_file.h"
 
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 

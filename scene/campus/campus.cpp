@@ -1,8 +1,6 @@
 #include "scene/campus/campus.h"
 
-#include <algorithm>
 #include <atomic>
-#include <cstdint>
 #include <exception>
 #include <iterator>
 #include <map>
@@ -12,7 +10,6 @@
 #include "scene/campus/cached_meshes.h"
 #include "scene/campus/collider_globs.h"
 #include "scene/campus/collider_shapes.h"
-#include "scene/campus/node_selection.h"
 #include "scene/campus/object_names.h"
 #include "scene/campus/open_doors.h"
 #include "scene/campus/place_heights.h"

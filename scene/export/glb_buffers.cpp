@@ -3,7 +3,6 @@
 #include <meshoptimizer.h>
 
 #include <cstring>
-#include <span>
 #include <utility>
 
 #include <nlohmann/json.hpp>

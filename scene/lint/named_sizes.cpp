@@ -1,7 +1,6 @@
 #include "scene/lint/named_sizes.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <string>
 #include <utility>

@@ -1,7 +1,5 @@
 #include "config/loader/campus/read_campus.h"
 
-#include <array>
-
 #include "config/loader/campus/read_collider.h"
 #include "config/loader/campus/read_places.h"
 #include "config/loader/campus/read_popup.h"

@@ -7,7 +7,6 @@
 #include "collision/mover/mover_settings.h"
 #include "config/loader/values/checked_map.h"
 #include "config/loader/values/ranges.h"
-#include "config/loader/walk/read_camera.h"
 #include "config/loader/walk/read_expectations.h"
 #include "config/loader/walk/read_pattern.h"
 #include "config/loader/yaml/wording.h"

@@ -1,7 +1,5 @@
 #include "config/loader/yaml/read_budget.h"
 
-#include <algorithm>
-
 namespace campuswalk::config {
 
 std::size_t count_marks(std::string_view text) {

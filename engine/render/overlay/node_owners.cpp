@@ -1,7 +1,6 @@
 #include "engine/render/overlay/node_owners.h"
 
 #include <algorithm>
-#include <limits>
 #include <tuple>
 
 namespace campuswalk::engine::render {

@@ -1,7 +1,5 @@
 #include "engine/render/passes/surface_programs.h"
 
-#include <string>
-
 #include "engine/render/passes/shaders.h"
 
 namespace campuswalk::engine::render {

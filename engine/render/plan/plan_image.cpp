@@ -4,7 +4,6 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 #include <cairo.h>

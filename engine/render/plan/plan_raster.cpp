@@ -62,8 +62,7 @@ PixelContent content_of(const PlanRaster& raster, const Span& columns, const Spa
     narrowest.fill(-1.0F);
     for (int row = rows.begin; row < rows.end; ++row) {
         for (int column = columns.begin; column < columns.end; ++column) {
-            const auto i = static_cast<std::size_t>(row) * static_cast<std::size_t>(raster.columns) +
-                           static_cast<std::size_t>(column);
+            const std::size_t i = raster.index({column, row});
             const auto kind = static_cast<std::size_t>(raster.cells[i]);
             ++counts[kind];
             const float width = raster.widths.empty() ? -1.0F : raster.widths[i];

@@ -25,10 +25,24 @@ struct PlanRaster {
     double cell_size = 0.25;      ///< metres
     int columns = 0;
     int rows = 0;
-    std::vector<PlanCell> cells;  ///< columns * rows
+    std::vector<PlanCell> cells = {};  ///< columns * rows
     /// Width of the passage at each cell, metres, which then colours what is reached if it is less than the
     /// plan's `widest`; negative if unknown. Empty for plain colours.
-    std::vector<float> widths;
+    std::vector<float> widths = {};
+
+    /// Of the grid cells in the box, which are that large and counted from the origin.
+    static PlanRaster of_nothing(const Eigen::AlignedBox2i& box, double cell_size) {
+        PlanRaster raster{cell_size * box.min().cast<double>(), cell_size, box.sizes().x() + 1,
+                          box.sizes().y() + 1};
+        raster.cells.assign(static_cast<std::size_t>(raster.columns) * static_cast<std::size_t>(raster.rows),
+                            PlanCell::nothing);
+        return raster;
+    }
+    /// Of the cell in that column and row.
+    std::size_t index(const Eigen::Vector2i& cell) const {
+        return static_cast<std::size_t>(cell.y()) * static_cast<std::size_t>(columns) +
+               static_cast<std::size_t>(cell.x());
+    }
 };
 
 enum class PlanSeverity { error, warning, note };

@@ -1,7 +1,5 @@
 #include "engine/render/sequence/frame_queue.h"
 
-#include <utility>
-
 namespace campuswalk::engine::render {
 namespace {
 

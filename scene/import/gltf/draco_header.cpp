@@ -1,7 +1,6 @@
 #include "scene/import/gltf/draco_header.h"
 
 #include <cstddef>
-#include <stdexcept>
 
 #if defined(__GNUC__)
 #pragma GCC diagnostic push

@@ -13,6 +13,7 @@
 #include "scene/import/source/tangent_frame.h"
 
 namespace campuswalk::scene::gltf {
+
 namespace {
 
 // Includes image formats that can't be decoded: those are reported for the materials that use them.

@@ -10,10 +10,8 @@
 #include <chrono>
 #include <csignal>
 #include <stdexcept>
-#include <string>
 #include <string_view>
 #include <system_error>
-#include <utility>
 
 #include "scene/process/child_process.h"
 #include "scene/process/pipe.h"

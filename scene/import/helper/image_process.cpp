@@ -1,7 +1,6 @@
 #include "scene/import/helper/image_process.h"
 
 #include <exception>
-#include <utility>
 
 #include "scene/base/binary_archive.h"
 #include "scene/import/helper/helper_streams.h"

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cstdint>
 #include <span>
 #include <sstream>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 namespace campuswalk::scene {
 

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <optional>
-#include <string_view>
 
 #include "collision/geometry/trigonometry.h"
 #include "scene/osm/geometry/box_index.h"

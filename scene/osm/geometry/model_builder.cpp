@@ -5,7 +5,6 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 #include "collision/geometry/trigonometry.h"
 

@@ -1,6 +1,5 @@
 #include "scene/osm/helper/draft_archive.h"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <string_view>

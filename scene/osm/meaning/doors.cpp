@@ -1,7 +1,6 @@
 #include "scene/osm/meaning/doors.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <set>
 #include <unordered_map>

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <string>
 #include <string_view>
 
 namespace campuswalk::scene::osm {

@@ -1,7 +1,6 @@
 #include "scene/osm/meaning/triggers.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "collision/geometry/trigonometry.h"
 

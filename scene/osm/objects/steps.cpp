@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "scene/osm/objects/step_ramps.h"
 #include "scene/osm/read/tag_values.h"

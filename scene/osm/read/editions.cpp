@@ -4,7 +4,6 @@
 #include <array>
 #include <cstring>
 #include <fstream>
-#include <functional>
 #include <memory>
 #include <string_view>
 

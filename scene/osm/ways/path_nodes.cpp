@@ -1,7 +1,5 @@
 #include "scene/osm/ways/path_nodes.h"
 
-#include <cmath>
-
 namespace campuswalk::scene::osm {
 
 Point direction_at(const std::vector<Point>& line, std::size_t i) {

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
-#include <string>
 #include <unordered_set>
 
 #include "scene/osm/geometry/box_index.h"

@@ -16,6 +16,7 @@
 #include "scene/osm/ways/paths.h"
 
 namespace campuswalk::scene::osm {
+
 namespace {
 
 constexpr Look kSlabs = {{176, 170, 160}, 235, 255};

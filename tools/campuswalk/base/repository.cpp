@@ -1,7 +1,6 @@
 #include "tools/campuswalk/base/repository.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <optional>
 #include <system_error>
 

@@ -1,7 +1,6 @@
 #include "tools/campuswalk/cluster/merge_of_tasks.h"
 
 #include <map>
-#include <optional>
 #include <system_error>
 #include <utility>
 

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <span>
-#include <string_view>
 #include <system_error>
 
 #include "scene/process/child_process.h"

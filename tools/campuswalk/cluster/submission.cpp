@@ -1,7 +1,6 @@
 #include "tools/campuswalk/cluster/submission.h"
 
 #include <filesystem>
-#include <optional>
 #include <span>
 #include <system_error>
 #include <vector>

@@ -1,6 +1,5 @@
 #include "tools/campuswalk/explore/building_popups.h"
 
-#include <algorithm>
 #include <map>
 #include <string>
 

@@ -1,7 +1,6 @@
 #include "tools/campuswalk/explore/cached_report.h"
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 

@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
-#include <vector>
 
 #include "engine/events/decimals.h"
 #include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/explore/bottleneck_text.h"
 #include "tools/campuswalk/explore/building_popups.h"
-#include "tools/campuswalk/explore/findings.h"
 #include "tools/campuswalk/explore/island_groups.h"
 #include "tools/campuswalk/explore/start_names.h"
 

@@ -1,7 +1,6 @@
 #include "tools/campuswalk/explore/storey_plans.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 #include <string>
 #include <utility>
@@ -98,9 +97,6 @@ void add_unreached(const engine::WalkReport& report, const std::vector<Finding>&
 
 /// What is reached hides what isn't.
 engine::render::PlanRaster raster_of(const Cells& cells, double size, bool has_widths) {
-    engine::render::PlanRaster raster;
-    raster.cell_size = size;
-    raster.north_west = size * cells.box.min().cast<double>();
     const Eigen::Vector2d count = count_of(cells.box);
     if (count.prod() > kMostCells) {
         throw scene::InputError(
@@ -109,16 +105,12 @@ engine::render::PlanRaster raster_of(const Cells& cells, double size, bool has_w
                 fixed(size * count.x(), 0) + " m by " + fixed(size * count.y(), 0) +
                 " m; start with --from at spawns near each other");
     }
-    raster.columns = static_cast<int>(count.x());
-    raster.rows = static_cast<int>(count.y());
-    raster.cells.assign(static_cast<std::size_t>(count.prod()), PlanCell::nothing);
+    auto raster = engine::render::PlanRaster::of_nothing(cells.box, size);
     if (has_widths) {
         raster.widths.assign(raster.cells.size(), -1.0F);
     }
     for (const Cells::One& one : cells.list) {
-        const auto row = static_cast<std::size_t>(one.cell.z - cells.box.min().y());
-        const auto column = static_cast<std::size_t>(one.cell.x - cells.box.min().x());
-        const std::size_t at = row * static_cast<std::size_t>(raster.columns) + column;
+        const std::size_t at = raster.index(Eigen::Vector2i(one.cell.x, one.cell.z) - cells.box.min());
         if (one.kind == PlanCell::unreached && raster.cells[at] != PlanCell::nothing) {
             continue;
         }

@@ -1,7 +1,5 @@
 #include "tools/campuswalk/images/compare_image_files.h"
 
-#include <cstdio>
-
 #include "engine/events/decimals.h"
 #include "engine/render/compare/compare_images.h"
 #include "engine/render/image/png.h"

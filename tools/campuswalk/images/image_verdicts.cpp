@@ -1,6 +1,5 @@
 #include "tools/campuswalk/images/image_verdicts.h"
 
-#include <algorithm>
 #include <optional>
 #include <utility>
 

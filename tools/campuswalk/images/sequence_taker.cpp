@@ -1,13 +1,20 @@
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <memory>
+#include <span>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
+#include <unistd.h>
+
+#include "engine/events/decimals.h"
 #include "engine/render/gl/driver_threads.h"
 #include "engine/render/sequence/animated_gif.h"
 #include "engine/render/sequence/animated_png.h"
@@ -15,8 +22,12 @@
 #include "engine/render/sequence/frame_bytes.h"
 #include "engine/render/sequence/frame_files.h"
 #include "engine/render/sequence/frame_sharing.h"
+#include "engine/render/sequence/frame_sink.h"
 #include "engine/render/sequence/sequence_observer.h"
-#include "tools/campuswalk/images/ffmpeg_video.h"
+#include "scene/base/atomic_file.h"
+#include "scene/process/child_process.h"
+#include "scene/process/pipe.h"
+#include "tools/campuswalk/base/environment.h"
 #include "tools/campuswalk/images/images.h"
 
 namespace campuswalk::tools {
@@ -25,6 +36,106 @@ namespace fs = std::filesystem;
 namespace render = engine::render;
 
 namespace {
+
+/// ffmpeg's arguments. H.264 stores colours at half the resolution, so an odd width or height loses its last
+/// pixel.
+std::vector<std::string> arguments(const engine::render::Image& image, double seconds_per_frame,
+                                   const fs::path& file) {
+    return {"-hide_banner",
+            "-loglevel",
+            "error",
+            "-y",
+            "-f",
+            "rawvideo",
+            "-pix_fmt",
+            "rgba",
+            "-video_size",
+            std::to_string(image.width) + "x" + std::to_string(image.height),
+            "-framerate",
+            engine::fixed(1.0 / seconds_per_frame, 6),
+            "-i",
+            "pipe:0",
+            "-an",
+            "-vf",
+            "crop=trunc(iw/2)*2:trunc(ih/2)*2",
+            "-c:v",
+            "libx264",
+            "-pix_fmt",
+            "yuv420p",
+            "-f",
+            "mp4",
+            fs::absolute(file).string()};
+}
+
+/// Writes frames as H.264 in MP4 with the program ffmpeg, which gets their bytes through a pipe.
+class FfmpegVideo final : public engine::render::FrameSink {
+public:
+    /// `seconds_per_frame` is how long a frame is shown.
+    FfmpegVideo(fs::path file, double seconds_per_frame)
+        : file_(std::move(file)), seconds_per_frame_(seconds_per_frame) {}
+
+    /// Ends ffmpeg, and leaves no half-written file.
+    ~FfmpegVideo() override {
+        if (process_.running()) {
+            wait_for_end();
+        }
+    }
+    FfmpegVideo(const FfmpegVideo&) = delete;
+    FfmpegVideo& operator=(const FfmpegVideo&) = delete;
+
+    void add(const engine::render::Frame& frame) override {
+        if (!process_.running()) {
+            start(frame.image);
+        }
+        if (!scene::write_all(pipe_.number(), std::as_bytes(std::span(frame.image.rgba)))) {
+            wait_for_end();
+            fail("ffmpeg ended before the walk did; see its output");
+        }
+    }
+
+    void finish() override {
+        if (!process_.running()) {
+            return;
+        }
+        if (!wait_for_end()) {
+            fail("ffmpeg failed; see its output");
+        }
+        written_->finish();
+    }
+
+private:
+    void start(const engine::render::Image& image) {
+        written_ = std::make_unique<scene::AtomicFile>(file_);
+        try {
+            scene::Pipe pipe = scene::make_pipe();
+            process_ = scene::start_program(
+                {.program = "ffmpeg",
+                 .arguments = arguments(image, seconds_per_frame_, written_->temporary()),
+                 .environment = {},
+                 .input = pipe.reading.number(),
+                 .output = STDERR_FILENO});
+            pipe_ = std::move(pipe.writing);
+        } catch (const std::system_error& error) {
+            fail("ffmpeg can't be started: " + error.code().message());
+        }
+    }
+
+    /// Closes the pipe and waits for ffmpeg. Returns whether it succeeded.
+    bool wait_for_end() {
+        pipe_.close();
+        return process_.wait().success();
+    }
+
+    [[noreturn]] void fail(const std::string& why) const {
+        throw std::runtime_error("can't write " + file_.string() + ": " + why);
+    }
+
+    fs::path file_;
+    std::unique_ptr<scene::AtomicFile> written_;  ///< by ffmpeg
+    double seconds_per_frame_;
+    scene::ChildProcess process_;
+    scene::Descriptor pipe_;
+};
 
 engine::CameraSettings camera_for(const engine::Walk& walk, const SequenceRequest& request) {
     engine::CameraSettings camera = walk.camera;
@@ -135,7 +246,13 @@ void share_processors(std::size_t processes) {
 }
 
 bool can_make_videos() {
-    return has_ffmpeg();
+    std::istringstream folders(environment_variable("PATH").value_or(""));
+    for (std::string folder; std::getline(folders, folder, ':');) {
+        if (access((fs::path(folder) / "ffmpeg").c_str(), X_OK) == 0) {
+            return true;
+        }
+    }
+    return false;
 }
 
 }  // namespace campuswalk::tools

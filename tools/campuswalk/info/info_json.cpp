@@ -1,4 +1,3 @@
-#include <utility>
 
 #include "tools/campuswalk/info/model_info.h"
 

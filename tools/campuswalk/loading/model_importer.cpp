@@ -8,7 +8,6 @@
 #include <string>
 #include <thread>
 #include <utility>
-#include <vector>
 
 #include "scene/import/helper/import_process.h"
 #include "scene/import/helper/sandbox.h"

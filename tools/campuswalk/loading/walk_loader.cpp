@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <memory>
-#include <utility>
 
 #include "collision/world/bullet_broad_phase.h"
 #include "config/loader/load_campus.h"

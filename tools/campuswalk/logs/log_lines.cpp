@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "config/loader/values/ranges.h"
 #include "engine/events/decimals.h"

@@ -4,9 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "engine/events/decimals.h"
 #include "engine/walkspace/explore/explore.h"
@@ -171,22 +169,15 @@ private:
     engine::render::PlanRaster raster_of(std::size_t storey) const {
         const engine::GridCell low = space_.grid.cell_at(box_.min);
         const engine::GridCell high = space_.grid.cell_at(box_.max);
-        engine::render::PlanRaster raster;
-        raster.cell_size = space_.grid.cell;
-        raster.north_west = {low.x * space_.grid.cell, low.z * space_.grid.cell};
-        raster.columns = high.x - low.x + 1;
-        raster.rows = high.z - low.z + 1;
-        raster.cells.assign(static_cast<std::size_t>(raster.columns) * static_cast<std::size_t>(raster.rows),
-                            PlanCell::nothing);
+        const Eigen::AlignedBox2i cells(Eigen::Vector2i(low.x, low.z), Eigen::Vector2i(high.x, high.z));
+        auto raster = engine::render::PlanRaster::of_nothing(cells, space_.grid.cell);
         for (std::uint32_t tile = 0; tile < space_.tiles.size(); ++tile) {
             for (std::size_t i = 0; i < space_.tiles[tile].nodes.size(); ++i) {
                 const engine::WalkNodeId node{tile, static_cast<std::uint16_t>(i)};
                 const engine::GridCell cell = space_.cell_of(node);
-                if (storeys_.of(node) == storey && cell.x >= low.x && cell.x <= high.x && cell.z >= low.z &&
-                    cell.z <= high.z) {
-                    const auto row = static_cast<std::size_t>(cell.z - low.z);
-                    raster.cells[row * static_cast<std::size_t>(raster.columns) +
-                                 static_cast<std::size_t>(cell.x - low.x)] = PlanCell::reached;
+                const Eigen::Vector2i at(cell.x, cell.z);
+                if (storeys_.of(node) == storey && cells.contains(at)) {
+                    raster.cells[raster.index(at - cells.min())] = PlanCell::reached;
                 }
             }
         }

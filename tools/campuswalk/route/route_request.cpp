@@ -1,6 +1,5 @@
 #include "tools/campuswalk/route/route_request.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>

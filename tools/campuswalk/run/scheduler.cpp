@@ -1,10 +1,16 @@
 #include "tools/campuswalk/run/scheduler.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <fstream>
 #include <map>
 #include <memory>
 #include <string>
 #include <utility>
+
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include "engine/report/result_json.h"
 #include "engine/script/player.h"
@@ -15,12 +21,44 @@
 #include "tools/campuswalk/base/standard_streams.h"
 #include "tools/campuswalk/run/results/verdict.h"
 #include "tools/campuswalk/run/workers/interrupt.h"
-#include "tools/campuswalk/run/workers/memory_limit.h"
 
 namespace campuswalk::tools {
 
 using engine::Outcome;
 using engine::WalkResult;
+
+namespace {
+
+std::uint64_t page_size() {
+    return static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+}
+
+/// Bytes of private writable memory; 0 if the system doesn't tell.
+std::uint64_t allocated() {
+    std::ifstream statistics("/proc/self/statm");
+    std::uint64_t pages = 0;
+    constexpr int kData = 6;  // fields: size, resident, shared, text, lib, data
+    for (int field = 0; field < kData; ++field) {
+        statistics >> pages;
+    }
+    return statistics ? pages * page_size() : 0;
+}
+
+/// Limits what this process may allocate from now on, beyond what it shares with its parent, to its part of
+/// the machine's memory: a walk that exhausts the memory must not end those of other workers.
+/// Counts private writable memory (RLIMIT_DATA), not the address space that drivers reserve.
+void limit_worker_memory(std::size_t workers) {
+    const std::uint64_t own = allocated();
+    if (own == 0) {
+        return;
+    }
+    const std::uint64_t machine = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) * page_size();
+    const rlim_t most = own + machine / std::max<std::size_t>(workers, 1);
+    const rlimit limit{most, most};
+    setrlimit(RLIMIT_DATA, &limit);
+}
+
+}  // namespace
 
 Scheduler::Scheduler(Plan plan, SchedulerSettings settings, Reports& reports, LogOutput* events,
                      LastRunWriter* last_run)

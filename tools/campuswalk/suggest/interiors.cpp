@@ -1,7 +1,6 @@
 #include "tools/campuswalk/suggest/interiors.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 

@@ -1,7 +1,6 @@
 #include "tools/campuswalk/suggest/lint_text.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "engine/events/decimals.h"
 #include "tools/campuswalk/base/print.h"

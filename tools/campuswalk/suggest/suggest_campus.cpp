@@ -1,7 +1,6 @@
 #include "tools/campuswalk/suggest/suggest_campus.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "scene/lint/model_report.h"
 #include "scene/lint/wording.h"
 #include "scene/model/projection.h"
+#include "scene/suggest/suggested_buildings.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
@@ -23,16 +23,47 @@
 #include "tools/campuswalk/suggest/lint_text.h"
 #include "tools/campuswalk/suggest/place_visitor.h"
 #include "tools/campuswalk/suggest/read_places.h"
-#include "tools/campuswalk/suggest/substitute_ground.h"
 #include "tools/campuswalk/suggest/upright_model.h"
 
 namespace campuswalk::tools {
 
 namespace fs = std::filesystem;
-
 using Eigen::Vector3d;
 
 namespace {
+
+/// The height of the lowest of a building's doors, or of its bottom if it has none.
+double threshold_of(const scene::SuggestedBuilding& building, const std::vector<scene::Door>& doors) {
+    constexpr double kBeside = 0.5;    // metres from a door to the walls of its building
+    constexpr double kLeafGap = 0.05;  // metres below a leaf
+    const double bottom = building.box.center.y() - 0.5 * building.box.size.y();
+    double lowest = 1e300;
+    for (const scene::Door& door : doors) {
+        const bool is_its = building.box.depth_of(door.foot + kWaist * Vector3d::UnitY()) >= -kBeside;
+        lowest = is_its ? std::min(lowest, door.foot.y()) : lowest;
+    }
+    return lowest > bottom + kLeafGap && lowest < 1e300 ? lowest : bottom;
+}
+
+/// A box below the whole model and its surroundings. Its top is at the median of the buildings' thresholds,
+/// as the missing ground may be a slope.
+scene::Bounds substitute_ground(const scene::ModelReport& report,
+                                const std::vector<scene::SuggestedBuilding>& buildings) {
+    constexpr double kMargin = 20.0;    // metres
+    constexpr double kThickness = 0.5;  // metres
+    const scene::Bounds& model = report.bounds;
+    std::vector<double> bottoms;
+    bottoms.reserve(buildings.size());
+    for (const scene::SuggestedBuilding& building : buildings) {
+        bottoms.push_back(threshold_of(building, report.doors));
+    }
+    std::sort(bottoms.begin(), bottoms.end());
+    const Vector3d around(kMargin, 0.0, kMargin);
+    scene::Bounds ground{model.min - around, model.max + around};
+    ground.max.y() = bottoms.empty() ? model.min.y() : bottoms[bottoms.size() / 2];
+    ground.min.y() = ground.max.y() - kThickness;
+    return ground;
+}
 
 /// The walk file beside a campus file. Throws if one of them must not be written.
 fs::path walk_beside(const fs::path& campus_file, bool overwrite) {

@@ -1,7 +1,6 @@
 #include "tools/campuswalk_bench/explore/adversary.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <numbers>
 #include <optional>

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <string>
 
 #include "tools/campuswalk_bench/measure/measurement.h"
 

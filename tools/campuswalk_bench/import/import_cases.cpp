@@ -3,11 +3,9 @@
 #include <cstdint>
 #include <cstdio>
 #include <exception>
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include <Eigen/Geometry>
 

@@ -5,8 +5,6 @@
 #include <embree3/rtcore.h>
 #include <tbb/global_control.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 

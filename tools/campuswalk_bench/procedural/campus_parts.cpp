@@ -1,7 +1,6 @@
 #include "tools/campuswalk_bench/procedural/campus_parts.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "collision/geometry/trigonometry.h"
 

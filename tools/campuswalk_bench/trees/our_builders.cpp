@@ -1,6 +1,5 @@
 #include "tools/campuswalk_bench/trees/our_builders.h"
 
-#include <optional>
 #include <span>
 
 namespace campuswalk::tools::bench {

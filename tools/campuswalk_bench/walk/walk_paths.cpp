@@ -1,6 +1,5 @@
 #include "tools/campuswalk_bench/walk/walk_paths.h"
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 

@@ -2,7 +2,6 @@
 
 #include <charconv>
 #include <map>
-#include <set>
 #include <string_view>
 #include <system_error>
 #include <utility>

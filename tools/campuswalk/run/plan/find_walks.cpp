@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <set>
-#include <string_view>
 #include <system_error>
 
 #include "config/loader/load_run.h"

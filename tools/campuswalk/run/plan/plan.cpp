@@ -1,7 +1,6 @@
 #include "tools/campuswalk/run/plan/plan.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <numeric>
 #include <utility>

@@ -1,6 +1,5 @@
 #include "tools/campuswalk/run/plan/reference_files.h"
 
-#include <set>
 #include <string>
 
 #include "config/loader/search_paths.h"

@@ -7,7 +7,6 @@
 #include <thread>
 
 #include "engine/report/make_reporter.h"
-#include "scene/base/diagnostic.h"
 #include "tools/campuswalk/base/text.h"
 #include "tools/campuswalk/loading/walk_loader.h"
 #include "tools/campuswalk/run/plan/find_walks.h"

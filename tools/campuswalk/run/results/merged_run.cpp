@@ -18,7 +18,6 @@
 namespace campuswalk::tools {
 
 namespace fs = std::filesystem;
-
 using engine::RunPlan;
 using engine::WalkResult;
 

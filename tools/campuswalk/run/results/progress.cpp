@@ -1,7 +1,6 @@
 #include "tools/campuswalk/run/results/progress.h"
 
 #include <algorithm>
-#include <string>
 
 #include "engine/events/decimals.h"
 #include "scene/base/printable.h"

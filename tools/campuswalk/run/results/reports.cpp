@@ -5,8 +5,6 @@
 #include <fstream>
 #include <map>
 #include <span>
-#include <string>
-#include <string_view>
 #include <system_error>
 
 #include "scene/base/new_file.h"

@@ -2,7 +2,6 @@
 
 #include <set>
 #include <stdexcept>
-#include <string>
 #include <system_error>
 #include <utility>
 

@@ -6,8 +6,6 @@
 
 #include <array>
 #include <filesystem>
-#include <optional>
-#include <span>
 #include <system_error>
 
 #include "scene/cache/file_contents.h"

@@ -1,7 +1,5 @@
 #include "tools/campuswalk/run/results/verdict.h"
 
-#include <cstdio>
-
 #include "engine/events/decimals.h"
 #include "scene/base/diagnostic.h"
 #include "tools/campuswalk/base/exit_codes.h"
