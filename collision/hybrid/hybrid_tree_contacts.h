@@ -10,16 +10,7 @@
 
 namespace campuswalk::collision {
 
-// Mesh against mesh with the paper's tree, and with the trees that it is compared with. The results are those
-// of mesh_contacts.h, the same set with every node test.
-
-/// How two nodes are tested; the rest of the query is the same.
-enum class NodeTest : std::uint8_t {
-    hybrid,  ///< the paper's: outer spheres, each inner sphere against the other's box, box against box
-    box,     ///< only the boxes: RAPID's design
-    sphere,  ///< only the outer spheres
-    mixed,   ///< the other reading of the paper's text: outer spheres, then a's box against b's inner sphere
-};
+// Mesh against mesh with the paper's tree. The results are those of mesh_contacts.h, the same set.
 
 /// A mesh and its tree.
 struct HybridMesh {
@@ -39,11 +30,11 @@ struct HybridContactStatistics : QueryStatistics {
 };
 
 /// Replaces `out` by all overlapping pairs.
-void all_contacts(const HybridMesh& a, const HybridMesh& b, const Pose& X_a_b, NodeTest test,
-                  std::vector<TrianglePair>& out, HybridContactStatistics& work);
+void all_contacts(const HybridMesh& a, const HybridMesh& b, const Pose& X_a_b, std::vector<TrianglePair>& out,
+                  HybridContactStatistics& work);
 
 /// The pair that all_contacts finds first.
 std::optional<TrianglePair> first_contact(const HybridMesh& a, const HybridMesh& b, const Pose& X_a_b,
-                                          NodeTest test, HybridContactStatistics& work);
+                                          HybridContactStatistics& work);
 
 }  // namespace campuswalk::collision

@@ -38,8 +38,8 @@ void find_hybrid_contacts(const HybridMesh& a, const HybridMesh& b, const Pose& 
                           std::vector<TrianglePair>& out, QueryStatistics* statistics) {
     HybridContactStatistics work;
     if (mode == SearchMode::all) {
-        all_contacts(a, b, X_a_b, NodeTest::hybrid, out, work);
-    } else if (const auto pair = first_contact(a, b, X_a_b, NodeTest::hybrid, work)) {
+        all_contacts(a, b, X_a_b, out, work);
+    } else if (const auto pair = first_contact(a, b, X_a_b, work)) {
         out.push_back(*pair);
     }
     add_to(statistics, work);

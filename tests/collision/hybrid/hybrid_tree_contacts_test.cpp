@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "tests/support/effort.h"
 #include "tests/support/mesh_pieces.h"
 #include "tests/support/random_scene.h"
+#include "tools/campuswalk_bench/engines/node_tests.h"
 
 namespace campuswalk::collision {
 namespace {
@@ -22,7 +24,38 @@ namespace {
 using support::Dice;
 using support::repeats;
 
+/// The paper's node test, and those of the benchmark.
+enum class NodeTest { hybrid, box, sphere, mixed };
 constexpr std::array kNodeTests = {NodeTest::hybrid, NodeTest::box, NodeTest::sphere, NodeTest::mixed};
+
+void all_contacts(const HybridMesh& a, const HybridMesh& b, const Pose& X_a_b, NodeTest test,
+                  std::vector<TrianglePair>& out, HybridContactStatistics& work) {
+    switch (test) {
+        case NodeTest::hybrid:
+            return all_contacts(a, b, X_a_b, out, work);
+        case NodeTest::box:
+            return all_contacts_by<tools::bench::BoxNodeTest>(a, b, X_a_b, out, work);
+        case NodeTest::sphere:
+            return all_contacts_by<tools::bench::SphereNodeTest>(a, b, X_a_b, out, work);
+        case NodeTest::mixed:
+            return all_contacts_by<tools::bench::MixedNodeTest>(a, b, X_a_b, out, work);
+    }
+}
+
+std::optional<TrianglePair> first_contact(const HybridMesh& a, const HybridMesh& b, const Pose& X_a_b,
+                                          NodeTest test, HybridContactStatistics& work) {
+    switch (test) {
+        case NodeTest::box:
+            return first_contact_by<tools::bench::BoxNodeTest>(a, b, X_a_b, work);
+        case NodeTest::sphere:
+            return first_contact_by<tools::bench::SphereNodeTest>(a, b, X_a_b, work);
+        case NodeTest::mixed:
+            return first_contact_by<tools::bench::MixedNodeTest>(a, b, X_a_b, work);
+        case NodeTest::hybrid:
+            break;
+    }
+    return first_contact(a, b, X_a_b, work);
+}
 
 /// A minimum number of contacts, scaled like `repeats`.
 std::size_t at_least(int plain) {

@@ -11,13 +11,13 @@
 #include "collision/mesh/mesh_collider.h"
 #include "collision/mesh/mesh_contacts.h"
 #include "tools/campuswalk_bench/engine/engine.h"
+#include "tools/campuswalk_bench/engines/node_tests.h"
 #include "tools/campuswalk_bench/engines/peer_engines.h"
 
 namespace campuswalk::tools::bench {
 
 using collision::HybridContactStatistics;
 using collision::MeshCollider;
-using collision::NodeTest;
 using collision::Pose;
 using collision::SimdTarget;
 using collision::TriangleMesh;
@@ -25,25 +25,22 @@ using collision::TrianglePair;
 
 namespace {
 
+template <typename NodeTest>
 class HybridEngine final : public Engine {
 public:
-    HybridEngine(const TriangleMesh& a, const TriangleMesh& b, NodeTest test)
-        : tree_a_(build_hybrid_tree(a)),
-          tree_b_(build_hybrid_tree(b)),
-          a_{a, tree_a_},
-          b_{b, tree_b_},
-          test_(test) {}
+    HybridEngine(const TriangleMesh& a, const TriangleMesh& b)
+        : tree_a_(build_hybrid_tree(a)), tree_b_(build_hybrid_tree(b)), a_{a, tree_a_}, b_{b, tree_b_} {}
 
     void set_pose(const Pose& X_a_b) override { X_a_b_ = X_a_b; }
 
     void all_pairs(std::vector<TrianglePair>& out) override {
         work_ = {};
-        all_contacts(a_, b_, X_a_b_, test_, out, work_);
+        collision::all_contacts_by<NodeTest>(a_, b_, X_a_b_, out, work_);
     }
 
     std::optional<TrianglePair> first_pair() override {
         work_ = {};
-        return first_contact(a_, b_, X_a_b_, test_, work_);
+        return collision::first_contact_by<NodeTest>(a_, b_, X_a_b_, work_);
     }
 
     std::optional<HybridContactStatistics> work() const override { return work_; }
@@ -53,7 +50,6 @@ private:
     collision::HybridTree tree_b_;
     collision::HybridMesh a_;
     collision::HybridMesh b_;
-    NodeTest test_;
     Pose X_a_b_;
     HybridContactStatistics work_;
 };
@@ -87,25 +83,31 @@ private:
     HybridContactStatistics work_;
 };
 
-const std::map<std::string, NodeTest> kNodeTests = {{"paper", NodeTest::hybrid},
-                                                    {"obb", NodeTest::box},
-                                                    {"sphere", NodeTest::sphere},
-                                                    {"mixed", NodeTest::mixed}};
+template <typename NodeTest>
+std::unique_ptr<Engine> make_hybrid(const TriangleMesh& a, const TriangleMesh& b) {
+    return std::make_unique<HybridEngine<NodeTest>>(a, b);
+}
+
+const std::map<std::string, std::unique_ptr<Engine> (*)(const TriangleMesh&, const TriangleMesh&)>
+    kHybridEngines = {{"paper", make_hybrid<collision::HybridNodeTest>},
+                      {"obb", make_hybrid<BoxNodeTest>},
+                      {"sphere", make_hybrid<SphereNodeTest>},
+                      {"mixed", make_hybrid<MixedNodeTest>}};
 const std::map<std::string, SimdTarget> kBvh8Engines = {
     {"wide_sse42", SimdTarget::sse42}, {"wide_avx2", SimdTarget::avx2}, {"wide_avx512", SimdTarget::avx512}};
 
 /// The names of our engines: the paper's tree with each node test (paper, obb, sphere, mixed) and the BVH8
 /// with each SIMD target (wide_sse42, wide_avx2, wide_avx512).
 bool is_our_engine(const std::string& name) {
-    return kNodeTests.contains(name) || kBvh8Engines.contains(name);
+    return kHybridEngines.contains(name) || kBvh8Engines.contains(name);
 }
 
 /// One of our engines. Both meshes must outlive it. Throws std::runtime_error if this machine lacks its SIMD
 /// target.
 std::unique_ptr<Engine> make_our_engine(const std::string& name, const TriangleMesh& a,
                                         const TriangleMesh& b) {
-    if (const auto test = kNodeTests.find(name); test != kNodeTests.end()) {
-        return std::make_unique<HybridEngine>(a, b, test->second);
+    if (const auto make = kHybridEngines.find(name); make != kHybridEngines.end()) {
+        return make->second(a, b);
     }
     const SimdTarget simd_target = kBvh8Engines.at(name);
     if (!can_run(simd_target)) {
