@@ -5,6 +5,7 @@
 
 #include "engine/report/report_paths.h"
 #include "engine/report/reporters.h"
+#include "scene/base/texts_of.h"
 
 namespace campuswalk::engine {
 
@@ -43,12 +44,7 @@ std::span<const ReporterKind> reporter_kinds() {
 }
 
 std::vector<std::string> reporter_names() {
-    std::vector<std::string> names;
-    names.reserve(kReporterKinds.size());
-    for (const ReporterKind& kind : kReporterKinds) {
-        names.emplace_back(kind.name);
-    }
-    return names;
+    return scene::texts_of(kReporterKinds, &ReporterKind::name);
 }
 
 std::unique_ptr<Reporter> make_reporter(std::string_view name, TextSink sink, const ReportStyle& style) {

@@ -12,6 +12,7 @@
 #include "engine/script/avatar_body.h"
 #include "engine/simulation/spawn_fall.h"
 #include "scene/base/glob.h"
+#include "scene/base/texts_of.h"
 
 namespace campuswalk::engine {
 
@@ -79,17 +80,11 @@ private:
     }
 
     void diagnose_unknown(const NamePattern& pattern, std::vector<Diagnostic>& diagnostics) const {
-        diagnostics.push_back({scene::Severity::error, pattern.mark, "unknown-name",
-                               "the campus has no object '" + pattern.glob + "'" +
-                                   scene::did_you_mean(pattern.glob, object_names())});
-    }
-
-    std::vector<std::string> object_names() const {
-        std::vector<std::string> names;
-        for (const scene::CampusObject& object : campus_.objects) {
-            names.push_back(object.id);
-        }
-        return names;
+        diagnostics.push_back(
+            {scene::Severity::error, pattern.mark, "unknown-name",
+             "the campus has no object '" + pattern.glob + "'" +
+                 scene::did_you_mean(pattern.glob,
+                                     scene::texts_of(campus_.objects, &scene::CampusObject::id))});
     }
 
     const scene::Campus& campus_;

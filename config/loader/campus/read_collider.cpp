@@ -7,6 +7,7 @@
 #include "config/loader/values/checked_map.h"
 #include "config/loader/values/ranges.h"
 #include "config/loader/yaml/wording.h"
+#include "scene/base/texts_of.h"
 
 namespace campuswalk::config {
 
@@ -122,17 +123,9 @@ std::string known_name(const CheckedNode& node, const std::vector<std::string>& 
     return name.value_or("");
 }
 
-std::vector<std::string> building_ids(const CampusDescription& campus) {
-    std::vector<std::string> ids;
-    for (const scene::Building& building : campus.buildings) {
-        ids.push_back(building.id);
-    }
-    return ids;
-}
-
 /// Sets the collider's building and takes over that building's `popup`, which the collider's own may replace.
 void read_building_of(const CheckedNode& id, const CampusDescription& campus, ColliderDescription& collider) {
-    collider.building = known_name(id, building_ids(campus), "buildings");
+    collider.building = known_name(id, scene::texts_of(campus.buildings, &scene::Building::id), "buildings");
     collider.popup = true;
     const auto building = std::ranges::find(campus.buildings, collider.building, &scene::Building::id);
     if (building != campus.buildings.end()) {

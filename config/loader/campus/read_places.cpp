@@ -13,6 +13,7 @@
 #include "config/loader/values/ranges.h"
 #include "config/loader/yaml/diagnostics.h"
 #include "config/loader/yaml/wording.h"
+#include "scene/base/texts_of.h"
 #include "scene/base/unicode_words.h"
 #include "scene/campus/object_names.h"
 
@@ -151,11 +152,7 @@ void read_places(const CheckedNode& section, const fs::path& folder, const ReadR
         return;
     }
     read_files(*from, folder, roots, campus);
-    std::vector<std::string> words;
-    for (const Place& place : campus.places) {
-        words.push_back(place.name);
-    }
-    words = scene::numbered(std::move(words));
+    std::vector<std::string> words = scene::numbered(scene::texts_of(campus.places, &Place::name));
     for (std::size_t i = 0; i < words.size(); ++i) {
         campus.places[i].name = std::move(words[i]);
     }

@@ -13,6 +13,7 @@
 #include "config/loader/values/number.h"
 #include "config/loader/yaml/yaml_tree.h"
 #include "scene/base/diagnostic.h"
+#include "scene/base/texts_of.h"
 
 namespace campuswalk::config {
 
@@ -60,12 +61,7 @@ public:
     /// One of the keywords; the error for any other value lists them.
     template <typename Value, std::size_t count>
     std::optional<Value> choice(const std::array<Choice<Value>, count>& choices) const {
-        std::vector<std::string> names;
-        names.reserve(count);
-        for (const Choice<Value>& each : choices) {
-            names.emplace_back(each.name);
-        }
-        const std::optional<std::size_t> index = one_of(names);
+        const std::optional<std::size_t> index = one_of(scene::texts_of(choices, &Choice<Value>::name));
         return index ? std::optional<Value>(choices[*index].value) : std::nullopt;
     }
     std::optional<std::size_t> one_of(const std::vector<std::string>& names) const;

@@ -8,6 +8,7 @@
 #include "config/loader/values/names.h"
 #include "config/loader/values/ranges.h"
 #include "config/loader/yaml/wording.h"
+#include "scene/base/texts_of.h"
 
 namespace campuswalk::config {
 
@@ -24,16 +25,6 @@ std::string label_of(std::span<const double> coordinates) {
         label += (label.empty() ? "" : ",") + shown_number(value);
     }
     return label;
-}
-
-template <typename Named>
-std::vector<std::string> names_of(const std::vector<Named>& items) {
-    std::vector<std::string> names;
-    names.reserve(items.size());
-    for (const Named& item : items) {
-        names.push_back(item.name);
-    }
-    return names;
 }
 
 void diagnose_unknown(const CheckedNode& node, const std::string& name, const char* thing,
@@ -88,8 +79,8 @@ engine::CameraTarget CampusNames::camera_target(const CheckedNode& node) const {
 }
 
 std::vector<std::string> CampusNames::target_names() const {
-    std::vector<std::string> names = names_of(campus_->places);
-    std::ranges::copy(names_of(campus_->spawns), std::back_inserter(names));
+    std::vector<std::string> names = scene::texts_of(campus_->places, &scene::Place::name);
+    std::ranges::copy(scene::texts_of(campus_->spawns, &scene::Spawn::name), std::back_inserter(names));
     return names;
 }
 
@@ -208,8 +199,9 @@ Placement CampusNames::placement_named(const CheckedNode& node, bool also_places
         return placement;
     }
     if (spawn == campus_->spawns.end()) {
-        diagnose_unknown(node, placement.label, also_places ? "place or spawn" : "spawn",
-                         also_places ? target_names() : names_of(campus_->spawns));
+        diagnose_unknown(
+            node, placement.label, also_places ? "place or spawn" : "spawn",
+            also_places ? target_names() : scene::texts_of(campus_->spawns, &scene::Spawn::name));
         return placement;
     }
     placement.position = spawn->position;

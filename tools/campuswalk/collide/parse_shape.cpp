@@ -14,6 +14,7 @@
 #include "collision/geometry/trigonometry.h"
 #include "config/loader/values/number.h"
 #include "config/loader/yaml/wording.h"
+#include "scene/base/texts_of.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/text.h"
 
@@ -103,13 +104,10 @@ void refuse_unknown_kind(const std::string& argument, std::string_view name) {
     if (!looks_like_a_shape || std::filesystem::exists(argument)) {
         return;
     }
-    std::vector<std::string> names;
-    for (const Kind& kind : kinds()) {
-        names.emplace_back(kind.name);
-    }
     throw error_about(argument, "unknown-shape",
                       "no shape is called " + config::in_quotes(name) +
-                          config::suggestion_or_list(name, names) + "; write box:1,1,1 or a model file");
+                          config::suggestion_or_list(name, scene::texts_of(kinds(), &Kind::name)) +
+                          "; write box:1,1,1 or a model file");
 }
 
 /// `axis` is 0 for X, 1 for Y, 2 for Z.

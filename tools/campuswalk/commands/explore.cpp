@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/base/texts_of.h"
 #include "scene/lint/wording.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/writable_path.h"
@@ -17,14 +18,6 @@
 namespace campuswalk::tools {
 
 namespace {
-
-std::vector<std::string> names_of_findings() {
-    std::vector<std::string> names;
-    for (const explore::FindingName& finding : explore::kFindingNames) {
-        names.emplace_back(finding.name);
-    }
-    return names;
-}
 
 /// A line for each kind.
 std::string meanings_of_findings() {
@@ -134,7 +127,7 @@ void add_explore(Command program, CommandAction& chosen) {
         {.names = "--fail-on",
          .help = "Exit with 1 if there are such findings; several with commas between: traps,holes",
          .is_list = true},
-        names_of_findings(), options->fail_on);
+        scene::texts_of(explore::kFindingNames, &explore::FindingName::name), options->fail_on);
     command.option({.names = "--min-width",
                     .help = "Find passages that are too narrow for a visitor of this width",
                     .value = "METRES"},

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "scene/base/diagnostic.h"
+#include "scene/base/texts_of.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/text.h"
@@ -63,10 +64,7 @@ int print_help(const std::string& word, bool as_json, const std::vector<std::str
 void add_help(Command program, CommandAction& chosen) {
     const auto topic = std::make_shared<std::string>();
     Command command = program.add("help", "Explain files, steps, expectations, events and more");
-    std::vector<std::string> names;
-    for (const help::Topic& each : help::topics()) {
-        names.emplace_back(each.name);
-    }
+    const std::vector<std::string> names = scene::texts_of(help::topics(), &help::Topic::name);
     command.option(
         {.names = "TOPIC", .help = "All topics are listed without one", .value = joined(names, "|")}, *topic);
     const auto as_json = std::make_shared<bool>(false);

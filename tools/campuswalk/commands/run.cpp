@@ -4,6 +4,7 @@
 
 #include "config/loader/yaml/wording.h"
 #include "engine/report/make_reporter.h"
+#include "scene/base/texts_of.h"
 #include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/cluster/run_on_slurm.h"
@@ -107,16 +108,6 @@ void add_running(Command& command, const SharedRunOptions& options) {
                  options->watch);
 }
 
-template <typename Kinds>
-std::vector<std::string> names_of(const Kinds& kinds) {
-    std::vector<std::string> names;
-    names.reserve(std::size(kinds));
-    for (const auto& kind : kinds) {
-        names.emplace_back(kind.name);
-    }
-    return names;
-}
-
 /// Frames at a fixed interval; options for what is made of them imply one.
 void add_sequence(Command& command, SequenceRequest& request) {
     command.option(
@@ -132,7 +123,7 @@ void add_sequence(Command& command, SequenceRequest& request) {
         request.contact_sheet);
     command.choices({.names = "--animation",
                      .help = "The frames as animation.png or .gif, at most 640 pixels wide; may be repeated"},
-                    names_of(kAnimationKinds), request.animations);
+                    scene::texts_of(kAnimationKinds, &AnimationKind::name), request.animations);
     command.flag({.names = "--video", .help = "The frames as video.mp4, if ffmpeg is installed"},
                  request.video);
     const std::map<std::string, std::optional<engine::View>> views = {
@@ -175,7 +166,7 @@ void add_output(Command& command, const SharedRunOptions& options) {
              "Keep every tick below --output: for html reports as recordings/WALK.recording.json, and in the "
              "walk's folder its position as trajectory.csv or .tum, its costs as trace.json, for Chrome's "
              "trace viewer, or with wall time as timed-trace.json; may be repeated"},
-        names_of(record_kinds()), options->records);
+        scene::texts_of(record_kinds(), &RecordKind::name), options->records);
     add_report_geometry(command, options->report_geometry);
     add_sequence(command, options->sequence);
     command.choice_flag({.names = "-u,--update-snapshots",

@@ -2,6 +2,7 @@
 #include <string>
 
 #include "scene/base/glob.h"
+#include "scene/base/texts_of.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/commands/commands.h"
 
@@ -110,10 +111,7 @@ std::vector<bool> disabled_objects(const scene::Campus& campus, const std::vecto
             }
         }
         if (!known) {
-            std::vector<std::string> ids;
-            for (const scene::CampusObject& object : campus.objects) {
-                ids.push_back(object.id);
-            }
+            const std::vector<std::string> ids = scene::texts_of(campus.objects, &scene::CampusObject::id);
             throw scene::InputError(
                 {"--disable", 1, 1}, "unknown-name",
                 "the campus has no object '" + glob + "'" + scene::did_you_mean(glob, ids));

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "engine/report/make_reporter.h"
+#include "scene/base/texts_of.h"
 #include "tools/campuswalk/base/text.h"
 #include "tools/campuswalk/loading/walk_loader.h"
 #include "tools/campuswalk/run/plan/find_walks.h"
@@ -36,10 +37,7 @@ std::optional<WalksConfig> config_for(const RunOptions& options) {
 
 /// All projects, or those named, in the order of their names.
 std::vector<ProjectConfig> projects_for(const RunOptions& options, const WalksConfig& config) {
-    std::vector<std::string> known;
-    for (const ProjectConfig& project : config.projects) {
-        known.push_back(project.name);
-    }
+    const std::vector<std::string> known = scene::texts_of(config.projects, &ProjectConfig::name);
     for (const std::string& name : options.projects) {
         if (std::ranges::find(known, name) == known.end()) {
             throw InputError(option("--project"), "unknown-name",
