@@ -1,10 +1,17 @@
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <set>
 #include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "engine/events/decimals.h"
+#include "scene/lint/model_report.h"
 #include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/info/model_info.h"
-#include "tools/campuswalk/info/node_list.h"
 #include "tools/campuswalk/suggest/ground_lint.h"
 #include "tools/campuswalk/suggest/lint_text.h"
 
@@ -13,6 +20,157 @@ namespace campuswalk::tools {
 using engine::fixed;
 
 namespace {
+
+/// A line of the list of nodes: one node, or four or more siblings whose names differ only in numbers, with
+/// all below them.
+struct NodeLine {
+    std::string name;  ///< `tree_*` for several
+    int depth = 0;     ///< 0 at the root
+    std::size_t nodes = 1;
+    std::size_t triangles = 0;                       ///< of all of them, with what isn't listed below them
+    Eigen::Vector3d size = Eigen::Vector3d::Zero();  ///< metres, of the largest
+    std::vector<std::size_t> materials;              ///< indices into ModelReport::materials, ascending
+};
+
+struct NodeList {
+    std::vector<NodeLine> lines;    ///< parents before their children
+    std::size_t omitted_nodes = 0;  ///< in no line: those deepest down, and of those the smallest
+};
+
+using scene::NodeReport;
+
+/// The name with a `*` for each number.
+std::string without_numbers(const std::string& name) {
+    std::string pattern;
+    for (const char c : name) {
+        const bool is_digit = c >= '0' && c <= '9';
+        if (!is_digit) {
+            pattern += c;
+        } else if (!pattern.ends_with('*')) {
+            pattern += '*';
+        }
+    }
+    return pattern;
+}
+
+class NodeLister {
+public:
+    explicit NodeLister(const std::vector<NodeReport>& nodes) : nodes_(nodes), children_(nodes.size() + 1) {
+        for (std::size_t n = 0; n < nodes.size(); ++n) {
+            children_[slot_of(nodes[n].parent)].push_back(n);
+        }
+    }
+
+    /// All lines.
+    std::vector<NodeLine> list() {
+        std::vector<Line> open = lines_below(-1);
+        while (!open.empty()) {
+            const Line line = std::move(open.back());
+            open.pop_back();
+            add_line(line.name, line.nodes, line.is_closed);
+            if (!line.is_closed) {
+                std::ranges::move(lines_below(static_cast<int>(line.nodes.front())),
+                                  std::back_inserter(open));
+            }
+        }
+        return std::move(lines_);
+    }
+
+private:
+    /// That of the roots' is the last.
+    std::size_t slot_of(int parent) const {
+        return parent < 0 ? nodes_.size() : static_cast<std::size_t>(parent);
+    }
+
+    /// A node, or with all below them nodes that are called alike.
+    struct Line {
+        std::string name;
+        std::vector<std::size_t> nodes;
+        bool is_closed = false;
+    };
+
+    /// The last comes first.
+    std::vector<Line> lines_below(int parent) const {
+        constexpr std::size_t kAlike = 4;
+        const std::vector<std::size_t>& children = children_[slot_of(parent)];
+        std::map<std::string, std::vector<std::size_t>> alike;
+        for (const std::size_t child : children) {
+            alike[without_numbers(nodes_[child].name)].push_back(child);
+        }
+        std::vector<Line> lines;
+        for (const std::size_t child : children) {
+            const std::string pattern = without_numbers(nodes_[child].name);
+            const std::vector<std::size_t>& group = alike[pattern];
+            if (group.size() < kAlike) {
+                lines.push_back({nodes_[child].name, {child}, false});
+            } else if (group.front() == child) {
+                lines.push_back({pattern, group, true});
+            }
+        }
+        std::ranges::reverse(lines);
+        return lines;
+    }
+
+    void add_line(const std::string& name, const std::vector<std::size_t>& group, bool with_descendants) {
+        NodeLine line;
+        line.name = name;
+        line.depth = nodes_[group.front()].depth;
+        line.nodes = group.size();
+        std::set<std::size_t> materials;
+        for (const std::size_t node : group) {
+            const scene::Bounds& bounds = nodes_[node].bounds;
+            if (!bounds.empty() && (bounds.max - bounds.min).norm() > line.size.norm()) {
+                line.size = bounds.max - bounds.min;
+            }
+            count(node, with_descendants, line, materials);
+        }
+        line.materials.assign(materials.begin(), materials.end());
+        lines_.push_back(std::move(line));
+    }
+
+    void count(std::size_t top, bool with_descendants, NodeLine& line,
+               std::set<std::size_t>& materials) const {
+        std::vector<std::size_t> open = {top};
+        while (!open.empty()) {
+            const std::size_t node = open.back();
+            open.pop_back();
+            line.triangles += nodes_[node].triangles;
+            materials.insert(nodes_[node].materials.begin(), nodes_[node].materials.end());
+            if (with_descendants) {
+                open.insert(open.end(), children_[node].begin(), children_[node].end());
+            }
+        }
+    }
+
+    const std::vector<NodeReport>& nodes_;
+    std::vector<std::vector<std::size_t>> children_;  ///< by node; at last the roots
+    std::vector<NodeLine> lines_;
+};
+
+/// No more than `max_lines`.
+NodeList list_nodes(const std::vector<NodeReport>& nodes, std::size_t max_lines) {
+    const std::vector<NodeLine> all = NodeLister(nodes).list();
+    std::vector<std::size_t> order(all.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        order[i] = i;
+    }
+    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
+        return std::tuple(all[a].depth, -all[a].size.norm()) < std::tuple(all[b].depth, -all[b].size.norm());
+    });
+    std::vector<bool> is_shown(all.size(), false);
+    for (std::size_t i = 0; i < std::min(max_lines, order.size()); ++i) {
+        is_shown[order[i]] = true;
+    }
+    NodeList list;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (is_shown[i]) {
+            list.lines.push_back(all[i]);
+        } else {
+            list.omitted_nodes += all[i].nodes;
+        }
+    }
+    return list;
+}
 
 constexpr std::size_t kMaxLines = 50;       // of a list: nobody reads more, and the warnings come below
 constexpr std::size_t kMaxNodeLines = 200;  // of the tree
