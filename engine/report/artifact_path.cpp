@@ -2,23 +2,12 @@
 
 #include <algorithm>
 
+#include "scene/base/ascii.h"
 #include "scene/base/utf8.h"
 
 namespace campuswalk::engine {
 
 namespace {
-
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
-bool is_hex_digit(char c) {
-    return is_digit(c) || (c >= 'A' && c <= 'F') || (c >= 'a' && c <= 'f');
-}
 
 /// How many bytes at `at` no path may have there; 0 if they may stay.
 std::size_t refused_bytes(std::string_view path, std::size_t at) {
@@ -27,7 +16,7 @@ std::size_t refused_bytes(std::string_view path, std::size_t at) {
         return 1;
     }
     const char c = path[at];
-    const bool is_drive = c == ':' && at == 1 && is_letter(path[0]);
+    const bool is_drive = c == ':' && at == 1 && scene::is_letter(path[0]);
     const bool is_hidden = c == '.' && (at == 0 || path[at - 1] == '/');  // `..` among them, and `.git`
     const bool is_pair = (c == '[' || c == ']') && at > 0 && path[at - 1] == c;
     const bool refused = c == '\\' || c == '|' || is_drive || is_hidden || is_pair ||
@@ -66,8 +55,8 @@ bool is_artifact_path(std::string_view path) {
 std::string to_artifact_path(std::string_view path) {
     std::string text;
     for (std::size_t at = 0; at < path.size();) {
-        const bool looks_encoded = path[at] == '%' && path.size() - at > 2 && is_hex_digit(path[at + 1]) &&
-                                   is_hex_digit(path[at + 2]);
+        const bool looks_encoded = path[at] == '%' && path.size() - at > 2 &&
+                                   scene::is_hex_digit(path[at + 1]) && scene::is_hex_digit(path[at + 2]);
         if (const std::size_t refused = looks_encoded ? 1 : refused_bytes(path, at); refused > 0) {
             text += percent_encoded(path.substr(at, refused));
             at += refused;
@@ -83,7 +72,7 @@ std::string to_artifact_path(std::string_view path) {
 bool is_media_type(std::string_view text) {
     const auto is_token = [](std::string_view part) {
         return !part.empty() && std::ranges::all_of(part, [](char c) {
-            return is_letter(c) || is_digit(c) || c == '-' || c == '+' || c == '.';
+            return scene::is_letter(c) || scene::is_digit(c) || c == '-' || c == '+' || c == '.';
         });
     };
     const std::size_t slash = text.find('/');

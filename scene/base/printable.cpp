@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "scene/base/ascii.h"
 #include "scene/base/unicode_words.h"
 #include "scene/base/utf8.h"
 
@@ -42,8 +43,7 @@ std::string_view without_leading(std::string_view text, bool (*is_skipped)(char)
 }
 
 bool is_word_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-           c == '-' || c == '.' || c == ' ';
+    return is_letter(c) || is_digit(c) || c == '_' || c == '-' || c == '.' || c == ' ';
 }
 
 /// `##[`, `##WORD[` or `[[WORD|`. JSON's own layout has neither.

@@ -4,15 +4,15 @@
 #include <set>
 #include <utility>
 
+#include "scene/base/ascii.h"
+
 namespace campuswalk::scene {
 
 std::string object_word(std::string_view node_name) {
     std::string word;
     bool gap = false;
     for (const char c : node_name) {
-        const bool upper = c >= 'A' && c <= 'Z';
-        const bool is_word_character = upper || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ||
-                                       static_cast<unsigned char>(c) >= 0x80;
+        const bool is_word_character = is_letter(c) || is_digit(c) || static_cast<unsigned char>(c) >= 0x80;
         if (!is_word_character) {
             gap = true;
             continue;
@@ -21,7 +21,7 @@ std::string object_word(std::string_view node_name) {
             word += '-';
         }
         gap = false;
-        word += upper ? static_cast<char>(c - 'A' + 'a') : c;
+        word += to_lower(c);
     }
     return word.empty() ? "node" : word;
 }

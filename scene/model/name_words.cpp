@@ -4,18 +4,11 @@
 #include <array>
 #include <cstddef>
 
+#include "scene/base/ascii.h"
+
 namespace campuswalk::scene {
 namespace {
 
-bool is_lower(char c) {
-    return c >= 'a' && c <= 'z';
-}
-bool is_upper(char c) {
-    return c >= 'A' && c <= 'Z';
-}
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
 bool is_non_ascii(char c) {
     return (static_cast<unsigned char>(c) & 0x80U) != 0;
 }
@@ -101,10 +94,6 @@ constexpr std::array kDefaultNames = {
     "line",  "extrude",  "empty",     "collider", "geometry",    "poly",    "model",  "scene",
     "root",  "instance", "element",   "body",     "part",        "entity",  "default"};
 
-bool is_hexadecimal(char c) {
-    return is_digit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
-}
-
 /// Whether the name contains a GUID: 8, 4, 4, 4 and 12 hexadecimal digits.
 bool contains_guid(std::string_view name) {
     constexpr std::string_view kPattern = "xxxxxxxx-xxxx-xxxx-xxxx-xxxxxxxxxxxx";
@@ -112,7 +101,7 @@ bool contains_guid(std::string_view name) {
         bool matches = true;
         for (std::size_t i = 0; matches && i < kPattern.size(); ++i) {
             const char c = name[start + i];
-            matches = kPattern[i] == 'x' ? is_hexadecimal(c) : (c == '-' || c == '_');
+            matches = kPattern[i] == 'x' ? is_hex_digit(c) : (c == '-' || c == '_');
         }
         if (matches) {
             return true;
@@ -196,7 +185,7 @@ bool is_default_name(std::string_view name) {
 
 bool is_identifier(std::string_view name) {
     const bool number = !name.empty() && std::ranges::all_of(name, is_digit);
-    const bool long_number = name.size() >= 16 && std::ranges::all_of(name, is_hexadecimal);
+    const bool long_number = name.size() >= 16 && std::ranges::all_of(name, is_hex_digit);
     return number || long_number || contains_guid(name) || is_ifc_guid(name);
 }
 

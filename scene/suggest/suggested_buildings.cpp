@@ -8,6 +8,7 @@
 #include <set>
 #include <string_view>
 
+#include "scene/base/ascii.h"
 #include "scene/base/glob.h"
 #include "scene/base/unicode_words.h"
 #include "scene/campus/object_names.h"
@@ -71,12 +72,8 @@ std::optional<std::size_t> common_group(const Model& model, const std::vector<st
 
 /// Where the last word of the beginning is cut through, it is left out, as are marks and digits at the end.
 std::string whole_words(std::string beginning, const std::string& one) {
-    const auto is_word = [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-               (static_cast<unsigned char>(c) & 0x80U) != 0;
-    };
-    if (beginning.size() < one.size() && is_word(one[beginning.size()]) &&
-        !(one[beginning.size()] >= 'A' && one[beginning.size()] <= 'Z')) {
+    const auto is_word = [](char c) { return is_letter(c) || (static_cast<unsigned char>(c) & 0x80U) != 0; };
+    if (beginning.size() < one.size() && is_word(one[beginning.size()]) && !is_upper(one[beginning.size()])) {
         while (!beginning.empty() && is_word(beginning.back())) {
             beginning.pop_back();
         }

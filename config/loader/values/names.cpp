@@ -4,6 +4,7 @@
 
 #include "config/loader/yaml/diagnostics.h"
 #include "config/loader/yaml/wording.h"
+#include "scene/base/ascii.h"
 #include "scene/base/unicode_words.h"
 
 namespace campuswalk::config {
@@ -11,7 +12,7 @@ namespace campuswalk::config {
 namespace {
 
 bool is_kebab(std::string_view word) {
-    const auto allowed = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; };
+    const auto allowed = [](char c) { return scene::is_lower(c) || scene::is_digit(c) || c == '-'; };
     return !word.empty() && word.front() != '-' && word.back() != '-' &&
            word.find("--") == std::string_view::npos && std::ranges::all_of(word, allowed);
 }

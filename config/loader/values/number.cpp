@@ -6,21 +6,15 @@
 #include <system_error>
 
 #include "config/loader/yaml/wording.h"
+#include "scene/base/ascii.h"
 
 namespace campuswalk::config {
 
 namespace {
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
 /// Infinity and NaN as YAML, C and Python spell them.
 bool is_not_finite(std::string_view unsigned_text) {
-    std::string word(unsigned_text);
-    std::ranges::transform(word, word.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
+    const std::string word = scene::to_lower(std::string(unsigned_text));
     constexpr std::array<std::string_view, 5> kWords = {".inf", ".nan", "inf", "nan", "infinity"};
     return std::ranges::find(kWords, word) != kWords.end();
 }
@@ -43,7 +37,7 @@ ParsedNumber parse_number(std::string_view text, const Range& range) {
         return {0.0, "bad-value", "must be finite, not " + in_quotes(text)};
     }
     const bool starts_well =
-        !digits.empty() && (is_digit(digits[0]) || (digits[0] == '.' && digits.size() > 1));
+        !digits.empty() && (scene::is_digit(digits[0]) || (digits[0] == '.' && digits.size() > 1));
     double value = 0.0;
     const auto [end, error] =
         std::from_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general);
@@ -53,7 +47,7 @@ ParsedNumber parse_number(std::string_view text, const Range& range) {
     if (error == std::errc::result_out_of_range) {
         return {0.0, "bad-value", "must be a number that fits 64 bits, not " + in_quotes(text)};
     }
-    if (digits.size() > 1 && digits[0] == '0' && is_digit(digits[1])) {
+    if (digits.size() > 1 && digits[0] == '0' && scene::is_digit(digits[1])) {
         return {0.0, "bad-value",
                 "must not start with a zero (some parsers read it as octal), as in " + in_quotes(text)};
     }

@@ -6,6 +6,7 @@
 
 #include "config/loader/yaml/source_text.h"
 #include "config/loader/yaml/wording.h"
+#include "scene/base/ascii.h"
 
 namespace campuswalk::config {
 
@@ -15,8 +16,8 @@ using scene::SourceMark;
 namespace {
 
 bool is_name_character(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
-           c == '_' || c == '.' || static_cast<unsigned char>(c) >= 0x80;
+    return scene::is_letter(c) || scene::is_digit(c) || c == '-' || c == '_' || c == '.' ||
+           static_cast<unsigned char>(c) >= 0x80;
 }
 
 /// NAME of `NAME.walk.yaml`; nullopt if the file has another suffix and so is probably another kind of file.

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <utility>
 
+#include "scene/base/ascii.h"
+
 namespace campuswalk::scene {
 namespace {
 
@@ -166,10 +168,6 @@ std::string_view take_word(std::string_view& text) {
     const std::string_view word = text.substr(0, static_cast<std::size_t>(end - text.begin()));
     text.remove_prefix(word.size());
     return word;
-}
-
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
 }
 
 /// Whether a word begins like a number.

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <string_view>
 
+#include "scene/base/ascii.h"
 #include "scene/import/source/scene_folder.h"
 
 namespace campuswalk::scene {
@@ -48,17 +49,17 @@ void normalize_line(std::uint8_t* first, std::uint8_t* last) {
         --last;
     }
     constexpr std::string_view kSolid = "solid";
-    const auto to_lower = [](std::uint8_t c) {
-        return static_cast<std::uint8_t>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+    const auto lower = [](std::uint8_t c) {
+        return static_cast<std::uint8_t>(to_lower(static_cast<char>(c)));
     };
     auto* const word_end = first + std::min<std::ptrdiff_t>(last - first, kSolid.size());
     const bool is_solid = std::equal(first, word_end, kSolid.begin(), kSolid.end(),
-                                     [&](std::uint8_t c, char word) { return to_lower(c) == word; });
+                                     [&](std::uint8_t c, char word) { return lower(c) == word; });
     if (!is_solid) {
-        std::transform(first, last, first, to_lower);
+        std::transform(first, last, first, lower);
         return;
     }
-    std::transform(first, word_end, first, to_lower);
+    std::transform(first, word_end, first, lower);
     auto* name =
         std::find_if_not(word_end, last, [](std::uint8_t c) { return is_space(static_cast<char>(c)); });
     std::replace_if(

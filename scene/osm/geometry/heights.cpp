@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/base/ascii.h"
 #include "scene/base/why_unreadable.h"
 
 namespace campuswalk::scene::osm {
@@ -101,8 +102,7 @@ bool height_from(const std::string& word, double& value) {
 
 /// Digits only, as in N48E011.
 bool degrees_from(const std::string& digits, double& value) {
-    return std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; }) &&
-           number_from(digits, value);
+    return std::ranges::all_of(digits, is_digit) && number_from(digits, value);
 }
 
 Grid read_ascii_grid(std::istream& in, const SourceMark& mark) {
@@ -119,9 +119,7 @@ Grid read_ascii_grid(std::istream& in, const SourceMark& mark) {
             heights.push_back(static_cast<float>(value));
             break;
         }
-        std::ranges::transform(word, word.begin(), [](char c) {
-            return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-        });
+        word = to_lower(word);
         if (word == "xllcenter" || word == "yllcenter") {
             centers = true;
             word = word == "xllcenter" ? "xllcorner" : "yllcorner";

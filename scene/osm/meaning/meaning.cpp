@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "scene/base/ascii.h"
 #include "scene/osm/meaning/doors.h"
 #include "scene/osm/meaning/spawns.h"
 #include "scene/osm/meaning/triggers.h"
@@ -36,10 +37,8 @@ std::string kind_of_element(const Tags& tags) {
 std::string field_word(std::string_view text) {
     std::string word;
     for (const char c : text) {
-        const char lower = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-        const bool fits = (lower >= 'a' && lower <= 'z') || (lower >= '0' && lower <= '9');
-        if (fits) {
-            word += lower;
+        if (is_letter(c) || is_digit(c)) {
+            word += to_lower(c);
         } else if (!word.empty() && word.back() != '-') {
             word += '-';
         }
@@ -53,8 +52,7 @@ std::string field_word(std::string_view text) {
 /// Whether the rest of "name:…" is a language, such as "en" or "zh-Hant", rather than "etymology".
 bool is_language(std::string_view text) {
     const std::size_t length = std::min(text.find_first_of("-_"), text.size());
-    return (length == 2 || length == 3) &&
-           std::ranges::all_of(text.substr(0, length), [](char c) { return c >= 'a' && c <= 'z'; });
+    return (length == 2 || length == 3) && std::ranges::all_of(text.substr(0, length), is_lower);
 }
 
 std::string address_of(const Tags& tags) {

@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "scene/base/ascii.h"
+
 namespace campuswalk::scene::osm {
 namespace {
 
@@ -60,9 +62,7 @@ std::string plain_length(std::string_view value) {
              {{"\u2019", "'"}, {"\u2032", "'"}, {"\u201D", "\""}, {"\u2033", "\""}}}) {
         replace_all(text, quote, plain);
     }
-    std::ranges::transform(text, text.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
+    text = to_lower(text);
     for (const std::string_view guess : {"~", "ca.", "ca ", "c.", "+"}) {
         if (text.starts_with(guess)) {
             return std::string(trimmed(std::string_view(text).substr(guess.size())));
@@ -150,10 +150,8 @@ std::optional<Color> named(const std::array<NamedColor, Count>& list, std::strin
 }
 
 std::string lower(std::string_view text) {
-    std::string result(text);
-    std::ranges::transform(result, result.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c == ' ' ? '_' : c;
-    });
+    std::string result = to_lower(std::string(text));
+    std::ranges::replace(result, ' ', '_');
     return result;
 }
 

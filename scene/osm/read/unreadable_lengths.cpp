@@ -4,6 +4,7 @@
 #include <array>
 #include <string_view>
 
+#include "scene/base/ascii.h"
 #include "scene/osm/read/tag_values.h"
 
 namespace campuswalk::scene::osm {
@@ -25,9 +26,8 @@ constexpr std::array<std::string_view, 12> kKeys = {"height",
 
 /// Words such as "default" or "narrow" say something else than a length.
 bool is_word(std::string_view value) {
-    return std::ranges::all_of(value, [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == ' ' || c == '-';
-    });
+    return std::ranges::all_of(value,
+                               [](char c) { return is_letter(c) || c == '_' || c == ' ' || c == '-'; });
 }
 
 void report(const ElementId& id, const Tags& tags, const SourceMark& mark, DiagnosticList& warnings) {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/base/ascii.h"
 #include "scene/osm/read/tag_values.h"
 #include "scene/osm/ways/crossings.h"
 #include "scene/osm/ways/flight_shape.h"
@@ -171,7 +172,7 @@ constexpr std::array<Cover, 38> kCovers = {{
 std::string word_of(std::string_view value) {
     std::string word(value);
     std::ranges::replace_if(
-        word, [](char c) { return !((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')); }, '-');
+        word, [](char c) { return !is_lower(c) && !is_digit(c); }, '-');
     return word;
 }
 

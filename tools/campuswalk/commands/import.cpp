@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/base/ascii.h"
 #include "scene/base/utf8.h"
 #include "scene/lint/wording.h"
 #include "scene/osm/helper/map_process.h"
@@ -45,8 +46,8 @@ struct ImportOptions {
 /// everywhere.
 std::size_t plain_length(std::string_view text, std::size_t at) {
     const char c = text[at];
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                       c == '-' || c == '_' || static_cast<unsigned char>(c) >= 0x80;
+    const bool plain = scene::is_letter(c) || scene::is_digit(c) || c == '-' || c == '_' ||
+                       static_cast<unsigned char>(c) >= 0x80;
     return plain ? scene::utf8_length(text, at) : 0;
 }
 

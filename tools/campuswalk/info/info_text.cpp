@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/events/decimals.h"
+#include "scene/base/ascii.h"
 #include "scene/lint/model_report.h"
 #include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/info/model_info.h"
@@ -43,8 +44,7 @@ using scene::NodeReport;
 std::string without_numbers(const std::string& name) {
     std::string pattern;
     for (const char c : name) {
-        const bool is_digit = c >= '0' && c <= '9';
-        if (!is_digit) {
+        if (!scene::is_digit(c)) {
             pattern += c;
         } else if (!pattern.ends_with('*')) {
             pattern += '*';

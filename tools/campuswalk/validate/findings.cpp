@@ -6,6 +6,7 @@
 
 #include "engine/report/github_text.h"
 #include "engine/report/report_paths.h"
+#include "scene/base/ascii.h"
 #include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/run/plan/find_walks.h"
 
@@ -21,8 +22,8 @@ const char* level_of(const Diagnostic& diagnostic) {
 }
 
 bool is_unescaped_in_uri(char c) {
-    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-    return letter || std::string_view("-._~/").find(c) != std::string_view::npos;
+    return scene::is_letter(c) || scene::is_digit(c) ||
+           std::string_view("-._~/").find(c) != std::string_view::npos;
 }
 
 std::string uri_of(std::string_view path) {
