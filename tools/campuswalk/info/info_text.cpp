@@ -19,6 +19,7 @@
 namespace campuswalk::tools {
 
 using engine::fixed;
+using scene::NodeReport;
 
 namespace {
 
@@ -37,8 +38,6 @@ struct NodeList {
     std::vector<NodeLine> lines;    ///< parents before their children
     std::size_t omitted_nodes = 0;  ///< in no line: those deepest down, and of those the smallest
 };
-
-using scene::NodeReport;
 
 /// The name with a `*` for each number.
 std::string without_numbers(const std::string& name) {
