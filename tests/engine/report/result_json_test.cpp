@@ -188,6 +188,15 @@ TEST(ResultJson, RejectsUnknownAndRepeatedFields) {
     EXPECT_THAT(error_of(R"({"name":"b",)" + line.substr(1)), HasSubstr("name"));
 }
 
+TEST(ResultJson, RejectsADiagnosticOfAnUnknownCode) {
+    std::string line = to_json_line(bad_input_result("typo"));
+    const std::string code = "\"bad-value\"";
+    const std::size_t at = line.find(code);
+    ASSERT_NE(at, std::string::npos) << line;
+    line.replace(at, code.size(), "\"bad-word\"");
+    EXPECT_THAT(error_of(line), HasSubstr("must be the code of a diagnostic"));
+}
+
 TEST(ResultJson, RejectsFieldsOfTheWrongType) {
     const Json whole = Json::parse(to_json_line(full_result()));
     for (const auto& [name, value] : whole.items()) {
