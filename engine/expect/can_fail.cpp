@@ -82,7 +82,8 @@ private:
 
     /// Straight from point to point, each of which counts as passed within as much as the last.
     template <typename Step>
-    void go_to(const Step& step, const std::vector<Target>& points, IfBlocked if_blocked, std::string_view code) {
+    void go_to(const Step& step, const std::vector<Target>& points, IfBlocked if_blocked,
+               std::string_view code) {
         double length = -step.within;
         for (std::size_t i = at_ ? 0 : 1; i < points.size(); ++i) {
             const Position from = i > 0 ? Position{points[i - 1].point, 2.0 * step.within} : *at_;

@@ -16,10 +16,6 @@ namespace {
 constexpr double kFloatRounding = 0x1p-24;  ///< unit roundoff of float32
 constexpr double kMaxRounding = 0.00025;    ///< metres
 
-bool is_space(char c) {
-    return c == ' ' || c == '\t' || c == '\r';
-}
-
 /// `v`, three numbers, and the rest of the line.
 struct VertexLine {
     Eigen::Vector3d at;
@@ -27,7 +23,7 @@ struct VertexLine {
 };
 
 std::optional<double> take_number(std::string_view& text) {
-    while (!text.empty() && is_space(text.front())) {
+    while (!text.empty() && is_blank(text.front())) {
         text.remove_prefix(1);
     }
     if (text.starts_with('+')) {
@@ -39,22 +35,22 @@ std::optional<double> take_number(std::string_view& text) {
         return std::nullopt;
     }
     text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-    return text.empty() || is_space(text.front()) ? std::optional(number) : std::nullopt;
+    return text.empty() || is_blank(text.front()) ? std::optional(number) : std::nullopt;
 }
 
 std::string_view without_indent(std::string_view line) {
-    while (!line.empty() && is_space(line.front())) {
+    while (!line.empty() && is_blank(line.front())) {
         line.remove_prefix(1);
     }
     return line;
 }
 
 bool is_vertex(std::string_view line) {
-    return line.size() > 1 && line[0] == 'v' && is_space(line[1]);
+    return line.size() > 1 && line[0] == 'v' && is_blank(line[1]);
 }
 
 bool is_face(std::string_view line) {
-    return line.size() > 1 && line[0] == 'f' && is_space(line[1]);
+    return line.size() > 1 && line[0] == 'f' && is_blank(line[1]);
 }
 
 bool is_uv(std::string_view line) {
@@ -66,7 +62,7 @@ std::string without_uvs(std::string_view line) {
     std::string result;
     int slashes = 0;  // in the current vertex reference
     for (const char c : line) {
-        slashes = is_space(c) ? 0 : slashes + (c == '/' ? 1 : 0);
+        slashes = is_blank(c) ? 0 : slashes + (c == '/' ? 1 : 0);
         if (slashes == 2 && c == '/') {
             result += "//";
         } else if (slashes != 1) {
@@ -164,7 +160,7 @@ std::string_view take_line(std::string_view& text) {
 
 std::string_view take_word(std::string_view& text) {
     text = without_indent(text);
-    const auto* end = std::ranges::find_if(text, is_space);
+    const auto* end = std::ranges::find_if(text, is_blank);
     const std::string_view word = text.substr(0, static_cast<std::size_t>(end - text.begin()));
     text.remove_prefix(word.size());
     return word;
@@ -205,7 +201,7 @@ public:
 
 private:
     void add_object(bool is_group, std::string_view name) {
-        while (!name.empty() && is_space(name.back())) {
+        while (!name.empty() && is_blank(name.back())) {
             name.remove_suffix(1);
         }
         if (name.empty() && !(is_group && grouped_)) {

@@ -13,10 +13,6 @@ namespace {
 constexpr std::size_t kHeader = 80;  // bytes before the number of triangles
 constexpr std::size_t kTriangle = 50;
 
-bool is_space(char c) {
-    return c == ' ' || c == '\t' || c == '\r';
-}
-
 /// Text begins with "solid", and says "facet" or "endsolid" soon.
 bool is_text(const std::vector<std::uint8_t>& stl) {
     constexpr std::size_t kBeginning = 4096;
@@ -42,10 +38,10 @@ void cut_binary(std::vector<std::uint8_t>& stl) {
 
 /// [first, last) is a line without its end.
 void normalize_line(std::uint8_t* first, std::uint8_t* last) {
-    while (first != last && is_space(static_cast<char>(*first))) {
+    while (first != last && is_blank(static_cast<char>(*first))) {
         ++first;
     }
-    while (first != last && is_space(static_cast<char>(last[-1]))) {
+    while (first != last && is_blank(static_cast<char>(last[-1]))) {
         --last;
     }
     constexpr std::string_view kSolid = "solid";
@@ -61,9 +57,9 @@ void normalize_line(std::uint8_t* first, std::uint8_t* last) {
     }
     std::transform(first, word_end, first, lower);
     auto* name =
-        std::find_if_not(word_end, last, [](std::uint8_t c) { return is_space(static_cast<char>(c)); });
+        std::find_if_not(word_end, last, [](std::uint8_t c) { return is_blank(static_cast<char>(c)); });
     std::replace_if(
-        name, last, [](std::uint8_t c) { return is_space(static_cast<char>(c)); },
+        name, last, [](std::uint8_t c) { return is_blank(static_cast<char>(c)); },
         static_cast<std::uint8_t>(kStlSpace));
 }
 

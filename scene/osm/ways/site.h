@@ -24,7 +24,9 @@ struct Site {
     Eigen::Vector3d world(const Point& p, double above_ground = 0.0) const {
         return {p.x(), terrain.height(p) + above_ground, -p.y()};
     }
-    void warn(DiagnosticCode code, const std::string& message) const { warnings.warning(mark, code, message); }
+    void warn(DiagnosticCode code, const std::string& message) const {
+        warnings.warning(mark, code, message);
+    }
 };
 
 /// What one kind of objects adds to a campus, besides their meshes.
