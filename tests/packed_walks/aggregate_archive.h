@@ -17,6 +17,7 @@
 #include "collision/mesh/mesh_collider.h"
 #include "engine/script/walk.h"
 #include "scene/base/binary_archive.h"
+#include "scene/base/diagnostic_archive.h"
 #include "scene/campus/campus_description.h"
 
 // Writes plain data into a binary archive and reads it back, whatever structs it consists of: the compiler
@@ -125,6 +126,8 @@ void put(ArchiveWriter& out, const T& value) {
         out.put_text(value);
     } else if constexpr (std::is_same_v<T, std::filesystem::path>) {
         out.put_text(value.string());
+    } else if constexpr (std::is_same_v<T, scene::Diagnostic>) {
+        scene::put(out, value);
     } else if constexpr (EigenMatrix<T>) {
         for (Eigen::Index i = 0; i < value.size(); ++i) {
             out.put(value(i));
@@ -172,6 +175,8 @@ void take(ArchiveReader& in, T& value) {
         value = in.take<T>();
     } else if constexpr (std::is_same_v<T, std::string> || std::is_same_v<T, std::filesystem::path>) {
         value = in.take_text();
+    } else if constexpr (std::is_same_v<T, scene::Diagnostic>) {
+        value = scene::take_diagnostic(in);
     } else if constexpr (EigenMatrix<T>) {
         for (Eigen::Index i = 0; i < value.size(); ++i) {
             value(i) = in.take<typename T::Scalar>();
