@@ -21,7 +21,7 @@ namespace campuswalk::config {
 /// Where to look for profiles, which walks name without a path.
 struct SearchPaths {
     std::vector<std::filesystem::path> avatars;  ///< folders with NAME.avatar.yaml, after those near the walk
-    std::vector<std::filesystem::path> lights;   ///< likewise with NAME.light.yaml
+    std::vector<std::filesystem::path> lights;   ///< folders with NAME.light.yaml, after those near the walk
     std::vector<std::filesystem::path> roots = {};  ///< folders that files may be in besides the project
     std::shared_ptr<ReadBudget> budget = std::make_shared<ReadBudget>();  ///< shared by all that is read
 };

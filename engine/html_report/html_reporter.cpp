@@ -39,8 +39,8 @@ bool is_still_image(const Artifact& artifact) {
     return artifact.media_type == "image/png";
 }
 
-/// As WebP: pictures that are compared keep every pixel, others lose what is hard to see and are at most 1280
-/// pixels wide.
+/// Encodes a picture as WebP. Pictures that are compared keep every pixel; others lose what is hard to see
+/// and are at most 1280 pixels wide.
 ReportImage report_image(const Artifact& artifact, const scene::PixelView& pixels) {
     if (is_compared(artifact)) {
         const scene::Pixels whole = scene::shrunk_to_fit(pixels, kMaxHeight, kMaxHeight);

@@ -100,7 +100,7 @@ public:
     /// walk_to or a follow, and failures.
     std::optional<StepEnd> settle(const AvatarState& avatar, std::vector<const Step*>& instant) override;
     std::size_t steps_over() const override { return current_; }
-    /// Of the current step; null once the walk is finished.
+    /// Returns the mark of the current step; null once the walk is finished.
     const SourceMark* mark() const override;
 
 private:
@@ -127,7 +127,8 @@ private:
     double turned(double from, double to) const;
     double speed_of(const std::optional<double>& own) const;
     void go_towards(const Eigen::Vector3d& point, double speed, const AvatarState& avatar, Intent& intent);
-    /// Of a walk_to or a follow that has `remaining` metres to go.
+    /// Ends a walk_to or a follow that has `remaining` metres to go and gets no nearer; none while it goes
+    /// on.
     template <typename Travel>
     std::optional<StepEnd> end_if_blocked(const char* verb, const Travel& step, const Target& target,
                                           double remaining, TravelProgress& progress,

@@ -30,7 +30,7 @@ struct PlanRaster {
     /// plan's `widest`; negative if unknown. Empty for plain colours.
     std::vector<float> widths = {};
 
-    /// Of the grid cells in the box, which are that large and counted from the origin.
+    /// Makes an empty raster of the grid cells in the box, which are counted from the origin.
     static PlanRaster of_nothing(const Eigen::AlignedBox2i& box, double cell_size) {
         PlanRaster raster{cell_size * box.min().cast<double>(), cell_size, box.sizes().x() + 1,
                           box.sizes().y() + 1};
@@ -38,7 +38,7 @@ struct PlanRaster {
                             PlanCell::nothing);
         return raster;
     }
-    /// Of the cell in that column and row.
+    /// Returns the index in `cells` of the cell in this column and row.
     std::size_t index(const Eigen::Vector2i& cell) const {
         return static_cast<std::size_t>(cell.y()) * static_cast<std::size_t>(columns) +
                static_cast<std::size_t>(cell.x());

@@ -17,7 +17,7 @@ namespace {
 
 /// Objects that are taken away for a try, the nearest to where the body stopped first.
 constexpr std::size_t kMostObjects = 12;
-/// As much of the world is copied for that around where ways are looked for, metres.
+/// A world without a node is copied this far beyond the box in which paths are searched for, metres.
 constexpr double kAroundSearch = 2.0;
 
 bool supports(const collision::World& world, ObjectId id, const GroundState& at, double radius) {

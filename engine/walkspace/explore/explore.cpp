@@ -5,7 +5,9 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <stdexcept>
 #include <utility>
+#include <variant>
 
 #include "engine/walkspace/explore/frontier.h"
 #include "engine/walkspace/explore/growing_space.h"
@@ -221,6 +223,9 @@ private:
 }  // namespace
 
 WalkSpace explore(const WorkerWorlds& worlds, const ExploreSettings& settings, const ExploreGoal& goal) {
+    if (std::holds_alternative<TowardsPoint>(goal) && worlds.size() != 1) {
+        throw std::invalid_argument("an exploration towards a point has one worker");
+    }
     return Exploration(worlds, settings, goal).run();
 }
 

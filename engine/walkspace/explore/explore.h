@@ -58,7 +58,8 @@ struct UntilCell {
 
 /// The exploration takes the nodes in the order in which walking straight on from them would get to the
 /// point, so that hardly more than what lies on the way is explored. Ways that fall count as longer than they
-/// are. There must be only one worker. WalkNode::returns is then only set where that is obvious.
+/// are. With more than one worker explore() throws std::invalid_argument. WalkNode::returns is then only set
+/// where that is obvious.
 struct TowardsPoint {
     collision::Vec3 point;
     std::function<bool(const GroundState&)> is_goal;  ///< asked about the exact state at a node

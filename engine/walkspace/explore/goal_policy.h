@@ -19,12 +19,13 @@ public:
     bool leads_to_point() const { return point() != nullptr; }
     /// Whether a node of this cell, at which the body is in this state, is what is looked for.
     bool is_goal(const GridCell& cell, const GroundState& at) const;
-    /// So many ticks after its strides along the axes, a node takes the diagonal ones.
+    /// A node takes its diagonal strides this many ticks after those along the axes.
     std::uint32_t diagonals_later() const { return diagonals_later_; }
-    /// And so many after these, it jumps over ground where nothing is in the way.
+    /// A node jumps over ground where nothing is in the way this many ticks after its strides.
     std::uint32_t jumps_later() const { return jumps_later_; }
 
-    /// Straight on, as the strides go: along the axes and diagonals.
+    /// Returns the ticks that strides along the axes and diagonals take to the goal with nothing in the way;
+    /// 0 without a point.
     std::uint32_t ticks_to_goal(const collision::Vec3& foot) const;
     /// What a stride counts for besides its ticks.
     std::uint32_t ticks_for_detour(const StrideEnd& end) const;

@@ -60,9 +60,9 @@ struct SubjectSearch {
 ///   door          see find_doors
 std::vector<Subject> find_subjects(const SubjectSearch& search);
 
-/// The doors that the campus' models name (find_door_leaves), open ones too. Reached if one gets within half
-/// a metre of the leaf on any side, and no lower than a riser below it; walked through if the body gets so
-/// far into the leaf that it can't be solid.
+/// Finds the doors that the campus' models name (find_door_leaves), open ones too. A door is reached if the
+/// body gets within half a metre of the leaf on any side, no lower than a riser below it. It is walked
+/// through if the body gets so far into the leaf that the leaf can't be solid.
 std::vector<Subject> find_doors(const SubjectSearch& search);
 
 const char* name_of(SubjectKind kind);

@@ -45,7 +45,7 @@ public:
 
     const std::vector<pugi::xml_node>& meshes() const { return meshes_; }
 
-    /// Of a name with a leading '#'. Those that don't exist are for assimp to report.
+    /// `source` is a name with a leading '#'. Names that don't exist are for assimp to report.
     bool is_in_range(std::string_view source) const {
         const auto found = accessors_.find(source.substr(std::min<std::size_t>(source.size(), 1)));
         return found == accessors_.end() ||

@@ -89,7 +89,7 @@ private:
                                    [&](const Point& p) { return terrain_.height(p) > sill; });
     }
 
-    /// Of parts above others, their own lowest level.
+    /// Returns the height of the lowest level; a part above others has one of its own.
     double first_floor() const { return std::floor(volume_.bottom / volume_.storey) * volume_.storey; }
 
     const Volume& volume_;

@@ -142,7 +142,7 @@ private:
         return draft;
     }
 
-    /// As far as that is known.
+    /// Returns true as well where no way to mend the barrier is known.
     bool passes_mended(const WalkDraft& draft) const {
         if (!mended_) {
             return true;
@@ -166,7 +166,8 @@ std::optional<ShownWalk> walk_at_barrier(const engine::Barrier& barrier, const V
     return BarrierWalker(barrier, goal, player, starts).straight_or_round();
 }
 
-/// Likewise, but rather by a go_to: for what somebody wants to get to, whichever way there is one day.
+/// Shows the barrier by a go_to rather than a walk_to if one does: for what somebody wants to get to,
+/// whichever route leads there one day.
 std::optional<ShownWalk> walk_to_goal(const engine::Barrier& barrier, const Vec3& goal,
                                       const DraftPlayer& player, WalkStarts& starts) {
     const BarrierWalker walker(barrier, goal, player, starts);

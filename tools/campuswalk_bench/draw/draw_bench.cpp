@@ -41,7 +41,7 @@ namespace {
 constexpr std::size_t kWarmUp = 0;
 constexpr std::size_t kDraw = 1;
 
-/// As many as there are processors, at most eight.
+/// Returns the number of processors, at most eight.
 std::size_t drawing_processes() {
     return std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, FrameHelpers::kMaxParts);
 }

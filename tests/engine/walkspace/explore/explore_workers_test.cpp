@@ -1,5 +1,7 @@
 // The result is the same for any number of workers.
 
+#include <memory>
+#include <stdexcept>
 #include <tuple>
 
 #include <gtest/gtest.h>
@@ -107,6 +109,16 @@ TEST(ExploreByWorkers, ReachesTheSameBelowTowers) {
     settings.starts.push_back({5, 9, 0});
     settings.run = true;
     expect_same_for_all_workers(campus.world, settings);
+}
+
+TEST(ExploreByWorkers, GoesTowardsAPointByOneOnly) {
+    const scene::Campus campus = varied_ground();
+    const ExploreSettings settings = explore_from(kOnVariedGround);
+    const TowardsPoint goal{Vec3(0, 0, 0), [](const GroundState& at) { return at.foot.z() < 1.0; }};
+    const auto make_broad_phase = [] { return std::make_unique<collision::LinearBroadPhase>(); };
+    EXPECT_TRUE(explore(WorkerWorlds(campus.world, 1, make_broad_phase), settings, goal).goal);
+    EXPECT_THROW(explore(WorkerWorlds(campus.world, 2, make_broad_phase), settings, goal),
+                 std::invalid_argument);
 }
 
 }  // namespace

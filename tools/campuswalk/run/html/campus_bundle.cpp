@@ -52,7 +52,7 @@ TagsByNode objects_of_nodes(const scene::Campus& campus) {
     return tags;
 }
 
-/// Of everything that the file depends on; none if the models' contents aren't known.
+/// Hashes everything that the file depends on; none if the models' contents aren't known.
 std::optional<scene::ContentHash> key_of(const scene::Campus& campus, const scene::GlbSettings& settings,
                                          const TagsByNode& tags, const scene::CacheFolder& cache) {
     if (campus.contents.empty()) {
