@@ -67,10 +67,19 @@ void add_crossings(const Point& a, const Point& b, const std::vector<Point>& lin
     }
 }
 
-class Barriers {
+bool is_built(const MapWay& way) {
+    return way.points.size() > 1 && !affirmed(way.tags, "building") &&
+           number_of(way.tags, "layer").value_or(0.0) >= 0.0;
+}
+
+bool is_line(const MapWay& way) {
+    return line_kind(way.tags) != nullptr && is_built(way);
+}
+
+/// Where a map's barriers are open: at gates, and where paths cross them.
+class Openings {
 public:
-    Barriers(const Site& site, ModelBuilder& model)
-        : site_(site), model_(model), on_path_(path_nodes(site.paths)) {
+    explicit Openings(const Site& site) : site_(site), on_path_(path_nodes(site.paths)) {
         for (std::size_t i = 0; i < site.paths.size(); ++i) {
             if (site.paths[i].for_walkers && site.paths[i].on_ground()) {
                 paths_.add(i, box_of(site.paths[i].way->points));
@@ -88,12 +97,94 @@ public:
             }
             for (std::size_t i = 0; is_line(way) && i < way.nodes.size(); ++i) {
                 if (const auto gate = gates_.find(way.nodes[i]); gate != gates_.end()) {
-                    openings_.try_emplace(gate->first,
-                                          gate_opening(way, i, *gate->second, path_at(gate->first)));
+                    along_barriers_.try_emplace(gate->first,
+                                                gate_opening(way, i, *gate->second, path_at(gate->first)));
                 }
             }
         }
     }
+
+    PathNode path_at(std::int64_t node) const {
+        const auto found = on_path_.find(node);
+        return found == on_path_.end() ? PathNode{} : found->second;
+    }
+
+    /// Of a gate: along the barrier that it is in, if it is in one.
+    std::vector<Point> at_gate(const MapNode& gate) const {
+        const auto found = along_barriers_.find(gate.id);
+        return found == along_barriers_.end() ? gate_opening(gate, path_at(gate.id)) : found->second;
+    }
+
+    /// What is to be cut out of a barrier of this thickness.
+    std::vector<Polygons> gaps_of(const MapWay& way, double thickness) const {
+        constexpr double kDeep = 0.15;  // beyond the barrier's faces
+        std::vector<Polygons> gaps;
+        std::vector<Point> gates;
+        for (std::size_t i = 0; i < way.nodes.size(); ++i) {
+            if (const auto gate = gates_.find(way.nodes[i]); gate != gates_.end()) {
+                if (!is_closed(gate->second->tags)) {  // where two barriers end, the gap is in both
+                    gaps.push_back(
+                        site_.geometry.buffer(gate_opening(way, i, *gate->second, path_at(way.nodes[i])),
+                                              0.5 * thickness + kDeep, Caps::flat));
+                }
+                gaps.push_back(site_.geometry.buffer(along_barriers_.at(way.nodes[i]),
+                                                     0.5 * thickness + kDeep, Caps::flat));
+                gates.push_back(way.points[i]);
+            }
+        }
+        for (const std::size_t number : gate_lines_.near(box_of(way.points))) {
+            gaps.push_back(site_.geometry.buffer(gate_opening(*gate_ways_[number]), 0.5 * thickness + kDeep,
+                                                 Caps::flat));
+        }
+        for (std::size_t i = 1; i < way.points.size(); ++i) {
+            const Point& a = way.points[i - 1];
+            const Point& b = way.points[i];
+            for (const std::size_t number : paths_.near(box_of({a, b}))) {
+                add_gaps_for(site_.paths[number], a, b, 0.5 * thickness + kDeep, gates, gaps);
+            }
+        }
+        return gaps;
+    }
+
+private:
+    /// Where a path crosses a segment of a barrier, besides at gates.
+    void add_gaps_for(const Path& path, const Point& a, const Point& b, double half_depth,
+                      const std::vector<Point>& gates, std::vector<Polygons>& gaps) const {
+        constexpr double kRoom = 0.35;
+        constexpr double kLeast = 0.9;
+        constexpr double kAtGate = 0.6;
+        std::vector<Point> crossings;
+        add_crossings(a, b, path.way->points, crossings);
+        for (const Point& at : crossings) {
+            const std::vector<std::size_t> near = gate_lines_.near(Box{at, at}.grown(kAtGate));
+            if (std::ranges::any_of(gates, [&](const Point& gate) { return (gate - at).norm() < kAtGate; }) ||
+                std::ranges::any_of(near, [&](std::size_t i) {
+                    return nearest_on(gate_opening(*gate_ways_[i]), false, at).distance < kAtGate;
+                })) {
+                continue;
+            }
+            const Point along = unit(b - a);
+            const Nearest nearest = nearest_on(path.way->points, false, at);
+            const double half =
+                std::max(kLeast, 0.5 * path.width + kRoom) / sine_between(along, nearest.along);
+            const Point u = half * along;
+            const Point v = std::max(half_depth, kLeast) * left_of(along);
+            gaps.push_back({Polygon{{at - u - v, at + u - v, at + u + v, at - u + v}, {}}});
+        }
+    }
+
+    const Site& site_;
+    std::unordered_map<std::int64_t, PathNode> on_path_;
+    std::unordered_map<std::int64_t, const MapNode*> gates_;               ///< by number
+    std::unordered_map<std::int64_t, std::vector<Point>> along_barriers_;  ///< by gate
+    std::vector<const MapWay*> gate_ways_;
+    BoxIndex gate_lines_;  ///< into them
+    BoxIndex paths_;
+};
+
+class Barriers {
+public:
+    Barriers(const Site& site, ModelBuilder& model) : site_(site), model_(model), openings_(site) {}
 
     void add_lines() {
         for (const MapWay& way : site_.map.ways) {
@@ -109,13 +200,11 @@ public:
                 continue;
             }
             const std::string_view barrier = node.tags.get("barrier");
-            const PathNode here = path_at(node.id);
+            const PathNode here = openings_.path_at(node.id);
             if (is_gate(node.tags)) {
-                const auto opening = openings_.find(node.id);
                 kinds_.insert("gate");
-                add_gate({ElementKind::node, node.id}, node.tags,
-                         opening == openings_.end() ? gate_opening(node, here) : opening->second,
-                         site_.terrain, model_, built_);
+                add_gate({ElementKind::node, node.id}, node.tags, openings_.at_gate(node), site_.terrain,
+                         model_, built_);
             } else if (barrier == "bollard") {
                 add_bollards(node, here);
             } else if (barrier == "block") {
@@ -152,6 +241,20 @@ public:
                            (one ? ") is a barrier" : ") are barriers") +
                            " of a kind that isn't built; left out");
         }
+    }
+
+    Built built() {
+        std::map<std::string, std::vector<std::string>>
+            globs;  // by id: of cycle barriers there are two kinds
+        for (const std::string& kind : kinds_) {
+            std::string id = kind;
+            std::ranges::replace(id, '_', '-');
+            globs[id].push_back(kind + "/*");
+        }
+        for (const auto& [id, of_kind] : globs) {
+            built_.solids.push_back({id, of_kind, "", id, true});
+        }
+        return std::move(built_);
     }
 
 private:
@@ -212,7 +315,7 @@ private:
             std::clamp(length_of(way.tags, "width").value_or(kind.thickness), 0.04, 10.0);
         Polygons area =
             geometry.clipped(geometry.buffer(way.points, 0.5 * thickness, Caps::flat), site_.map.box);
-        const std::vector<Polygons> gaps = gaps_of(way, thickness);
+        const std::vector<Polygons> gaps = openings_.gaps_of(way, thickness);
         std::vector<const Polygons*> all;
         all.reserve(gaps.size());
         for (const Polygons& gap : gaps) {
@@ -230,73 +333,6 @@ private:
                 model_.object(std::string(kind.value) + "/" + ElementId{ElementKind::way, way.id}.text()));
         kinds_.insert(std::string(kind.value));
         built_.obstacles.push_back(std::move(area));
-    }
-
-    static bool is_built(const MapWay& way) {
-        return way.points.size() > 1 && !affirmed(way.tags, "building") &&
-               number_of(way.tags, "layer").value_or(0.0) >= 0.0;
-    }
-    static bool is_line(const MapWay& way) { return line_kind(way.tags) != nullptr && is_built(way); }
-
-    PathNode path_at(std::int64_t node) const {
-        const auto found = on_path_.find(node);
-        return found == on_path_.end() ? PathNode{} : found->second;
-    }
-
-    std::vector<Polygons> gaps_of(const MapWay& way, double thickness) const {
-        constexpr double kDeep = 0.15;  // beyond the barrier's faces
-        std::vector<Polygons> gaps;
-        std::vector<Point> gates;
-        for (std::size_t i = 0; i < way.nodes.size(); ++i) {
-            if (const auto gate = gates_.find(way.nodes[i]); gate != gates_.end()) {
-                if (!is_closed(gate->second->tags)) {  // where two barriers end, the gap is in both
-                    gaps.push_back(
-                        site_.geometry.buffer(gate_opening(way, i, *gate->second, path_at(way.nodes[i])),
-                                              0.5 * thickness + kDeep, Caps::flat));
-                }
-                gaps.push_back(
-                    site_.geometry.buffer(openings_.at(way.nodes[i]), 0.5 * thickness + kDeep, Caps::flat));
-                gates.push_back(way.points[i]);
-            }
-        }
-        for (const std::size_t number : gate_lines_.near(box_of(way.points))) {
-            gaps.push_back(site_.geometry.buffer(gate_opening(*gate_ways_[number]), 0.5 * thickness + kDeep,
-                                                 Caps::flat));
-        }
-        for (std::size_t i = 1; i < way.points.size(); ++i) {
-            const Point& a = way.points[i - 1];
-            const Point& b = way.points[i];
-            for (const std::size_t number : paths_.near(box_of({a, b}))) {
-                add_gaps_for(site_.paths[number], a, b, 0.5 * thickness + kDeep, gates, gaps);
-            }
-        }
-        return gaps;
-    }
-
-    /// Where a path crosses a segment of a barrier, besides at gates.
-    void add_gaps_for(const Path& path, const Point& a, const Point& b, double half_depth,
-                      const std::vector<Point>& gates, std::vector<Polygons>& gaps) const {
-        constexpr double kRoom = 0.35;
-        constexpr double kLeast = 0.9;
-        constexpr double kAtGate = 0.6;
-        std::vector<Point> crossings;
-        add_crossings(a, b, path.way->points, crossings);
-        for (const Point& at : crossings) {
-            const std::vector<std::size_t> near = gate_lines_.near(Box{at, at}.grown(kAtGate));
-            if (std::ranges::any_of(gates, [&](const Point& gate) { return (gate - at).norm() < kAtGate; }) ||
-                std::ranges::any_of(near, [&](std::size_t i) {
-                    return nearest_on(gate_opening(*gate_ways_[i]), false, at).distance < kAtGate;
-                })) {
-                continue;
-            }
-            const Point along = unit(b - a);
-            const Nearest nearest = nearest_on(path.way->points, false, at);
-            const double half =
-                std::max(kLeast, 0.5 * path.width + kRoom) / sine_between(along, nearest.along);
-            const Point u = half * along;
-            const Point v = std::max(half_depth, kLeast) * left_of(along);
-            gaps.push_back({Polygon{{at - u - v, at + u - v, at + u + v, at - u + v}, {}}});
-        }
     }
 
     ObjectMesh& object(const std::string& kind, const ElementId& id) {
@@ -344,31 +380,10 @@ private:
         }
     }
 
-public:
-    Built built() {
-        std::map<std::string, std::vector<std::string>>
-            globs;  // by id: of cycle barriers there are two kinds
-        for (const std::string& kind : kinds_) {
-            std::string id = kind;
-            std::ranges::replace(id, '_', '-');
-            globs[id].push_back(kind + "/*");
-        }
-        for (const auto& [id, of_kind] : globs) {
-            built_.solids.push_back({id, of_kind, "", id, true});
-        }
-        return std::move(built_);
-    }
-
-private:
     const Site& site_;
     ModelBuilder& model_;
     Built built_;
-    std::unordered_map<std::int64_t, PathNode> on_path_;
-    std::unordered_map<std::int64_t, const MapNode*> gates_;         ///< by number
-    std::unordered_map<std::int64_t, std::vector<Point>> openings_;  ///< by gate: along the barrier
-    std::vector<const MapWay*> gate_ways_;
-    BoxIndex gate_lines_;  ///< into them
-    BoxIndex paths_;
+    Openings openings_;
     std::set<std::string> kinds_;
 };
 
