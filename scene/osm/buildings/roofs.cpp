@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -36,6 +37,93 @@ constexpr std::array<NamedShape, 18> kShapes = {{{"flat", RoofShape::flat},
                                                  {"round", RoofShape::round},
                                                  {"barrel", RoofShape::round},
                                                  {"arched", RoofShape::round}}};
+
+/// Pairs of numbers from 0 to 1, except for an onion's; what they are depends on the roof's family.
+using Profile = std::vector<std::pair<double, double>>;
+
+enum class RoofFamily {
+    flat,
+    skillion,
+    ridge,  ///< its profile: height by the distance from the eaves, of 1 at the ridge
+    rings   ///< its profile: radius, of the footprint's, and height, from the eaves to the top
+};
+
+/// What a shape is built from.
+struct RoofForm {
+    RoofFamily family = RoofFamily::ridge;
+    Profile profile = {{0.0, 0.0}, {1.0, 1.0}};
+    std::optional<double> hips = {};  ///< the height at which they begin, of the ridge's; none: gables
+    double usual_height = 0.6;        ///< of half of the span
+    double most_usual = 6.0;          ///< metres
+};
+
+/// A quarter of a circle as pairs of its sine and cosine.
+Profile arc(int steps) {
+    Profile points;
+    for (int i = 0; i <= steps; ++i) {
+        const collision::SinCos angle = collision::sin_cos(0.5 * std::numbers::pi * i / steps);
+        points.emplace_back(angle.sin, angle.cos);
+    }
+    return points;
+}
+
+RoofForm round_roof() {
+    RoofForm form{.profile = arc(6)};
+    for (auto& [distance, height] : form.profile) {
+        height = std::exchange(distance, 1.0 - height);
+    }
+    return form;
+}
+
+RoofForm dome() {
+    RoofForm form{RoofFamily::rings, arc(7), {}, 1.0, 1e300};
+    for (auto& [radius, height] : form.profile) {
+        std::swap(radius, height);
+    }
+    form.profile.back() = {0.0, 1.0};
+    return form;
+}
+
+/// A shape that is missing here doesn't compile.
+RoofForm form_of(RoofShape shape) {
+    switch (shape) {
+        case RoofShape::flat:
+            return {.family = RoofFamily::flat};
+        case RoofShape::gabled:
+            return {};
+        case RoofShape::hipped:
+            return {.hips = 0.0};
+        case RoofShape::half_hipped:
+            return {.hips = 0.5};
+        case RoofShape::pyramidal:
+            return {.family = RoofFamily::rings, .profile = {{1.0, 0.0}, {0.0, 1.0}}};
+        case RoofShape::skillion:
+            return {.family = RoofFamily::skillion};
+        case RoofShape::gambrel:
+            return {.profile = {{0.0, 0.0}, {0.4, 0.65}, {1.0, 1.0}}};
+        case RoofShape::mansard:
+            return {.profile = {{0.0, 0.0}, {0.3, 0.75}, {1.0, 1.0}}, .hips = 0.0};
+        case RoofShape::dome:
+            return dome();
+        case RoofShape::onion:
+            return {RoofFamily::rings,
+                    {{1.0, 0.0},
+                     {1.1, 0.1},
+                     {1.12, 0.2},
+                     {1.0, 0.32},
+                     {0.72, 0.44},
+                     {0.42, 0.56},
+                     {0.2, 0.7},
+                     {0.08, 0.85},
+                     {0.0, 1.0}},
+                    {},
+                    2.5,
+                    1e300};
+        case RoofShape::round:
+            return round_roof();
+    }
+    throw std::logic_error("no shape of a roof");
+}
 
 double dot(const Point& a, const Point& b) {
     return a.x() * b.x() + a.y() * b.y();
@@ -86,29 +174,6 @@ RidgeFrame frame_of(const Polygons& footprint, const Roof& roof, const PlanGeome
     return frame;
 }
 
-/// Height, of 1, by the distance from the eaves, of 1 at the ridge: vertices of a profile.
-using Profile = std::vector<std::pair<double, double>>;
-
-Profile profile_of(RoofShape shape) {
-    switch (shape) {
-        case RoofShape::gambrel:
-            return {{0.0, 0.0}, {0.4, 0.65}, {1.0, 1.0}};
-        case RoofShape::mansard:
-            return {{0.0, 0.0}, {0.3, 0.75}, {1.0, 1.0}};
-        case RoofShape::round: {
-            constexpr int kSteps = 6;
-            Profile arc;
-            for (int i = 0; i <= kSteps; ++i) {
-                const collision::SinCos angle = collision::sin_cos(0.5 * std::numbers::pi * i / kSteps);
-                arc.emplace_back(1.0 - angle.cos, angle.sin);
-            }
-            return arc;
-        }
-        default:
-            return {{0.0, 0.0}, {1.0, 1.0}};
-    }
-}
-
 double height_on(const Profile& profile, double distance) {
     for (std::size_t i = 1; i < profile.size(); ++i) {
         const auto& [d0, h0] = profile[i - 1];
@@ -124,53 +189,48 @@ double height_on(const Profile& profile, double distance) {
 class RidgeRoof {
 public:
     RidgeRoof(const RidgeFrame& frame, const Roof& roof)
-        : frame_(frame), shape_(roof.shape), height_(roof.height), profile_(profile_of(roof.shape)) {
+        : frame_(frame), height_(roof.height), form_(form_of(roof.shape)) {
         add_creases();
     }
 
     double height(const Point& p) const {
         const double v = frame_.v(p) / frame_.half_span;
-        if (shape_ == RoofShape::skillion) {
+        if (form_.family == RoofFamily::skillion) {
             return height_ * std::clamp(0.5 * (1.0 - v), 0.0, 1.0);
         }
         double distance = std::max(0.0, 1.0 - std::abs(v));
-        const double from_end =
-            std::max(0.0, (frame_.half_length - std::abs(frame_.u(p))) / frame_.half_span);
-        if (has_hips()) {
-            distance = std::min(distance, from_end);
-        } else if (shape_ == RoofShape::half_hipped) {
-            distance = std::min(distance, 0.5 + from_end);
+        if (form_.hips) {
+            const double from_end =
+                std::max(0.0, (frame_.half_length - std::abs(frame_.u(p))) / frame_.half_span);
+            distance = std::min(distance, *form_.hips + from_end);
         }
-        return height_ * height_on(profile_, distance);
+        return height_ * height_on(form_.profile, distance);
     }
 
     const std::vector<PlanLine>& creases() const { return creases_; }
 
 private:
-    bool has_hips() const { return shape_ == RoofShape::hipped || shape_ == RoofShape::mansard; }
-
     void add_creases() {
-        if (shape_ == RoofShape::skillion) {
+        if (form_.family == RoofFamily::skillion) {
             return;
         }
         const double half_span = frame_.half_span;
         creases_.push_back(frame_.line(0, 1, 0));
-        for (std::size_t i = 1; i + 1 < profile_.size(); ++i) {
-            const double v = (1.0 - profile_[i].first) * half_span;
+        for (std::size_t i = 1; i + 1 < form_.profile.size(); ++i) {
+            const double v = (1.0 - form_.profile[i].first) * half_span;
             creases_.push_back(frame_.line(0, 1, v));
             creases_.push_back(frame_.line(0, 1, -v));
-            if (has_hips()) {
-                const double u = frame_.half_length - profile_[i].first * half_span;
+            if (form_.hips) {
+                const double u = frame_.half_length - (form_.profile[i].first - *form_.hips) * half_span;
                 creases_.push_back(frame_.line(1, 0, u));
                 creases_.push_back(frame_.line(1, 0, -u));
             }
         }
-        if (!has_hips() && shape_ != RoofShape::half_hipped) {
+        if (!form_.hips) {
             return;
         }
         // Where the distance from an end equals that from a side: |u| - |v| is constant.
-        const double offset =
-            frame_.half_length - half_span + (shape_ == RoofShape::half_hipped ? 0.5 * half_span : 0.0);
+        const double offset = frame_.half_length - half_span + *form_.hips * half_span;
         for (const double side : {1.0, -1.0}) {
             for (const double end : {1.0, -1.0}) {
                 creases_.push_back(frame_.line(end, -side, offset));
@@ -180,9 +240,8 @@ private:
     }
 
     RidgeFrame frame_;
-    RoofShape shape_;
     double height_;
-    Profile profile_;
+    RoofForm form_;
     std::vector<PlanLine> creases_;
 };
 
@@ -229,28 +288,9 @@ Point centroid(const Ring& ring) {
     return ring[0] + sum / (3.0 * twice);
 }
 
-/// Radius, of the footprint's, and height, of 1: rings from the eaves to the top.
-Profile rings_of(RoofShape shape) {
-    if (shape == RoofShape::onion) {
-        return {{1.0, 0.0},   {1.1, 0.1}, {1.12, 0.2},  {1.0, 0.32}, {0.72, 0.44},
-                {0.42, 0.56}, {0.2, 0.7}, {0.08, 0.85}, {0.0, 1.0}};
-    }
-    if (shape == RoofShape::dome) {
-        constexpr int kSteps = 7;
-        Profile rings;
-        for (int i = 0; i < kSteps; ++i) {
-            const collision::SinCos angle = collision::sin_cos(0.5 * std::numbers::pi * i / kSteps);
-            rings.emplace_back(angle.cos, angle.sin);
-        }
-        rings.emplace_back(0.0, 1.0);
-        return rings;
-    }
-    return {{1.0, 0.0}, {0.0, 1.0}};
-}
-
 void add_ring_roof(const Polygons& footprint, const Roof& roof, double eaves, const Look& look,
                    ObjectMesh& mesh) {
-    const Profile rings = rings_of(roof.shape);
+    const Profile rings = form_of(roof.shape).profile;
     for (const Polygon& polygon : footprint) {
         const Point middle = centroid(polygon.outer);
         for (std::size_t k = 1; k < rings.size(); ++k) {
@@ -268,10 +308,6 @@ void add_ring_roof(const Polygons& footprint, const Roof& roof, double eaves, co
     }
 }
 
-bool is_ring_shape(RoofShape shape) {
-    return shape == RoofShape::pyramidal || shape == RoofShape::dome || shape == RoofShape::onion;
-}
-
 }  // namespace
 
 std::optional<RoofShape> roof_shape(std::string_view word) {
@@ -287,7 +323,7 @@ bool allows(const Polygons& footprint, RoofShape shape, const PlanGeometry& geom
         return false;
     }
     const Ring& ring = footprint.front().outer;
-    if (is_ring_shape(shape)) {
+    if (form_of(shape).family == RoofFamily::rings) {
         const Point middle = centroid(ring);
         for (std::size_t i = 0; i < ring.size(); ++i) {
             const Point a = ring[i] - middle;
@@ -303,6 +339,11 @@ bool allows(const Polygons& footprint, RoofShape shape, const PlanGeometry& geom
     return !rectangle.empty() && signed_area(ring) >= kLeastFill * signed_area(rectangle);
 }
 
+double usual_height(RoofShape shape, double half_span) {
+    const RoofForm form = form_of(shape);
+    return std::min(form.usual_height * half_span, form.most_usual);
+}
+
 double half_span(const Polygons& footprint, const Roof& roof, const PlanGeometry& geometry) {
     return frame_of(footprint, roof, geometry).half_span;
 }
@@ -313,7 +354,7 @@ void add_roof(const Polygons& footprint, const Roof& roof, double eaves, const L
         for (const Polygon& polygon : footprint) {
             mesh.level(roof_look, geometry.triangulated(polygon), eaves);
         }
-    } else if (is_ring_shape(roof.shape)) {
+    } else if (form_of(roof.shape).family == RoofFamily::rings) {
         add_ring_roof(footprint, roof, eaves, roof_look, mesh);
     } else {
         add_ridge_roof(footprint, RidgeRoof(frame_of(footprint, roof, geometry), roof), eaves, roof_look,

@@ -31,7 +31,7 @@ struct Roof {
     double height = 0.0;        ///< metres above the eaves; 0: flat
     bool across = false;        ///< the ridge runs along the shorter side
     bool directed = false;      ///< `down` is given
-    Point down = Point(0, -1);  ///< unit direction in which a skillion falls
+    Point down = Point(0, -1);  ///< unit direction in which a skillion, or one side of a ridge, falls
 };
 
 /// Whether the footprint can carry the shape: a roof with a ridge needs something like a rectangle, a pyramid
@@ -40,6 +40,9 @@ bool allows(const Polygons& footprint, RoofShape shape, const PlanGeometry& geom
 
 /// Half of the footprint's extent across the ridge, metres: what a slope spans.
 double half_span(const Polygons& footprint, const Roof& roof, const PlanGeometry& geometry);
+
+/// The height of a roof whose height isn't tagged, metres above the eaves.
+double usual_height(RoofShape shape, double half_span);
 
 /// The roof, and the walls between the eaves and it.
 void add_roof(const Polygons& footprint, const Roof& roof, double eaves, const Look& roof_look,

@@ -67,10 +67,8 @@ void set_heights(const PlanGeometry& geometry, Volume& volume) {
         constexpr double kNoStorey = 1.0;  // metres: a roof under which nobody can stand
         const auto roof_levels = levels_of(tags, "roof:levels");
         const double span = half_span(volume.footprint, volume.roof, geometry);
-        const double usual = volume.roof.shape == RoofShape::dome || volume.roof.shape == RoofShape::onion
-                                 ? (volume.roof.shape == RoofShape::dome ? span : 2.5 * span)
-                                 : std::min(0.6 * span, 6.0);
-        const double by_levels = roof_levels ? std::max(*roof_levels * kStorey, kNoStorey) : usual;
+        const double by_levels =
+            roof_levels ? std::max(*roof_levels * kStorey, kNoStorey) : usual_height(volume.roof.shape, span);
         roof_height = tagged ? *tagged : by_levels;
         if (const auto angle = degrees_of(tags, "roof:angle");
             !tagged && angle && *angle > 0 && *angle < 80) {
