@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include "scene/model/model_limits.h"
 
 namespace campuswalk::scene {

@@ -121,8 +121,8 @@ endfunction()
 # campuswalk_compile_in_batches(TARGET)
 # Compiles up to eighteen files of a folder together, which reads the headers they share once: a third of the work. More
 # at a time would be less still, but a change to one file compiles its batch anew. The kernels stay apart: Highway includes
-# each of them several times. A batch can hide that a file uses what only its neighbours declare;
-# `tools/check-all sanitizers` compiles each file by itself.
+# each of them several times. A batch can hide that a file uses what only its neighbours declare: `tools/check-changed`
+# compiles what changed file by file, `tools/check-all sanitizers` everything.
 option(CAMPUSWALK_BATCHES "Compile related files together" ON)
 function(campuswalk_compile_in_batches target)
     get_target_property(sources ${target} SOURCES)

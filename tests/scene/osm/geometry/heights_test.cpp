@@ -6,6 +6,7 @@
 
 #include "tests/scene/model_files.h"
 #include "tests/scene/osm/imported_map.h"
+#include "tests/scene/osm/map_text.h"
 #include "tests/support/temporary_folder.h"
 
 namespace campuswalk::scene::osm {
