@@ -26,13 +26,14 @@ struct TickCosts {
 };
 
 /// What happened in a tick, as plain data that observers read afterwards. Spans are valid until the next
-/// tick.
+/// tick. The walk's last record, with its closing events, repeats the last tick.
 struct TickRecord {
     Tick tick = 0;
     double time = 0.0;  ///< seconds: tick / ticks_per_second, never a running sum
     TickCosts costs;
     AvatarState avatar;
-    double distance = 0.0;                           ///< metres so far, along the path of the foot point
+    double distance =
+        0.0;  ///< metres so far, along the path of the foot point, falls too; teleports add none
     std::size_t steps_over = 0;                      ///< of the walk's steps, at the end of this tick
     std::span<const Event> events;                   ///< in log order
     std::span<const SnapshotStep* const> snapshots;  ///< images that the script takes at the end of this tick
