@@ -12,6 +12,8 @@
 namespace campuswalk::scene::osm {
 namespace {
 
+using test::MapText;
+
 class Heights : public testing::Test {
 protected:
     /// Of a map of 20 km about 60 degrees north and 11 east.
