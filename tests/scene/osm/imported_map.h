@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include "scene/osm/import_map.h"
 #include "tests/scene/model_files.h"
