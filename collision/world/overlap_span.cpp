@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "collision/geometry/closest.h"
-#include "collision/mesh/mesh_collider.h"
 #include "collision/world/obstacle.h"
 #include "collision/world/placement.h"
 

@@ -1,7 +1,5 @@
 #include "config/loader/load_campus.h"
 
-#include <utility>
-
 #include "config/loader/campus/geojson_points.h"
 #include "config/loader/campus/read_campus.h"
 #include "config/loader/read_whole.h"

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "config/loader/profile/read_light.h"
 #include "config/loader/profile/read_profile.h"
 #include "config/loader/read_whole.h"
 #include "config/loader/values/checked_map.h"

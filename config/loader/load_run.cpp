@@ -1,9 +1,7 @@
 #include "config/loader/load_run.h"
 
 #include <algorithm>
-#include <memory>
 #include <optional>
-#include <utility>
 
 #include "config/loader/campus/read_campus.h"
 #include "config/loader/profile/read_profile.h"

@@ -9,7 +9,6 @@
 #include <string_view>
 #include <utility>
 #include <variant>
-#include <vector>
 
 #include <Eigen/Core>
 
@@ -19,7 +18,6 @@
 #include "engine/script/avatar_body.h"
 #include "engine/script/failure_codes.h"
 #include "engine/script/travel.h"
-#include "engine/script/walk.h"
 
 namespace campuswalk::engine {
 

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "engine/script/image_tolerance.h"
 #include "engine/script/walk.h"
 #include "scene/campus/campus.h"
 

@@ -11,7 +11,6 @@
 
 #include "collision/mover/mover_settings.h"
 #include "engine/script/avatar_body.h"
-#include "engine/script/event_pattern.h"
 #include "engine/script/travel.h"
 #include "scene/base/glob.h"
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <set>
-#include <string>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -11,7 +10,6 @@
 #include "engine/report/report_paths.h"
 #include "engine/report/result_json.h"
 #include "engine/report/walk_result.h"
-#include "scene/export/webp_image.h"
 
 namespace campuswalk::engine {
 

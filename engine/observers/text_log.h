@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "engine/observers/line_sink.h"
 #include "engine/record/observer.h"
 

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 
-#include "engine/report/make_reporter.h"
 #include "engine/report/walk_result.h"
 
 namespace campuswalk::engine {

@@ -9,7 +9,6 @@
 #include "collision/geometry/trigonometry.h"
 #include "collision/world/obstacle.h"
 #include "collision/world/placement.h"
-#include "engine/events/decimals.h"
 #include "engine/walkspace/barrier/barrier_reason.h"
 #include "engine/walkspace/stride/stride.h"
 

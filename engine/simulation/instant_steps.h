@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include "engine/script/walk.h"
 #include "engine/simulation/simulation_state.h"
 
 namespace campuswalk::engine {

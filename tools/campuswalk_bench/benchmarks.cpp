@@ -4,8 +4,6 @@
 #include <cstdio>
 #include <iterator>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
 #include "scene/base/diagnostic.h"
 #include "tools/campuswalk/base/exit_codes.h"

@@ -7,7 +7,6 @@
 #include "config/loader/json/json_tree.h"
 #include "config/loader/values/checked_map.h"
 #include "config/loader/values/ranges.h"
-#include "config/loader/yaml/diagnostics.h"
 #include "config/loader/yaml/source_text.h"
 #include "config/loader/yaml/wording.h"
 #include "scene/model/projection.h"

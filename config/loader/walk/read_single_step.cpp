@@ -9,7 +9,6 @@
 #include "config/loader/values/ranges.h"
 #include "config/loader/walk/read_expectations.h"
 #include "config/loader/walk/read_pattern.h"
-#include "config/loader/yaml/wording.h"
 
 namespace campuswalk::config {
 

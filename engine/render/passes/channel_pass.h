@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "engine/render/geometry/camera.h"
 #include "engine/render/gl/gl_functions.h"
 #include "engine/render/gl/shader_program.h"

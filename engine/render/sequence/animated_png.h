@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <vector>
 
 #include "engine/render/image/png_file.h"
 #include "engine/render/sequence/frame_sink.h"

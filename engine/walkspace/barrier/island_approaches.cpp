@@ -1,11 +1,9 @@
 #include "engine/walkspace/barrier/island_approaches.h"
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <set>
 #include <tuple>
-#include <vector>
 
 namespace campuswalk::engine {
 

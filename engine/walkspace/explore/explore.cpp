@@ -1,13 +1,9 @@
 #include "engine/walkspace/explore/explore.h"
 
-#include <algorithm>
-#include <limits>
-#include <optional>
 #include <set>
 #include <span>
 #include <stdexcept>
 #include <utility>
-#include <variant>
 
 #include "engine/walkspace/explore/frontier.h"
 #include "engine/walkspace/explore/growing_space.h"

@@ -4,12 +4,10 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <optional>
 #include <utility>
 
 #include "collision/mover/mover.h"
 #include "collision/world/placement.h"
-#include "engine/walkspace/explore/unreached_surfaces.h"
 #include "engine/walkspace/stride/worker_threads.h"
 
 namespace campuswalk::engine {

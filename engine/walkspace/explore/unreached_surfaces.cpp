@@ -4,9 +4,6 @@
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <memory>
 #include <numeric>
 #include <span>

@@ -1,9 +1,7 @@
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <set>
-#include <tuple>
 #include <utility>
 
 #include "engine/walkspace/passage/traps.h"

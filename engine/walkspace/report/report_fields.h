@@ -11,13 +11,13 @@ namespace campuswalk::engine {
 // same lists, so that neither can miss a field.
 
 constexpr std::uint32_t end_of(Gait /*gait*/) {
-    return 3;
+    return static_cast<std::uint32_t>(Gait::jump) + 1;
 }
 constexpr std::uint32_t end_of(Bound /*bound*/) {
-    return 4;
+    return kBoundNames.size();
 }
 constexpr std::uint32_t end_of(SubjectKind /*kind*/) {
-    return 7;
+    return kSubjectKindNames.size();
 }
 
 void each_field(auto& fields, MaybeConst<WalkNodeId> auto& id) {

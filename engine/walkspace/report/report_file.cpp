@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
-#include <utility>
 
 #include "engine/walkspace/report/report_fields.h"
 #include "scene/base/field_archive.h"

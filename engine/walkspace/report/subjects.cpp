@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <iterator>
 #include <memory>
 #include <utility>
@@ -311,8 +310,7 @@ bool is_destination(SubjectKind kind) {
 }
 
 const char* name_of(SubjectKind kind) {
-    constexpr std::array kNames{"spawn", "place", "building", "trigger", "ray", "solid", "door"};
-    return kNames[static_cast<std::size_t>(kind)];
+    return kSubjectKindNames.at(static_cast<std::size_t>(kind));
 }
 
 }  // namespace campuswalk::engine

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -18,6 +19,8 @@ namespace campuswalk::engine {
 
 /// What of a campus one may want to get to.
 enum class SubjectKind : std::uint8_t { spawn, place, building, trigger, ray, solid, door };
+inline constexpr std::array kSubjectKindNames{"spawn", "place", "building", "trigger",
+                                              "ray",   "solid", "door"};
 
 /// Whether visitors want to get there, rather than only past it: all but solids and doors.
 bool is_destination(SubjectKind kind);

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/script/avatar_body.h"
 #include "engine/walkspace/barrier/hollows.h"
 #include "engine/walkspace/barrier/island_barriers.h"
-#include "engine/walkspace/passage/traps.h"
 #include "engine/walkspace/stride/removable_nodes.h"
 #include "engine/walkspace/stride/worker_threads.h"
 

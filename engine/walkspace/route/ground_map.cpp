@@ -1,7 +1,6 @@
 #include "engine/walkspace/route/ground_map.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "collision/world/placement.h"
 #include "engine/walkspace/explore/explore.h"

@@ -1,6 +1,5 @@
 #include "engine/walkspace/route/taut_path.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -1,7 +1,6 @@
 #include "engine/walkspace/space/storeys.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>

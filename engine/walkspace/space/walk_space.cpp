@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 
 #include "engine/walkspace/space/tight_growth.h"
 
@@ -26,11 +25,6 @@ double area_of(const WalkSpace& space, const Counts& counts) {
 }
 
 }  // namespace
-
-const char* name_of(Bound bound) {
-    constexpr std::array kNames{"nodes", "levels", "falls", "steering", "islands"};
-    return kNames[static_cast<std::size_t>(bound)];
-}
 
 double length_of(const std::vector<ChainLink>& chain) {
     double length = 0.0;

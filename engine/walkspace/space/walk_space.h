@@ -1,8 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -22,8 +22,8 @@ enum class Bound : std::uint8_t {
     islands,   ///< more ground that isn't reached than is looked at: none of it is reported
 };
 
-/// What it is called in files: "nodes", "levels", "falls", "steering", "islands".
-const char* name_of(Bound bound);
+/// What they are called in files, in their order.
+inline constexpr std::array kBoundNames{"nodes", "levels", "falls", "steering", "islands"};
 
 /// One stride of a chain, and where it ended.
 struct ChainLink {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "collision/mover/mover_settings.h"
-#include "collision/world/broad_phase.h"
 #include "collision/world/world.h"
 #include "engine/script/mentions.h"
 

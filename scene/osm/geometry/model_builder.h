@@ -6,7 +6,6 @@
 #include <map>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "scene/model/model.h"
 #include "scene/osm/geometry/plan_geometry.h"

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "scene/osm/geometry/box_index.h"
 #include "scene/osm/ways/site.h"

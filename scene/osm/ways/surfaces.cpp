@@ -6,15 +6,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "scene/base/ascii.h"
 #include "scene/osm/read/tag_values.h"
 #include "scene/osm/ways/crossings.h"
 #include "scene/osm/ways/flight_shape.h"
-#include "scene/osm/ways/ground.h"
 #include "scene/osm/ways/kerbs.h"
-#include "scene/osm/ways/paths.h"
 
 namespace campuswalk::scene::osm {
 

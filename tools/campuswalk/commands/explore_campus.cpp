@@ -3,13 +3,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
-#include <optional>
 #include <set>
-#include <string>
 #include <thread>
-#include <vector>
 
 #include "collision/world/bullet_broad_phase.h"
 #include "config/loader/load_campus.h"
@@ -20,7 +16,6 @@
 #include "engine/walkspace/passage/passage_widths.h"
 #include "engine/walkspace/report/walk_report.h"
 #include "scene/base/atomic_file.h"
-#include "scene/base/glob.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/status_line.h"

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cinttypes>
-#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <memory>

@@ -5,7 +5,6 @@
 #include "config/loader/yaml/wording.h"
 #include "engine/report/make_reporter.h"
 #include "scene/base/texts_of.h"
-#include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/cluster/run_on_slurm.h"
 #include "tools/campuswalk/cluster/slurm_options.h"

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "engine/walkspace/report/walk_report.h"
 #include "scene/campus/campus.h"

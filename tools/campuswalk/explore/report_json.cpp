@@ -8,7 +8,6 @@
 #include "scene/campus/node_at.h"
 #include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/explore/building_popups.h"
-#include "tools/campuswalk/explore/findings.h"
 #include "tools/campuswalk/explore/island_groups.h"
 #include "tools/campuswalk/explore/start_names.h"
 
@@ -251,7 +250,7 @@ Json finding_json(const Finding& finding, std::size_t number) {
 Json bounds_json(const WalkReport& report) {
     Json json = Json::array();
     for (const engine::Bound bound : report.space.bounds) {
-        json.push_back(engine::name_of(bound));
+        json.push_back(engine::kBoundNames.at(static_cast<std::size_t>(bound)));
     }
     return json;
 }

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <optional>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 #include "collision/world/cast.h"

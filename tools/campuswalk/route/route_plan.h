@@ -6,7 +6,6 @@
 #include "engine/render/plan/storey_plan.h"
 #include "engine/script/route.h"
 #include "engine/walkspace/route/route.h"
-#include "engine/walkspace/route/unreachable.h"
 #include "scene/campus/campus.h"
 
 namespace campuswalk::tools::route {

@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "scene/base/diagnostic.h"
-#include "scene/base/glob.h"
 #include "tools/campuswalk/base/text.h"
 
 namespace campuswalk::tools::route {

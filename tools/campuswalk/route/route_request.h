@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "engine/script/mentions.h"
 #include "scene/campus/campus_description.h"

@@ -17,7 +17,6 @@
 #include "scene/lint/wording.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/print.h"
-#include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/standard_streams.h"
 #include "tools/campuswalk/run/results/verdict.h"
 #include "tools/campuswalk/run/workers/interrupt.h"

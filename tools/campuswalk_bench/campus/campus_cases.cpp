@@ -19,7 +19,6 @@
 #include "tools/campuswalk_bench/campus/compare_answers.h"
 #include "tools/campuswalk_bench/campus/query_runs.h"
 #include "tools/campuswalk_bench/engines/peer_engines.h"
-#include "tools/campuswalk_bench/measure/row.h"
 #include "tools/campuswalk_bench/procedural/generated_campus.h"
 #include "tools/campuswalk_bench/procedural/split_mix.h"
 

@@ -3,10 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <filesystem>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "engine/events/decimals.h"
 #include "scene/base/atomic_file.h"

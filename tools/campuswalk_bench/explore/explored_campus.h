@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "collision/geometry/triangle_mesh.h"
 #include "collision/world/world.h"
 #include "engine/script/avatar.h"
 #include "engine/walkspace/explore/explore.h"

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <vector>
 
 #include "tools/campuswalk_bench/engine/engine.h"
 #include "tools/campuswalk_bench/explore/explored_campus.h"

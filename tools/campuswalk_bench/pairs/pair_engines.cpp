@@ -2,15 +2,11 @@
 
 #include <exception>
 #include <map>
-#include <memory>
 #include <stdexcept>
-#include <string>
 
-#include "collision/geometry/triangle_mesh.h"
 #include "collision/hybrid/hybrid_tree.h"
 #include "collision/mesh/mesh_collider.h"
 #include "collision/mesh/mesh_contacts.h"
-#include "tools/campuswalk_bench/engine/engine.h"
 #include "tools/campuswalk_bench/engines/node_tests.h"
 #include "tools/campuswalk_bench/engines/peer_engines.h"
 

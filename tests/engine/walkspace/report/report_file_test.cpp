@@ -86,6 +86,26 @@ TEST(ReportFile, BringsBackWhatWasWritten) {
     }
 }
 
+TEST(ReportFile, BringsBackWhateverItHoldsOfAKind) {
+    Reported was = reported();
+    ASSERT_FALSE(was.report.subjects.empty());
+    const auto subject = was.report.subjects.front();
+    was.report.space.bounds.clear();
+    for (std::size_t i = 0; i < kBoundNames.size(); ++i) {
+        was.report.space.bounds.push_back(static_cast<Bound>(i));
+    }
+    for (std::size_t i = 0; i < kSubjectKindNames.size(); ++i) {
+        was.report.subjects.push_back(subject);
+        was.report.subjects.back().subject.kind = static_cast<SubjectKind>(i);
+    }
+    for (const ReasonKind kind : reason_kinds()) {
+        was.report.subjects.push_back(subject);
+        was.report.subjects.back().subject.reason = Reason{.kind = kind};
+    }
+    const std::vector<std::byte> bytes = archive_report(was.report);
+    EXPECT_EQ(archive_report(read_report_file(bytes, was.campus.objects.size())), bytes);
+}
+
 TEST(ReportFile, KeepsTheChains) {
     const Reported was = reported();
     const WalkReport read = read_report_file(archive_report(was.report), was.campus.objects.size());

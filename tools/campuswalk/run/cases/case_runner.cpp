@@ -18,7 +18,6 @@
 #include "scene/base/atomic_file.h"
 #include "scene/base/diagnostic.h"
 #include "tools/campuswalk/base/print.h"
-#include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/run/cases/case_stream.h"
 #include "tools/campuswalk/run/cases/image_watch.h"

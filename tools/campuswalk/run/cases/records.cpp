@@ -1,6 +1,5 @@
 #include "tools/campuswalk/run/cases/records.h"
 
-#include <algorithm>
 #include <chrono>
 #include <utility>
 

@@ -1,9 +1,7 @@
 #include "tools/campuswalk/run/html/campus_bundle.h"
 
 #include <cstdint>
-#include <optional>
 #include <span>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -15,7 +13,6 @@
 #include "scene/base/printable.h"
 #include "scene/cache/content_hash.h"
 #include "scene/cache/file_hash.h"
-#include "scene/campus/campus.h"
 #include "scene/campus/node_selection.h"
 #include "scene/export/write_glb.h"
 #include "tools/campuswalk/base/json_text.h"

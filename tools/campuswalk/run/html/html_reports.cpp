@@ -1,12 +1,8 @@
 #include "tools/campuswalk/run/html/html_reports.h"
 
-#include <filesystem>
-#include <memory>
 #include <set>
-#include <string>
 #include <unordered_map>
 #include <utility>
-#include <vector>
 
 #include "config/loader/values/read_roots.h"
 #include "engine/html_report/foreign_json.h"
@@ -17,7 +13,6 @@
 #include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/read_below.h"
 #include "tools/campuswalk/base/read_lines.h"
-#include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/loading/model_importer.h"
 #include "tools/campuswalk/loading/walk_loader.h"
 #include "tools/campuswalk/run/html/campus_bundle.h"

@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "tools/campuswalk/base/environment.h"
-
 namespace campuswalk::tools {
 
 /// In an output folder: what html reports show of campuses.

@@ -6,13 +6,11 @@
 #include <set>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 #include "scene/base/diagnostic.h"
 #include "scene/lint/wording.h"
 #include "tools/campuswalk/base/text.h"
 #include "tools/campuswalk/run/plan/plan_hash.h"
-#include "tools/campuswalk/run/results/result_file.h"
 #include "tools/campuswalk/run/results/verdict.h"
 
 namespace campuswalk::tools {

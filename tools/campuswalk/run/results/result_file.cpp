@@ -8,7 +8,6 @@
 #include "engine/report/report_paths.h"
 #include "engine/report/result_json.h"
 #include "scene/base/diagnostic.h"
-#include "tools/campuswalk/base/report_diagnostics.h"
 #include "tools/campuswalk/base/walk_folder.h"
 #include "tools/campuswalk/run/results/signed_line.h"
 
