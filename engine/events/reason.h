@@ -13,8 +13,7 @@ namespace campuswalk::engine {
 /// What keeps a visitor from getting on, or to a place, with the members of Reason that say more.
 enum class ReasonKind : std::uint8_t {
     // These are about a passage. `measured` is what the body would have to manage, `allowed` what it manages
-    // or needs, in
-    // metres; at `at`, on `object` where that is known.
+    // or needs, in metres; at `at`, on `object` where that is known.
     riser,     ///< a step that is too high
     ledge,     ///< higher than any riser; nothing is allowed
     slope,     ///< too steep, in degrees

@@ -1,24 +1,28 @@
+#include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
 #include "config/loader/load_profile.h"
 #include "engine/events/decimals.h"
+#include "engine/script/mentions.h"
 #include "engine/walkspace/route/campus_route.h"
 #include "engine/walkspace/stride/tight_places.h"
 #include "scene/base/atomic_file.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/print.h"
+#include "tools/campuswalk/base/text.h"
 #include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/images/images.h"
 #include "tools/campuswalk/loading/model_importer.h"
 #include "tools/campuswalk/loading/walk_loader.h"
 #include "tools/campuswalk/route/route_plan.h"
-#include "tools/campuswalk/route/route_request.h"
 #include "tools/campuswalk/route/route_text.h"
 
 namespace campuswalk::tools {
@@ -37,6 +41,53 @@ struct RouteOptions {
     std::optional<std::filesystem::path> map;    ///< a picture
     bool json = false;
 };
+
+constexpr double kFarthest = 1e7;  // metres
+
+std::optional<double> coordinate(std::string_view text) {
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool good = error == std::errc() && end == text.data() + text.size() && std::isfinite(value) &&
+                      std::abs(value) <= kFarthest;
+    return good ? std::optional(value) : std::nullopt;
+}
+
+/// A place's or spawn's name (places first), "x,z" or "x,y,z". Throws bad-value or unknown-name about
+/// `option`.
+engine::Target parse_target(const scene::CampusDescription& campus, const std::string& text,
+                            const std::string& option) {
+    std::vector<std::string> names;
+    for (const scene::Place& place : campus.places) {
+        if (place.name == text) {
+            return {text, place.position, place.has_height};
+        }
+        names.push_back(place.name);
+    }
+    for (const scene::Spawn& spawn : campus.spawns) {
+        if (spawn.name == text) {
+            return {text, spawn.position, true};
+        }
+        names.push_back(spawn.name);
+    }
+    const std::vector<std::string_view> parts = split(text, ',');
+    if (parts.size() == 1) {
+        throw scene::InputError(
+            {option, 1, 1}, "unknown-name",
+            "the campus has no place or spawn '" + text + "'" + scene::did_you_mean(text, names));
+    }
+    std::vector<double> numbers;
+    for (const std::string_view part : parts) {
+        if (const auto number = coordinate(part)) {
+            numbers.push_back(*number);
+        }
+    }
+    if (numbers.size() != parts.size() || numbers.size() > 3) {
+        throw scene::InputError({option, 1, 1}, "bad-value",
+                                "'" + text + "' is neither a name nor x,z nor x,y,z in metres");
+    }
+    const bool has_height = numbers.size() == 3;
+    return {text, {numbers.front(), has_height ? numbers[1] : 0.0, numbers.back()}, has_height};
+}
 
 constexpr const char* kStepsSuffix = ".steps.yaml";
 
@@ -60,12 +111,12 @@ engine::RouteRequest request_of(const RouteOptions& options, const scene::Campus
                                 const engine::RouteSettings& settings, const collision::Vec3& start) {
     engine::RouteRequest request;
     for (const std::string& place : options.through) {
-        request.to.push_back(route::parse_target(campus.description, place, "--through"));
+        request.to.push_back(parse_target(campus.description, place, "--through"));
     }
-    request.to.push_back(route::parse_target(campus.description, options.to, "TO"));
+    request.to.push_back(parse_target(campus.description, options.to, "TO"));
     const auto body = engine::body_at(start, campus, settings);
     if (!body) {
-        const bool has_height = route::parse_target(campus.description, options.from, "FROM").has_height;
+        const bool has_height = parse_target(campus.description, options.from, "FROM").has_height;
         const std::string height = has_height
                                        ? "; start elsewhere"
                                        : ", at the first spawn's height of " + engine::fixed(start.y(), 2) +
@@ -101,8 +152,8 @@ int find_route(const RouteOptions& options) {
     if (options.prefer == engine::RoutePreference::wide) {
         settings.is_tight = engine::tight_places(campus->world, settings.solids, settings.strides.body);
     }
-    const collision::Vec3 start = engine::route_start(
-        route::parse_target(campus->description, options.from, "FROM"), campus->description);
+    const collision::Vec3 start =
+        engine::route_start(parse_target(campus->description, options.from, "FROM"), campus->description);
     const engine::RouteRequest request = request_of(options, *campus, settings, start);
 
     route::RouteAnswer answer{options.from, options.to, {}, {}};

@@ -13,7 +13,7 @@ std::string avatar_text(const engine::AvatarProfile& avatar, const std::string& 
 
 /// The avatar as tall as it is while it crouches.
 engine::AvatarProfile crouched(engine::AvatarProfile avatar);
-/// The avatar with this width, metres, and tall enough for that.
+/// The avatar with this width, metres.
 engine::AvatarProfile widened(engine::AvatarProfile avatar, double width);
 
 }  // namespace campuswalk::tools::explore

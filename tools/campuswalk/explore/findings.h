@@ -23,7 +23,9 @@ struct Finding {
     std::vector<std::size_t> islands = {};  ///< indices into WalkReport::islands; `barrier` is the first's
     std::string trigger = {};               ///< id, of one that reaches through a floor
     std::vector<FindingKind> also = {};     ///< what it is besides: `--fail-on` looks for these, too
-    std::size_t count = 1;                  ///< of like things that share it; `at` is the first's
+    /// Of a trap, a stuck spot, a hole or the way into ground behind a narrow passage: which of the report's.
+    std::optional<std::size_t> index = {};
+    std::size_t count = 1;  ///< of like things that share it; `at` is the first's
 };
 
 /// Unreached subjects first, then traps (stuck spots if they are small), holes, narrow passages, triggers
@@ -41,7 +43,6 @@ struct FindingName {
     const char* meaning;  ///< what `--fail-on` looks for
 };
 
-/// In the order of FindingKind.
 inline constexpr std::array<FindingName, 9> kFindingNames = {{
     {FindingKind::unreached, "unreached", "a spawn, a place, a building or an object that nobody gets to"},
     {FindingKind::trap, "traps", "ground that one gets to and not away from, of 1 m² or more"},

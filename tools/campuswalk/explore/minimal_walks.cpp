@@ -227,11 +227,10 @@ public:
             case FindingKind::trigger:
                 return of_trigger(finding);
             case FindingKind::trap:
-            case FindingKind::stuck: {
-                const auto trap = std::ranges::find(report_.traps, *finding.at, &engine::Trap::edge);
-                return yaml_if_shown(finding, walk_into_trap(report_, *trap, players_.usual, starts_),
-                                     players_.usual);
-            }
+            case FindingKind::stuck:
+                return yaml_if_shown(
+                    finding, walk_into_trap(report_, report_.traps[*finding.index], players_.usual, starts_),
+                    players_.usual);
             case FindingKind::hole:
                 return of_hole(finding);
         }
@@ -263,12 +262,9 @@ private:
     }
 
     std::optional<std::string> of_narrow_passage(const Finding& finding) {
-        const auto narrow = std::ranges::find_if(report_.narrow, [&](const engine::NarrowPassage& entry) {
-            return entry.passage && entry.passage->at == *finding.at;
-        });
-        return narrow == report_.narrow.end()
-                   ? std::nullopt
-                   : of_barrier(finding, *narrow->passage, narrow->beyond, players_.wide);
+        return finding.barrier ? of_barrier(finding, *finding.barrier, report_.narrow[*finding.index].beyond,
+                                            players_.wide)
+                               : std::nullopt;
     }
 
     std::string of_trigger(const Finding& finding) const {
@@ -278,9 +274,7 @@ private:
     }
 
     std::optional<std::string> of_hole(const Finding& finding) {
-        const auto hole = std::ranges::find_if(
-            report_.holes, [&](const engine::Hole& h) { return h.edges.front().at == *finding.at; });
-        const auto walk = walk_into_hole(*hole, players_.usual, starts_);
+        const auto walk = walk_into_hole(report_.holes[*finding.index], players_.usual, starts_);
         return walk ? std::optional(status_yaml(finding, walk->failure + ", never") +
                                     steps_yaml(walk->draft, players_.usual.disabled()) +
                                     "expect:\n  - never: \"avatar.fell *\"\n")

@@ -65,8 +65,7 @@ std::vector<StoreyMark> ground_marks(const WalkReport& report, const Finding& fi
         }
     }
     if (finding.kind == FindingKind::trap || finding.kind == FindingKind::stuck) {
-        const auto trap = std::ranges::find(report.traps, *finding.at, &engine::Trap::edge);
-        for (const engine::WalkNodeId& node : trap->nodes) {
+        for (const engine::WalkNodeId& node : report.traps[*finding.index].nodes) {
             ground.add(report.storeys.of(node), report.space.position(node));
         }
     }
@@ -76,11 +75,8 @@ std::vector<StoreyMark> ground_marks(const WalkReport& report, const Finding& fi
 /// Where the visitor stood for whom it was measured.
 std::size_t storey_before(const WalkReport& report, const Finding& finding) {
     switch (finding.kind) {
-        case FindingKind::hole: {
-            const auto hole = std::ranges::find_if(
-                report.holes, [&](const engine::Hole& each) { return each.edges.front().at == *finding.at; });
-            return report.storeys.of(hole->edges.front().node);
-        }
+        case FindingKind::hole:
+            return report.storeys.of(report.holes[*finding.index].edges.front().node);
         case FindingKind::island:  // its place is the first spot
             return storeys_of_island(report, report.islands[finding.islands.front()].island).front();
         default:

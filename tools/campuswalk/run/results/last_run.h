@@ -14,7 +14,7 @@ namespace campuswalk::tools {
 
 /// What the output folder records of the previous run: its results in the order in which they came.
 struct LastRun {
-    std::string plan;  ///< run_fingerprint() of what was run
+    std::string plan;  ///< resume_fingerprint() of what was run
     std::vector<engine::WalkResult> results;
     std::uintmax_t whole_bytes = 0;  ///< up to a last line that was cut short when the run was killed
     bool authentic = false;          ///< all lines were written with the same key
