@@ -137,7 +137,7 @@ void add_traps(const scene::Campus& campus, const WalkReport& report, std::vecto
                             entry_text(trap.drop) + " and not out again" +
                                 (trap.out ? ": " + text_of(reason_of(campus, *trap.out)) : ""),
                             trap.edge});
-        findings.back().index = &trap - report.traps.data();
+        findings.back().index = static_cast<std::size_t>(&trap - report.traps.data());
     }
 }
 
@@ -146,7 +146,7 @@ void add_holes(const WalkReport& report, std::vector<Finding>& findings) {
         findings.push_back({FindingKind::hole, "hole",
                             "one falls out of the world along " + fixed(hole.length, 1) + " m of an edge",
                             hole.edges.front().at});
-        findings.back().index = &hole - report.holes.data();
+        findings.back().index = static_cast<std::size_t>(&hole - report.holes.data());
     }
 }
 
@@ -179,7 +179,7 @@ void add_narrow_passages(const scene::Campus& campus, const WalkReport& report,
                             entry.passage ? text_of(reason_of(campus, *entry.passage))
                                           : "nothing that a wide visitor reaches lies near it",
                             entry.passage ? entry.passage->at : foot, entry.passage});
-        findings.back().index = &entry - report.narrow.data();
+        findings.back().index = static_cast<std::size_t>(&entry - report.narrow.data());
     }
 }
 
