@@ -1,6 +1,7 @@
 #include "config/loader/walk/avatar_reader.h"
 
 #include "config/loader/profile/read_avatar.h"
+#include "config/loader/profile/read_profile.h"
 #include "config/loader/values/names.h"
 
 namespace campuswalk::config {
