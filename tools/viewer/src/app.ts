@@ -182,14 +182,9 @@ export class App {
       scope,
     );
     replace(this.body, this.walk.root);
-    scope.add(
-      this.store.on(
-        (state) => state.against,
-        (shown) => {
-          if (shown !== (other !== null)) location.hash = formatLink({ walk: row.id, against: shown });
-        },
-      ),
-    );
+    this.store.on(scope, 'against', (shown) => {
+      if (shown !== (other !== null)) location.hash = formatLink({ walk: row.id, against: shown });
+    });
     await this.walk.ready;
   }
 
@@ -230,9 +225,6 @@ export class App {
       }
     };
     const schedule = (): void => void (waiting ||= window.setTimeout(write, 200));
-    this.store.on((state) => state.tick, schedule);
-    this.store.on((state) => state.playing, schedule);
-    this.store.on((state) => state.camera, schedule);
-    this.store.on((state) => state.query, schedule);
+    for (const each of ['tick', 'playing', 'camera', 'query'] as const) this.store.on(null, each, schedule);
   }
 }

@@ -1,5 +1,7 @@
 // The page's state, and the only place that changes it: views read it, and are called when what they read changes.
 
+import type { Scope } from './ui/dom';
+
 export type CameraMode = 'first' | 'third' | 'top' | 'orbit' | 'free';
 export type Tab = 'failure' | 'log' | 'steps' | 'pictures' | 'file' | 'author';
 export type Tool = 'none' | 'point' | 'box';
@@ -62,6 +64,7 @@ export const initialState: State = {
 };
 
 type Listener = () => void;
+type Selector<Value> = (state: Readonly<State>) => Value;
 
 export class Store {
   private current: State = initialState;
@@ -93,17 +96,23 @@ export class Store {
     this.set({ layers: { ...this.current.layers, [layer]: shown } });
   }
 
-  /** Calls `act` at once and whenever what `select` yields has changed. Returns what ends that. */
-  on<Value>(select: (state: Readonly<State>) => Value, act: (value: Value) => void): () => void {
-    let seen = select(this.current);
+  /**
+   * Calls `act` at once, and whenever a member of the state, or what a function selects of it, has changed. It ends with
+   * the scope; without one, it lasts as long as the page.
+   */
+  on<Key extends keyof State>(scope: Scope | null, of: Key, act: (value: State[Key]) => void): void;
+  on<Value>(scope: Scope | null, of: Selector<Value>, act: (value: Value) => void): void;
+  on(scope: Scope | null, of: keyof State | Selector<unknown>, act: (value: never) => void): void {
+    const selected = (): unknown => (typeof of === 'function' ? of(this.current) : this.current[of]);
+    let seen = selected();
     const listener = (): void => {
-      const value = select(this.current);
+      const value = selected();
       if (Object.is(value, seen)) return;
       seen = value;
-      act(value);
+      act(value as never);
     };
     this.listeners.add(listener);
-    act(seen);
-    return () => this.listeners.delete(listener);
+    act(seen as never);
+    scope?.add(() => this.listeners.delete(listener));
   }
 }

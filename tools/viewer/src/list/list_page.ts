@@ -82,12 +82,7 @@ export class ListPage {
       ),
       this.printed,
     );
-    scope.add(
-      store.on(
-        (state) => state.query,
-        (query) => this.filter(query),
-      ),
-    );
+    store.on(scope, 'query', (query) => this.filter(query));
     scope.listen(window, 'themechange' as keyof WindowEventMap, () => this.showRows());
     scope.listen(window, 'beforeprint', () => replace(this.printed, printedSummary(report, this.selected)));
   }

@@ -89,12 +89,9 @@ export function helpDialog(store: Store): HTMLElement {
     ),
   );
   dialog.addEventListener('click', (event) => event.target === dialog && dialog.close());
-  store.on(
-    (state) => state.help,
-    (shown) => {
-      if (shown && !dialog.open) dialog.showModal();
-      if (!shown && dialog.open) dialog.close();
-    },
-  );
+  store.on(null, 'help', (shown) => {
+    if (shown && !dialog.open) dialog.showModal();
+    if (!shown && dialog.open) dialog.close();
+  });
   return dialog;
 }

@@ -20,13 +20,10 @@ export function useTheme(store: Store): void {
     document.documentElement.dataset.theme = dark ? 'dark' : 'light';
     window.dispatchEvent(new Event('themechange'));
   };
-  store.on(
-    (state) => state.theme,
-    (theme) => {
-      apply();
-      remember(theme);
-    },
-  );
+  store.on(null, 'theme', (theme) => {
+    apply();
+    remember(theme);
+  });
   system.addEventListener('change', apply);
 }
 
@@ -37,14 +34,11 @@ export function themeButton(store: Store): HTMLButtonElement {
     class: 'plain',
     act: () => store.set({ theme: order[(order.indexOf(store.state.theme) + 1) % order.length]! }),
   });
-  store.on(
-    (state) => state.theme,
-    (theme) => {
-      replace(made, icon(icons[theme]));
-      made.title = labels[theme];
-      made.setAttribute('aria-label', labels[theme]);
-    },
-  );
+  store.on(null, 'theme', (theme) => {
+    replace(made, icon(icons[theme]));
+    made.title = labels[theme];
+    made.setAttribute('aria-label', labels[theme]);
+  });
   return made;
 }
 

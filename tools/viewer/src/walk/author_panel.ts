@@ -29,19 +29,14 @@ export function authorPanel(context: WalkContext, viewport: Viewport | null, sco
   );
   const hint = element('p', { class: 'note' });
   const results = element('div', { class: 'snippets' });
-  scope.add(
-    store.on(
-      (state) => state.tool,
-      (tool) => {
-        tools.show(tool);
-        hint.textContent = {
-          none: 'Choose Points or Box, then click in the scene.',
-          point: 'Click on the ground: its coordinates are copied. Several points make a path.',
-          box: 'Drag over the ground around a door: from one corner to the other.',
-        }[tool];
-      },
-    ),
-  );
+  store.on(scope, 'tool', (tool) => {
+    tools.show(tool);
+    hint.textContent = {
+      none: 'Choose Points or Box, then click in the scene.',
+      point: 'Click on the ground: its coordinates are copied. Several points make a path.',
+      box: 'Drag over the ground around a door: from one corner to the other.',
+    }[tool];
+  });
   const height = numberInput('Height', marks.height, 'm', () =>
     marks.setBox(Number(height.input.value), Number(yaw.input.value)),
   );

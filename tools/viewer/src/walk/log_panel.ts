@@ -60,12 +60,7 @@ export class LogPanel {
           );
     this.refine({});
     scope.resized(this.list.root, () => this.current >= 0 && this.list.reveal(this.current, 'center'));
-    scope.add(
-      context.store.on(
-        (state) => this.lineAt(state.tick),
-        (index) => this.follow(index),
-      ),
-    );
+    context.store.on(scope, 'tick', (tick) => this.follow(this.lineAt(tick)));
   }
 
   private refine(changes: { query?: string; stays?: boolean }): void {

@@ -33,7 +33,7 @@ export function walkPlan(context: WalkContext, scope: Scope, follows: boolean): 
     plan.resize(root.clientWidth, root.clientHeight);
     draw();
   });
-  scope.add(context.store.on((state) => Math.floor(state.tick), draw));
+  context.store.on(scope, (state) => Math.floor(state.tick), draw);
   scope.listen(window, 'themechange' as keyof WindowEventMap, draw);
   void context.campuses.plan(context.data.row.campus).then((made) => {
     image = made;

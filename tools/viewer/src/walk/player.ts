@@ -20,12 +20,7 @@ export class Player {
     this.eventTicks = [...new Set([0, ...context.events.map((event) => event.tick), context.lastTick])].sort(
       (a, b) => a - b,
     );
-    scope.add(
-      this.store.on(
-        (state) => state.playing,
-        (playing) => (playing ? this.start() : this.stop()),
-      ),
-    );
+    this.store.on(scope, 'playing', (playing) => (playing ? this.start() : this.stop()));
     scope.add(() => this.stop());
   }
 

@@ -24,17 +24,15 @@ export function stepsPanel(context: WalkContext, player: Player, scope: Scope): 
       element('span', { class: 'step-length', text: lengthOf(step.to - step.from, context.ticksPerSecond) }),
     ),
   );
-  const current = (tick: number): number => steps.findLastIndex((step) => isDuring(step, tick));
-  scope.add(
-    context.store.on(
-      (state) => current(Math.round(state.tick)),
-      (index) => {
-        rows.forEach((row, i) =>
-          i === index ? row.setAttribute('aria-current', 'step') : row.removeAttribute('aria-current'),
-        );
-        rows[index]?.scrollIntoView({ block: 'nearest' });
-      },
-    ),
+  context.store.on(
+    scope,
+    (state) => steps.findLastIndex((step) => isDuring(step, Math.round(state.tick))),
+    (index) => {
+      rows.forEach((row, i) =>
+        i === index ? row.setAttribute('aria-current', 'step') : row.removeAttribute('aria-current'),
+      );
+      rows[index]?.scrollIntoView({ block: 'nearest' });
+    },
   );
   return element('div', { class: 'steps' }, ...rows);
 }

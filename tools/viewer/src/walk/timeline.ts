@@ -65,18 +65,7 @@ export class Timeline {
     this.tip.hidden = true;
     this.listen(scope);
     scope.resized(this.slider, () => this.resize());
-    scope.add(
-      context.store.on(
-        (state) => state.tick,
-        (tick) => this.setTick(tick),
-      ),
-    );
-    scope.add(
-      context.store.on(
-        (state) => state.theme,
-        () => this.draw(),
-      ),
-    );
+    context.store.on(scope, 'tick', (tick) => this.setTick(tick));
     scope.listen(window, 'themechange' as keyof WindowEventMap, () => this.draw());
   }
 

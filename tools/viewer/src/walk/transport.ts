@@ -18,31 +18,17 @@ export function transport(context: WalkContext, player: Player, scope: Scope): H
   });
   for (const each of speeds) speed.append(element('option', { text: `${each}×`, attributes: { value: each } }));
 
-  scope.add(
-    store.on(
-      (state) => state.playing,
-      (playing) => {
-        replace(play, icon(playing ? 'pause' : 'play'));
-        play.setAttribute('aria-label', playing ? 'Pause' : 'Play');
-        setPressed(play, playing);
-      },
-    ),
-  );
-  scope.add(
-    store.on(
-      (state) => state.speed,
-      (value) => (speed.value = String(value)),
-    ),
-  );
-  scope.add(
-    store.on(
-      (state) => Math.round(state.tick),
-      (value) => {
-        setText(time, `${(value / context.ticksPerSecond).toFixed(2)} s`);
-        setText(tick, `tick ${value} of ${context.lastTick}`);
-      },
-    ),
-  );
+  store.on(scope, 'playing', (playing) => {
+    replace(play, icon(playing ? 'pause' : 'play'));
+    play.setAttribute('aria-label', playing ? 'Pause' : 'Play');
+    setPressed(play, playing);
+  });
+  store.on(scope, 'speed', (value) => (speed.value = String(value)));
+  store.on(scope, 'tick', (value) => {
+    const whole = Math.round(value);
+    setText(time, `${(whole / context.ticksPerSecond).toFixed(2)} s`);
+    setText(tick, `tick ${whole} of ${context.lastTick}`);
+  });
 
   return element(
     'div',

@@ -31,12 +31,7 @@ export function viewBar(
 ): HTMLElement {
   const { store } = context;
   const modes = segments<CameraMode>('Camera', cameras, (camera) => store.set({ camera }));
-  scope.add(
-    store.on(
-      (state) => state.camera,
-      (camera) => modes.show(camera),
-    ),
-  );
+  store.on(scope, 'camera', (camera) => modes.show(camera));
   return element(
     'div',
     { class: 'view-bar', attributes: { role: 'toolbar', 'aria-label': 'View' } },
@@ -54,12 +49,7 @@ function layersMenu(context: WalkContext, setShadows: ((drawn: boolean) => void)
     .filter(([layer]) => layer !== 'findings' || hasFindings)
     .map(([layer, label]) => {
       const box = checkbox(label, (shown) => store.setLayer(layer, shown));
-      scope.add(
-        store.on(
-          (state) => state.layers[layer],
-          (shown) => (box.input.checked = shown),
-        ),
-      );
+      store.on(scope, 'layers', (layers) => (box.input.checked = layers[layer]));
       return box.root;
     });
   const root = element('div', {}, ...boxes);
@@ -99,17 +89,12 @@ function cutMenu(context: WalkContext, scope: Scope): HTMLElement {
         )
       : null,
   );
-  scope.add(
-    store.on(
-      (state) => state.cut,
-      (cut) => {
-        height.value = String(cut ?? highest);
-        value.textContent = cut === null ? 'nothing cut' : `above ${cut.toFixed(1)} m`;
-        for (const each of choices.querySelectorAll<HTMLElement>('button'))
-          setPressed(each, each.dataset.cut === String(cut));
-      },
-    ),
-  );
+  store.on(scope, 'cut', (cut) => {
+    height.value = String(cut ?? highest);
+    value.textContent = cut === null ? 'nothing cut' : `above ${cut.toFixed(1)} m`;
+    for (const each of choices.querySelectorAll<HTMLElement>('button'))
+      setPressed(each, each.dataset.cut === String(cut));
+  });
   const here = button({
     label: "Cut just above the visitor's head",
     text: 'Above the visitor',

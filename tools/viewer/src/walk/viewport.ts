@@ -49,30 +49,9 @@ export class Viewport {
     const update = (seconds: number): boolean => this.update(seconds);
     stage.animations.add(update);
     scope.add(() => stage.animations.delete(update));
-    scope.add(
-      store.on(
-        (state) => state.camera,
-        (mode) => this.rig.setMode(mode),
-      ),
-    );
-    scope.add(
-      store.on(
-        (state) => state.cut,
-        (height) => this.cut(height),
-      ),
-    );
-    for (const select of [
-      (state: typeof store.state) => state.tick,
-      (state: typeof store.state) => state.layers,
-    ] as const) {
-      scope.add(store.on<unknown>(select, () => stage.invalidate()));
-    }
-    scope.add(
-      store.on(
-        (state) => state.camera,
-        () => stage.invalidate(),
-      ),
-    );
+    store.on(scope, 'camera', (mode) => (this.rig.setMode(mode), stage.invalidate()));
+    store.on(scope, 'cut', (height) => (loaded.model.cut(height), stage.invalidate()));
+    for (const each of ['tick', 'layers'] as const) store.on(scope, each, () => stage.invalidate());
     scope.add(() => this.scene.dispose());
   }
 
@@ -143,11 +122,6 @@ export class Viewport {
       this.loaded.picker.sees(this.stage.camera.position, new Vector3(x, y + 0.5, z)),
     );
     return seen.length < samples.length / 2;
-  }
-
-  private cut(height: number | null): void {
-    this.loaded.model.cut(height);
-    this.stage.invalidate();
   }
 
   private resize(): void {

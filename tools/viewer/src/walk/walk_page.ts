@@ -117,12 +117,7 @@ export class WalkPage {
       return;
     }
     const minimap = walkPlan(context, scope, true);
-    scope.add(
-      context.store.on(
-        (state) => state.layers.plan,
-        (shown) => (minimap.hidden = !shown),
-      ),
-    );
+    context.store.on(scope, 'layers', ({ plan }) => (minimap.hidden = !plan));
     const gl = context.campuses.stage!;
     replace(
       stage,
@@ -189,22 +184,17 @@ export class WalkPage {
       heads[next]?.focus();
       choose(tabs[next]!.id);
     });
-    scope.add(
-      context.store.on(
-        (state) => state.tab,
-        (id) => {
-          const tab = tabs.find((each) => each.id === id) ?? tabs[0]!;
-          heads.forEach((head, i) => {
-            head.setAttribute('aria-selected', String(tabs[i] === tab));
-            head.tabIndex = tabs[i] === tab ? 0 : -1;
-          });
-          const content = made.get(tab.id) ?? tab.make();
-          made.set(tab.id, content);
-          replace(panel, content);
-          if (tab.id === 'file') content.querySelector('.marked')?.scrollIntoView({ block: 'center' });
-        },
-      ),
-    );
+    context.store.on(scope, 'tab', (id) => {
+      const tab = tabs.find((each) => each.id === id) ?? tabs[0]!;
+      heads.forEach((head, i) => {
+        head.setAttribute('aria-selected', String(tabs[i] === tab));
+        head.tabIndex = tabs[i] === tab ? 0 : -1;
+      });
+      const content = made.get(tab.id) ?? tab.make();
+      made.set(tab.id, content);
+      replace(panel, content);
+      if (tab.id === 'file') content.querySelector('.marked')?.scrollIntoView({ block: 'center' });
+    });
     replace(side, bar, panel);
   }
 
