@@ -12,10 +12,6 @@ export class Chunks {
     }
   }
 
-  has(name: string | number): boolean {
-    return this.elements.has(String(name));
-  }
-
   /** Unpacked. Frees the text if it is needed only once. */
   async bytes(name: string | number, once = false): Promise<Uint8Array<ArrayBuffer>> {
     const element = this.elementOf(name);

@@ -90,11 +90,6 @@ export class PlanCanvas {
     return [this.width / 2 + (x - centerX) * pixelsPerMetre, this.height / 2 + (z - centerZ) * pixelsPerMetre];
   }
 
-  toMetres(px: number, py: number): [number, number] {
-    const { centerX, centerZ, pixelsPerMetre } = this.view;
-    return [centerX + (px - this.width / 2) / pixelsPerMetre, centerZ + (py - this.height / 2) / pixelsPerMetre];
-  }
-
   drawCampus(campus: CampusEntry | null, image: CanvasImageSource | null, colors: PlanColors): void {
     const { context } = this;
     context.globalAlpha = 1;

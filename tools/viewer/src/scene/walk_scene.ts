@@ -133,18 +133,14 @@ export class WalkScene {
     this.setGaze(tick, layers.gaze && !fromEyes);
   }
 
-  /** Lights what is in the way in red; null ends that. */
-  showObstacle(shown: Obstacle | null): void {
+  /** Lights what is in the way in red, and nothing else any more. */
+  showObstacle(shown: Obstacle): void {
     this.obstacle.clear();
     for (const label of this.obstacleLabels.splice(0)) this.labels.remove(label);
-    const index = shown ? (this.context.objects.get(shown.object) ?? -1) : -1;
+    const index = this.context.objects.get(shown.object) ?? -1;
     const object = this.context.campus?.objects[index];
     this.obstacleId = object?.id ?? '';
-    const at = shown?.at ? new Vector3(...shown.at) : null;
-    if (!shown || (!object && !at)) {
-      this.loaded.obstacle.clear();
-      return;
-    }
+    const at = shown.at ? new Vector3(...shown.at) : null;
     const pieces = object ? this.loaded.model.piecesOf(index) : [];
     this.loaded.obstacle.show(pieces, at);
     if (object && object.shape !== 'mesh') this.obstacle.add(outline(object));

@@ -75,11 +75,6 @@ export class Viewport {
     this.stage.invalidate();
   }
 
-  clearFailure(): void {
-    this.scene.showObstacle(null);
-    this.stage.invalidate();
-  }
-
   /** From a little above, a few steps away. */
   lookAt(point: Point): void {
     this.context.store.set({ camera: 'orbit', playing: false });
