@@ -53,7 +53,7 @@ export class App {
     this.keepAddress();
   }
 
-  openList(): void {
+  private openList(): void {
     location.hash = formatLink({ query: this.store.state.query });
   }
 

@@ -17,7 +17,7 @@ export interface Layers {
   plan: boolean;
 }
 
-export interface State {
+interface State {
   page: 'list' | 'walk';
   /** Index of a row of the run, or -1. */
   walk: number;
@@ -38,7 +38,7 @@ export interface State {
   help: boolean;
 }
 
-export const initialState: State = {
+const initialState: State = {
   page: 'list',
   walk: -1,
   against: false,

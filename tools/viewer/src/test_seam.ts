@@ -3,7 +3,7 @@
 import type { App } from './app';
 import { lastCopied } from './ui/clipboard';
 
-export interface TestSeam {
+interface TestSeam {
   /** Fulfilled when what is shown now is complete; true if a report is shown. */
   ready(): Promise<boolean>;
   /** Where the visitor's feet are, metres, as at the time that is shown or at a tick. */

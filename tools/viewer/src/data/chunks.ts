@@ -13,7 +13,7 @@ export class Chunks {
   }
 
   /** Unpacked. Frees the text if it is needed only once. */
-  async bytes(name: string | number, once = false): Promise<Uint8Array<ArrayBuffer>> {
+  async bytes(name: string | number, once: boolean): Promise<Uint8Array<ArrayBuffer>> {
     const element = this.elementOf(name);
     const packed = fromBase64(element.textContent ?? '', name);
     if (once) {

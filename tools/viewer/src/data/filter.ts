@@ -4,7 +4,7 @@
 
 import type { WalkRow } from '../format';
 
-export interface Filter {
+interface Filter {
   matches(row: SearchableRow): boolean;
   isEmpty: boolean;
 }

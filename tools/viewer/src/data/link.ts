@@ -1,6 +1,6 @@
 // Deep links: #walk=ID&t=12.35 shows a walk at a time, #q=s:failed filters the list.
 
-export interface Link {
+interface Link {
   /** Id of a walk; none: the list. */
   walk?: string;
   /** Seconds. */

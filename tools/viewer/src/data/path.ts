@@ -105,7 +105,7 @@ export class Path {
 }
 
 /** Undoes delta coding. */
-export function summed(differences: readonly number[], unit: number): Float64Array {
+function summed(differences: readonly number[], unit: number): Float64Array {
   const values = new Float64Array(differences.length);
   let sum = 0;
   differences.forEach((difference, i) => {

@@ -3,7 +3,7 @@
 import type { Failure } from '../format';
 import { fieldOf, type LogLine } from './log';
 
-export type SpanKind = 'collision' | 'trigger' | 'ray';
+type SpanKind = 'collision' | 'trigger' | 'ray';
 
 export interface Span {
   kind: SpanKind;

@@ -18,8 +18,8 @@ export function metres(value: number | string): string {
 }
 
 /** "1 walk", "2,000 walks". */
-export function plural(count: number, one: string, many = `${one}s`): string {
-  return `${count.toLocaleString('en')} ${count === 1 ? one : many}`;
+export function plural(count: number, one: string): string {
+  return `${count.toLocaleString('en')} ${one}${count === 1 ? '' : 's'}`;
 }
 
 /**

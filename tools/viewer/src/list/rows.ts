@@ -23,7 +23,7 @@ export function groupHead(group: Group): HTMLElement {
   );
 }
 
-export interface RowOptions {
+interface RowOptions {
   theme: Element;
   inGroup: boolean;
   addTag: (tag: string) => void;

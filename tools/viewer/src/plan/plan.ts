@@ -2,7 +2,7 @@
 
 import type { CampusEntry } from '../format';
 
-export interface PlanPath {
+interface PlanPath {
   /** Metres: x, z. */
   points: readonly (readonly [number, number])[];
   color: string;
@@ -10,7 +10,7 @@ export interface PlanPath {
   opacity?: number;
 }
 
-export interface PlanMark {
+interface PlanMark {
   x: number;
   z: number;
   color: string;
@@ -25,7 +25,7 @@ export interface PlanView {
   pixelsPerMetre: number;
 }
 
-export interface PlanColors {
+interface PlanColors {
   ground: string;
   building: string;
   edge: string;

@@ -17,7 +17,7 @@ import {
 import type { Avatar } from '../format';
 import type { Pose } from '../data/path';
 
-export interface FigureColors {
+interface FigureColors {
   coat: number;
   bag: number;
   trousers: number;

@@ -4,7 +4,7 @@ import { Vector3, type PerspectiveCamera } from 'three';
 import { element } from '../ui/dom';
 
 /** On which side of its point a label is. */
-export type Side = 'above' | 'below' | 'left' | 'right';
+type Side = 'above' | 'below' | 'left' | 'right';
 
 const shifts: Record<Side, string> = {
   above: 'translate(-50%, -100%)',
@@ -26,7 +26,7 @@ export class Labels {
   private readonly labels = new Set<Label>();
   private readonly projected = new Vector3();
 
-  add(text: string, point: Vector3, className = '', within = Infinity, side: Side = 'above'): Label {
+  add(text: string, point: Vector3, className: string, within = Infinity, side: Side = 'above'): Label {
     const label = { root: element('div', { class: `label ${className}`, text }), point, within, side };
     this.labels.add(label);
     this.root.append(label.root);

@@ -106,7 +106,7 @@ export class Picker {
   }
 }
 
-export function isOpaque(piece: Piece): boolean {
+function isOpaque(piece: Piece): boolean {
   return !piece.material.transparent;
 }
 

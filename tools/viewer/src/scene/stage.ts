@@ -18,7 +18,7 @@ import { element } from '../ui/dom';
 import { Sky } from './sky';
 
 /** Called before each drawing with the seconds since the last; true keeps on drawing. */
-export type Animation = (seconds: number) => boolean;
+type Animation = (seconds: number) => boolean;
 
 export class NoWebGL extends Error {}
 

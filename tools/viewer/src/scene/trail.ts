@@ -8,7 +8,7 @@ import type { Path } from '../data/path';
 
 const above = 0.06; // metres over the ground, so that it isn't drawn in it
 
-export interface TrailStyle {
+interface TrailStyle {
   color: number;
   width: number;
   /** Draws up to this tick only. */

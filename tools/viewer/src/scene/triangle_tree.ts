@@ -4,7 +4,7 @@ import type { BufferGeometry } from 'three';
 
 const leafSize = 8;
 
-export interface TreeHit {
+interface TreeHit {
   /** Along the ray, in lengths of its direction. */
   distance: number;
   triangle: number;

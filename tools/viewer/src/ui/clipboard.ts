@@ -30,7 +30,7 @@ function copyBySelection(text: string): boolean {
 }
 
 /** Says it for a moment, to screen readers too. */
-export function notify(message: string): void {
+function notify(message: string): void {
   let toast = document.querySelector<HTMLElement>('.toast');
   if (!toast) {
     toast = element('div', { class: 'toast', attributes: { role: 'status', 'aria-live': 'polite' } });

@@ -4,7 +4,7 @@ import { copyText } from './clipboard';
 import { element, type Child } from './dom';
 import { icon, type IconName } from './icons';
 
-export interface ButtonOptions {
+interface ButtonOptions {
   icon?: IconName;
   label: string;
   /** Shown beside the icon, too. */
@@ -36,7 +36,7 @@ export function setPressed(toggle: HTMLElement, pressed: boolean): void {
   toggle.setAttribute('aria-pressed', String(pressed));
 }
 
-export interface Choice<Value extends string> {
+interface Choice<Value extends string> {
   value: Value;
   text: string;
   label: string;
@@ -71,10 +71,10 @@ export function checkbox(
 }
 
 /** A text to copy, with its button. */
-export function copyable(text: string, label: string, className = ''): HTMLElement {
+export function copyable(text: string, label: string): HTMLElement {
   return element(
     'div',
-    { class: `copyable ${className}` },
+    { class: 'copyable' },
     element('pre', { text, attributes: { tabindex: 0 } }),
     button({ icon: 'copy', label, act: () => void copyText(text, label.replace(/^Copy/, 'Copied')) }),
   );

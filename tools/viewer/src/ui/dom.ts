@@ -4,7 +4,7 @@ import { visible } from '../data/text';
 
 export type Child = Node | string | number | null | undefined | false;
 
-export interface Properties {
+interface Properties {
   class?: string;
   text?: string;
   title?: string;

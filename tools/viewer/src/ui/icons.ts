@@ -31,11 +31,11 @@ const paths = {
 
 export type IconName = keyof typeof paths;
 
-export function icon(of: IconName, className = ''): SVGSVGElement {
+export function icon(of: IconName): SVGSVGElement {
   const space = 'http://www.w3.org/2000/svg';
   const svg = document.createElementNS(space, 'svg');
   svg.setAttribute('viewBox', '0 0 16 16');
-  svg.setAttribute('class', `icon ${className}`);
+  svg.setAttribute('class', 'icon');
   svg.setAttribute('aria-hidden', 'true');
   const path = document.createElementNS(space, 'path');
   path.setAttribute('d', paths[of]);

@@ -4,7 +4,7 @@ import type { Layers, Store } from '../store';
 import { cameras, cutAtVisitor } from '../walk/view_bar';
 import type { WalkPage } from '../walk/walk_page';
 
-export interface Commands {
+interface Commands {
   page: () => WalkPage | null;
   list: () => void;
   go: (direction: 1 | -1) => void;

@@ -2,7 +2,7 @@
 
 import { element, Scope } from './dom';
 
-export interface VirtualRows {
+interface VirtualRows {
   count: number;
   height: (row: number) => number;
   /** Equal keys mean that an element can be used again as it is. */
@@ -21,12 +21,8 @@ export class VirtualList {
   private drawn = new Map<string | number, HTMLElement>();
   private pending = 0;
 
-  constructor(
-    scope: Scope,
-    className: string,
-    private readonly role: 'list' | 'none' = 'list',
-  ) {
-    this.content = element('div', { class: 'virtual-content', attributes: { role } });
+  constructor(scope: Scope, className: string) {
+    this.content = element('div', { class: 'virtual-content', attributes: { role: 'list' } });
     this.root = element('div', { class: `virtual ${className}`, attributes: { tabindex: 0 } }, this.content);
     scope.listen(this.root, 'scroll', () => this.schedule(), { passive: true });
     scope.resized(this.root, () => this.draw());
@@ -48,13 +44,13 @@ export class VirtualList {
     return this.drawn;
   }
 
-  reveal(row: number, align: 'nearest' | 'center' = 'nearest'): void {
+  /** Scrolls the row to the middle, unless it is in view. */
+  reveal(row: number): void {
     const top = this.tops[row] ?? 0;
     const bottom = this.tops[row + 1] ?? top;
     const { scrollTop, clientHeight } = this.root;
     if (top >= scrollTop && bottom <= scrollTop + clientHeight) return;
-    const middle = align === 'center' ? (clientHeight - (bottom - top)) / 2 : 0;
-    this.root.scrollTop = align === 'center' || top < scrollTop ? top - middle : bottom - clientHeight;
+    this.root.scrollTop = (top + bottom - clientHeight) / 2;
     this.draw();
   }
 
@@ -84,11 +80,9 @@ export class VirtualList {
     made.classList.add('virtual-row');
     made.style.transform = `translateY(${this.tops[row]}px)`;
     made.style.height = `${this.rows.height(row)}px`;
-    if (this.role === 'list' && !made.hasAttribute('role')) {
-      made.setAttribute('role', 'listitem');
-      made.setAttribute('aria-setsize', String(this.rows.count));
-      made.setAttribute('aria-posinset', String(row + 1));
-    }
+    made.setAttribute('role', 'listitem');
+    made.setAttribute('aria-setsize', String(this.rows.count));
+    made.setAttribute('aria-posinset', String(row + 1));
     this.content.append(made);
     return made;
   }

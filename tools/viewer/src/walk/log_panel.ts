@@ -59,7 +59,7 @@ export class LogPanel {
             this.list.root,
           );
     this.refine({});
-    scope.resized(this.list.root, () => this.current >= 0 && this.list.reveal(this.current, 'center'));
+    scope.resized(this.list.root, () => this.current >= 0 && this.list.reveal(this.current));
     context.store.on(scope, 'tick', (tick) => this.follow(this.lineAt(tick)));
   }
 
@@ -95,7 +95,7 @@ export class LogPanel {
     if (index === this.current) return;
     this.mark(this.current, false);
     this.current = index;
-    if (index >= 0) this.list.reveal(index, 'center');
+    if (index >= 0) this.list.reveal(index);
     this.mark(index, true);
   }
 

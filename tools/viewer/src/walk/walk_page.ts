@@ -23,7 +23,7 @@ import { transport } from './transport';
 import { viewBar } from './view_bar';
 import { Viewport } from './viewport';
 
-export interface Neighbours {
+interface Neighbours {
   previous: () => void;
   next: () => void;
   list: () => void;
