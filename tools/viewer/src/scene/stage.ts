@@ -88,7 +88,7 @@ export class Stage {
   }
 
   /** What stands still throws its shadow once. */
-  refreshShadows(): void {
+  private refreshShadows(): void {
     this.sun.castShadow = this.drawShadows;
     this.renderer.shadowMap.enabled = this.drawShadows;
     this.renderer.shadowMap.needsUpdate = this.drawShadows;

@@ -133,7 +133,7 @@ export class WalkScene {
     this.setGaze(tick, layers.gaze && !fromEyes);
   }
 
-  /** Lights what is in the way in red, and nothing else any more. */
+  /** Lights what is in the way in red, instead of what was lit before. */
   showObstacle(shown: Obstacle): void {
     this.obstacle.clear();
     for (const label of this.obstacleLabels.splice(0)) this.labels.remove(label);

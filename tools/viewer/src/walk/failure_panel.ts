@@ -76,16 +76,12 @@ function failureCard(
       ),
     obstacle.measure && measureBar(obstacle.measure),
     scene &&
-      facts(
-        failure.scene
-          ? [
-              ['where', scene.position.map((value) => value.toFixed(2)).join(', ')],
-              ['object', obstacle.object],
-              ['in or near', scene.building],
-              ['nearest', scene.nearest ? `${scene.nearest}, ${scene.nearest_distance.toFixed(2)} m` : ''],
-            ]
-          : [],
-      ),
+      facts([
+        ['where', scene.position.map((value) => value.toFixed(2)).join(', ')],
+        ['object', obstacle.object],
+        ['in or near', scene.building],
+        ['nearest', scene.nearest ? `${scene.nearest}, ${scene.nearest_distance.toFixed(2)} m` : ''],
+      ]),
     failure.file !== '' && markedFile(context, failure.file, failure.line, 3),
     scene && scene.last_events.length > 0 && lastEvents(scene.last_events, player),
   );

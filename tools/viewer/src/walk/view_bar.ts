@@ -2,6 +2,7 @@
 
 import { button, checkbox, segments, setPressed } from '../ui/controls';
 import { element, Scope } from '../ui/dom';
+import type { Stage } from '../scene/stage';
 import type { CameraMode, Layers } from '../store';
 import type { WalkContext } from './context';
 
@@ -23,12 +24,7 @@ const layerNames: [keyof Layers, string][] = [
   ['findings', 'Findings'],
 ];
 
-export function viewBar(
-  context: WalkContext,
-  overlook: () => void,
-  setShadows: ((drawn: boolean) => void) | null,
-  scope: Scope,
-): HTMLElement {
+export function viewBar(context: WalkContext, stage: Stage, overlook: () => void, scope: Scope): HTMLElement {
   const { store } = context;
   const modes = segments<CameraMode>('Camera', cameras, (camera) => store.set({ camera }));
   store.on(scope, 'camera', (camera) => modes.show(camera));
@@ -38,11 +34,11 @@ export function viewBar(
     modes.root,
     button({ icon: 'expand', label: 'Look at the whole path', key: 'O', class: 'floating', act: overlook }),
     menu('cut', 'Storeys', 'Cut away storeys', cutMenu(context, scope), scope),
-    menu('layers', 'Show', 'What is shown', layersMenu(context, setShadows, scope), scope),
+    menu('layers', 'Show', 'What is shown', layersMenu(context, stage, scope), scope),
   );
 }
 
-function layersMenu(context: WalkContext, setShadows: ((drawn: boolean) => void) | null, scope: Scope): HTMLElement {
+function layersMenu(context: WalkContext, stage: Stage, scope: Scope): HTMLElement {
   const { store } = context;
   const hasFindings = (context.report.index.findings ?? []).length > 0;
   const boxes = layerNames
@@ -52,13 +48,9 @@ function layersMenu(context: WalkContext, setShadows: ((drawn: boolean) => void)
       store.on(scope, 'layers', (layers) => (box.input.checked = layers[layer]));
       return box.root;
     });
-  const root = element('div', {}, ...boxes);
-  if (setShadows) {
-    const box = checkbox('Shadows', setShadows);
-    box.input.checked = context.campuses.stage?.renderer.shadowMap.enabled ?? false;
-    root.append(box.root);
-  }
-  return root;
+  const shadows = checkbox('Shadows', (drawn) => stage.setShadows(drawn));
+  shadows.input.checked = stage.renderer.shadowMap.enabled;
+  return element('div', {}, ...boxes, shadows.root);
 }
 
 function cutMenu(context: WalkContext, scope: Scope): HTMLElement {

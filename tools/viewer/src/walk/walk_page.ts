@@ -118,16 +118,10 @@ export class WalkPage {
     }
     const minimap = walkPlan(context, scope, true);
     context.store.on(scope, 'layers', ({ plan }) => (minimap.hidden = !plan));
-    const gl = context.campuses.stage!;
     replace(
       stage,
       viewport.root,
-      viewBar(
-        context,
-        () => viewport.overlook(),
-        (drawn) => gl.setShadows(drawn),
-        scope,
-      ),
+      viewBar(context, context.campuses.stage!, () => viewport.overlook(), scope),
       popupWindow(context, scope),
       minimap,
       context.other ? legend(context) : geometryNote(context.campus),
