@@ -1,6 +1,6 @@
 // A report's index and, when asked for, what its walks did in detail.
 
-import type { CampusEntry, CampusObject, Details, Index, WalkRow } from '../format';
+import type { CampusEntry, Details, Index, WalkRow } from '../format';
 import { BadReport, type Chunks } from './chunks';
 import { parseLog, type LogLine } from './log';
 import { Path } from './path';
@@ -82,16 +82,5 @@ function checked(value: unknown): Index {
   if (!Array.isArray(value.walks) || !Array.isArray(value.campuses)) {
     throw new BadReport('This report is damaged: its index lacks walks or campuses. Write it again.');
   }
-  const index = value as unknown as Index;
-  for (const campus of index.campuses) {
-    campus.objects = (campus.objects ?? []).map(withModes);
-    campus.buildings ??= [];
-  }
-  for (const row of [...index.walks, ...(index.against?.walks ?? [])]) row.tags ??= [];
-  return index;
-}
-
-/** Earlier writers gave each object a single mode. */
-function withModes(object: CampusObject & { mode?: CampusObject['modes'][number] }): CampusObject {
-  return object.modes ? object : { ...object, modes: object.mode ? [object.mode] : [] };
+  return value as unknown as Index;
 }
