@@ -8,7 +8,6 @@ export interface Group {
   /** Indexes of walks. */
   walks: number[];
   failed: number;
-  seconds: number;
 }
 
 const rank: Record<Outcome, number> = { failed: 0, broken: 1, bad_input: 2, interrupted: 3, passed: 4, skipped: 5 };
@@ -23,12 +22,11 @@ export function grouped(rows: readonly WalkRow[], selected: readonly number[]): 
     const row = rows[index]!;
     let group = groups.get(row.file);
     if (!group) {
-      group = { file: row.file, walks: [], failed: 0, seconds: 0 };
+      group = { file: row.file, walks: [], failed: 0 };
       groups.set(row.file, group);
     }
     group.walks.push(index);
     group.failed += isBad(row.outcome) ? 1 : 0;
-    group.seconds += row.seconds;
   }
   // Sorting is stable: otherwise the order of the run stays.
   const worst = (group: Group): number => Math.min(...group.walks.map((index) => rank[rows[index]!.outcome]));
@@ -39,32 +37,12 @@ export function grouped(rows: readonly WalkRow[], selected: readonly number[]): 
   return [...groups.values()].sort((a, b) => Math.min(ranks.get(a)!, 4) - Math.min(ranks.get(b)!, 4));
 }
 
-export interface Counts {
-  total: number;
-  passed: number;
-  xfail: number;
-  failed: number;
-  skipped: number;
-  bad_input: number;
-  broken: number;
-  interrupted: number;
-  seconds: number;
-  distance: number;
-}
+const noWalks = { passed: 0, xfail: 0, failed: 0, skipped: 0, bad_input: 0, broken: 0, interrupted: 0 };
+
+export type Counts = Record<keyof typeof noWalks | 'total' | 'seconds' | 'distance', number>;
 
 export function counted(rows: readonly WalkRow[], selected: readonly number[]): Counts {
-  const counts: Counts = {
-    total: selected.length,
-    passed: 0,
-    xfail: 0,
-    failed: 0,
-    skipped: 0,
-    bad_input: 0,
-    broken: 0,
-    interrupted: 0,
-    seconds: 0,
-    distance: 0,
-  };
+  const counts: Counts = { ...noWalks, total: selected.length, seconds: 0, distance: 0 };
   for (const index of selected) {
     const row = rows[index]!;
     ++counts[row.outcome === 'passed' && row.expected_to_fail ? 'xfail' : row.outcome];
