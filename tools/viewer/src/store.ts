@@ -7,15 +7,9 @@ export type Tab = 'failure' | 'log' | 'steps' | 'pictures' | 'file' | 'author';
 export type Tool = 'none' | 'point' | 'box';
 export type Theme = 'auto' | 'light' | 'dark';
 
-export interface Layers {
-  trail: boolean;
-  triggers: boolean;
-  contacts: boolean;
-  gaze: boolean;
-  capsule: boolean;
-  findings: boolean;
-  plan: boolean;
-}
+const layers = { trail: true, triggers: true, contacts: true, gaze: true, capsule: false, findings: true, plan: true };
+
+export type Layers = typeof layers;
 
 interface State {
   page: 'list' | 'walk';
@@ -48,15 +42,7 @@ const initialState: State = {
   speed: 1,
   camera: 'third',
   tab: 'log',
-  layers: {
-    trail: true,
-    triggers: true,
-    contacts: true,
-    gaze: true,
-    capsule: false,
-    findings: true,
-    plan: true,
-  },
+  layers,
   cut: null,
   tool: 'none',
   theme: 'auto',
