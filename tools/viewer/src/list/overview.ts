@@ -222,8 +222,8 @@ export class Overview {
     const pointed = this.tracks.find((track) => track.walk === this.pointed);
     if (pointed) {
       const isFailed = isBad(walks[pointed.walk]!.outcome);
-      this.plan.drawPath({ points: pointed.points, color: '#ffffff', width: 6 });
-      this.plan.drawPath({ points: pointed.points, color: this.color(isFailed ? '--failed' : '--trail'), width: 3 });
+      this.plan.drawPath(pointed.points, '#ffffff', 6);
+      this.plan.drawPath(pointed.points, this.color(isFailed ? '--failed' : '--trail'), 3);
     }
     this.plan.canvas.style.cursor = pointed ? 'pointer' : '';
     setText(

@@ -41,7 +41,7 @@ function drawPlan(
   plan.drawCampus(report.campusOf(row), null, colorsOf(theme));
   const style = getComputedStyle(theme);
   const color = style.getPropertyValue(isBad(row.outcome) ? '--failed' : '--trail').trim();
-  plan.drawPath({ points, color, width: 2 });
+  plan.drawPath(points, color, 2);
   const [x, z] = points.at(-1)!;
   plan.drawMark({ x, z, color }, 2.5);
 }

@@ -2,13 +2,8 @@
 
 import type { CampusEntry } from '../format';
 
-interface PlanPath {
-  /** Metres: x, z. */
-  points: readonly (readonly [number, number])[];
-  color: string;
-  width: number;
-  opacity?: number;
-}
+/** Metres: x, z. */
+type PlanPoints = readonly (readonly [number, number])[];
 
 interface PlanMark {
   x: number;
@@ -55,7 +50,7 @@ export function fitted(
 }
 
 /** The bounds of points, with a margin, in the form that `fitted` takes. */
-export function boundsOf(points: readonly (readonly [number, number])[], margin: number): [number[], number[]] {
+export function boundsOf(points: PlanPoints, margin: number): [number[], number[]] {
   const xs = points.map((point) => point[0]);
   const zs = points.map((point) => point[1]);
   const [minX, maxX] = [Math.min(...xs), Math.max(...xs)];
@@ -115,36 +110,22 @@ export class PlanCanvas {
     context.globalAlpha = 1;
   }
 
-  drawPath(path: PlanPath): void {
-    const { context } = this;
-    context.globalAlpha = path.opacity ?? 1;
-    context.strokeStyle = path.color;
-    context.lineWidth = path.width;
-    context.lineJoin = 'round';
-    context.lineCap = 'round';
-    context.beginPath();
-    path.points.forEach(([x, z], i) => {
-      const [px, py] = this.toPixels(x, z);
-      if (i === 0) context.moveTo(px, py);
-      else context.lineTo(px, py);
-    });
-    context.stroke();
-    context.globalAlpha = 1;
+  drawPath(points: PlanPoints, color: string, width: number): void {
+    Object.assign(this.context, { lineJoin: 'round', lineCap: 'round' });
+    this.stroke([points], color, width, 1);
   }
 
   /** Many at once, in one colour. */
-  drawPaths(
-    paths: readonly (readonly (readonly [number, number])[])[],
-    color: string,
-    width: number,
-    opacity: number,
-  ): void {
+  drawPaths(paths: readonly PlanPoints[], color: string, width: number, opacity: number): void {
+    Object.assign(this.context, { lineJoin: 'bevel', lineCap: 'butt' });
+    this.stroke(paths, color, width, opacity);
+  }
+
+  private stroke(paths: readonly PlanPoints[], color: string, width: number, opacity: number): void {
     const { context } = this;
     context.globalAlpha = opacity;
     context.strokeStyle = color;
     context.lineWidth = width;
-    context.lineJoin = 'bevel';
-    context.lineCap = 'butt';
     context.beginPath();
     for (const points of paths) {
       points.forEach(([x, z], i) => {

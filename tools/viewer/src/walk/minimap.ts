@@ -58,12 +58,12 @@ function viewOf(
 function drawTrack(plan: PlanCanvas, data: WalkData, color: string, width: number): void {
   const { path } = data;
   if (!path) {
-    plan.drawPath({ points: planPoints(data.row.plan), color, width });
+    plan.drawPath(planPoints(data.row.plan), color, width);
     return;
   }
   for (const [first, last] of path.pieces()) {
     const points: [number, number][] = [];
     for (let i = first; i <= last; ++i) points.push([path.x[i]!, path.z[i]!]);
-    plan.drawPath({ points, color, width });
+    plan.drawPath(points, color, width);
   }
 }
