@@ -195,7 +195,6 @@ export class ListPage {
   private row(row: Row): HTMLElement {
     if ('head' in row) return groupHead(row.head);
     return walkRow(this.report, this.report.index.walks[row.walk]!, {
-      theme: document.documentElement,
       inGroup: row.inGroup,
       addTag: (tag) => this.store.set({ query: toggled(this.store.state.query, quoted(`@${tag}`)) }),
       hover: (inside) => this.overview.point(inside ? row.walk : -1),
@@ -212,7 +211,7 @@ export class ListPage {
       count: rows.length,
       height: () => rowHeight,
       key: (i) => `against ${i}`,
-      render: (i) => againstRow(this.report, rows[i]!, document.documentElement),
+      render: (i) => againstRow(this.report, rows[i]!),
     });
   }
 

@@ -1,6 +1,6 @@
 // Rows of the list.
 
-import { element, name } from '../ui/dom';
+import { element, name, type Child } from '../ui/dom';
 import { statusIcon } from '../ui/icons';
 import { statusOf } from '../data/filter';
 import type { Group } from '../data/groups';
@@ -24,7 +24,6 @@ export function groupHead(group: Group): HTMLElement {
 }
 
 interface RowOptions {
-  theme: Element;
   inGroup: boolean;
   addTag: (tag: string) => void;
   hover: (inside: boolean) => void;
@@ -32,45 +31,56 @@ interface RowOptions {
 
 export function walkRow(report: Report, row: WalkRow, options: RowOptions): HTMLElement {
   const status = statusOf(row);
-  const link = element('a', { class: 'walk-link', attributes: { href: formatLink({ walk: row.id }) } }, name(row.name));
-  return element(
-    'div',
-    {
-      class: `walk-row ${status} ${options.inGroup ? 'in-group' : ''}`,
-      on: { mouseenter: () => options.hover(true), mouseleave: () => options.hover(false) },
-    },
-    thumbnail(report, row, options.theme),
-    statusIcon(status),
+  const tagButton = (tag: string): HTMLElement =>
     element(
-      'div',
-      { class: 'walk-main' },
-      element(
-        'div',
-        { class: 'walk-line' },
-        link,
-        row.project !== '' && element('span', { class: 'chip' }, name(row.project)),
-        row.repetition > 0 && element('span', { class: 'chip', text: `#${row.repetition}` }),
-        ...row.tags.map((tag) =>
-          element(
-            'button',
-            {
-              class: 'chip tag',
-              attributes: { type: 'button', 'aria-label': `Filter by tag ${tag}` },
-              on: { click: () => options.addTag(tag) },
-            },
-            name(`@${tag}`),
-          ),
-        ),
-      ),
-      secondLine(row, status),
-    ),
-    element('span', { class: 'visually-hidden', text: outcomeNames[status] ?? status }),
-    element(
-      'div',
-      { class: 'walk-numbers' },
+      'button',
+      {
+        class: 'chip tag',
+        attributes: { type: 'button', 'aria-label': `Filter by tag ${tag}` },
+        on: { click: () => options.addTag(tag) },
+      },
+      name(`@${tag}`),
+    );
+  const made = rowOf(
+    report,
+    row,
+    `${status} ${options.inGroup ? 'in-group' : ''}`,
+    linkTo(row, false),
+    [row.repetition > 0 && element('span', { class: 'chip', text: `#${row.repetition}` }), ...row.tags.map(tagButton)],
+    [secondLine(row, status), element('span', { class: 'visually-hidden', text: outcomeNames[status] ?? status })],
+    [
       element('span', { text: row.ticks > 0 ? seconds(row.seconds) : '' }),
       element('span', { class: 'muted', text: row.ticks > 0 ? metres(row.distance) : '' }),
-    ),
+    ],
+  );
+  made.addEventListener('mouseenter', () => options.hover(true));
+  made.addEventListener('mouseleave', () => options.hover(false));
+  return made;
+}
+
+function linkTo(row: WalkRow, against: boolean): HTMLElement {
+  const href = formatLink({ walk: row.id, against });
+  return element('a', { class: 'walk-link', attributes: { href } }, name(row.name));
+}
+
+/** What all rows have: a picture, the outcome, the walk's title and project, what follows them, and numbers. */
+function rowOf(
+  report: Report,
+  row: WalkRow,
+  className: string,
+  title: HTMLElement,
+  chips: Child[],
+  below: Child[],
+  numbers: Child[],
+): HTMLElement {
+  const project = row.project !== '' && element('span', { class: 'chip' }, name(row.project));
+  return element(
+    'div',
+    { class: `walk-row ${className}` },
+    thumbnail(report, row),
+    statusIcon(statusOf(row)),
+    element('div', { class: 'walk-main' }, element('div', { class: 'walk-line' }, title, project, ...chips), ...below),
+    element('div', { class: 'walk-numbers' }, ...numbers),
   );
 }
 
@@ -93,7 +103,7 @@ function howPathsDiffer(own: WalkRow, other: AgainstRow): string {
 }
 
 /** A walk that ended otherwise, or walked elsewhere, in the other run. */
-export function againstRow(report: Report, other: AgainstRow, theme: Element): HTMLElement {
+export function againstRow(report: Report, other: AgainstRow): HTMLElement {
   const own = report.index.walks[other.index];
   const row = own ?? other;
   const changed = !own || statusOf(own) !== statusOf(other);
@@ -102,32 +112,14 @@ export function againstRow(report: Report, other: AgainstRow, theme: Element): H
       class: `outcome ${each ? statusOf(each) : 'skipped'}`,
       text: each ? (outcomeNames[statusOf(each)] ?? each.outcome) : 'not in this run',
     });
-  const title = name(row.name);
-  return element(
+  const outcomes = element(
     'div',
-    { class: `walk-row ${changed ? 'changed' : ''}` },
-    thumbnail(report, row, theme),
-    statusIcon(statusOf(row)),
-    element(
-      'div',
-      { class: 'walk-main' },
-      element(
-        'div',
-        { class: 'walk-line' },
-        own
-          ? element('a', { class: 'walk-link', attributes: { href: formatLink({ walk: row.id, against: true }) } }, title)
-          : title,
-        row.project !== '' && element('span', { class: 'chip' }, name(row.project)),
-      ),
-      element(
-        'div',
-        { class: 'walk-message' },
-        verdict(other),
-        element('span', { class: 'arrow', text: '→' }),
-        verdict(own),
-        own && element('span', { class: 'muted', text: howPathsDiffer(own, other) }),
-      ),
-    ),
-    element('div', { class: 'walk-numbers' }),
+    { class: 'walk-message' },
+    verdict(other),
+    element('span', { class: 'arrow', text: '→' }),
+    verdict(own),
+    own && element('span', { class: 'muted', text: howPathsDiffer(own, other) }),
   );
+  const title = own ? linkTo(row, true) : name(row.name);
+  return rowOf(report, row, changed ? 'changed' : '', title, [], [outcomes], []);
 }

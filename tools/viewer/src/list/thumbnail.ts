@@ -11,7 +11,7 @@ import { boundsOf, colorsOf, fitted, PlanCanvas } from '../plan/plan';
 const width = 88;
 const height = 50;
 
-export function thumbnail(report: Report, row: WalkRow, theme: Element): HTMLElement {
+export function thumbnail(report: Report, row: WalkRow): HTMLElement {
   const address = report.picture(row.thumbnail);
   if (address)
     return element('img', {
@@ -21,17 +21,12 @@ export function thumbnail(report: Report, row: WalkRow, theme: Element): HTMLEle
   const points = planPoints(row.plan);
   if (points.length === 0) return element('span', { class: 'thumbnail blank' });
   const canvas = element('canvas', { class: 'thumbnail', attributes: { 'aria-hidden': 'true' } });
-  later(() => canvas.isConnected && drawPlan(canvas, report, row, points, theme));
+  later(() => canvas.isConnected && drawPlan(canvas, report, row, points));
   return canvas;
 }
 
-function drawPlan(
-  canvas: HTMLCanvasElement,
-  report: Report,
-  row: WalkRow,
-  points: readonly [number, number][],
-  theme: Element,
-): void {
+function drawPlan(canvas: HTMLCanvasElement, report: Report, row: WalkRow, points: readonly [number, number][]): void {
+  const theme = document.documentElement;
   const plan = new PlanCanvas(canvas);
   const [low, high] = boundsOf(points, 0);
   const margin = Math.min(6, Math.max(1.5, 0.2 * Math.max(high[0]! - low[0]!, high[2]! - low[2]!)));
