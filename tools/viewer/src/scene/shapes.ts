@@ -68,6 +68,21 @@ export function contains(object: CampusObject, point: Vector3, slack = 0): boole
   }
 }
 
+type Faces = Mesh<BufferGeometry, MeshBasicMaterial>;
+type Edges = LineSegments<BufferGeometry, LineBasicMaterial>;
+
+/** Translucent, and not dimmed by the fog. */
+export function facesOf(geometry: BufferGeometry, color: number, opacity: number, renderOrder = 0): Faces {
+  const material = new MeshBasicMaterial({ color, transparent: true, opacity, depthWrite: false, fog: false });
+  return Object.assign(new Mesh(geometry, material), { renderOrder });
+}
+
+/** Where faces meet at more than an angle, in degrees. */
+export function edgesOf(geometry: BufferGeometry, color: number, opacity: number, angle = 1, renderOrder = 0): Edges {
+  const material = new LineBasicMaterial({ color, transparent: true, opacity, fog: false });
+  return Object.assign(new LineSegments(new EdgesGeometry(geometry, angle), material), { renderOrder });
+}
+
 /** Translucent, with its edges; brighter while the visitor is inside. */
 export class Volume {
   readonly root = new Group();
@@ -79,12 +94,10 @@ export class Volume {
     private readonly color: number,
   ) {
     const geometry = geometryOf(object);
-    this.faces = new MeshBasicMaterial({ color, transparent: true, opacity: 0.08, depthWrite: false, fog: false });
-    this.edges = new LineBasicMaterial({ color, transparent: true, opacity: 0.5, fog: false });
-    const faces = new Mesh(geometry, this.faces);
-    faces.renderOrder = 5;
-    const edges = new LineSegments(new EdgesGeometry(geometry, 30), this.edges);
-    edges.renderOrder = 6;
+    const faces = facesOf(geometry, color, 0.08, 5);
+    const edges = edgesOf(geometry, color, 0.5, 30, 6);
+    this.faces = faces.material;
+    this.edges = edges.material;
     this.root.add(faces, edges);
   }
 

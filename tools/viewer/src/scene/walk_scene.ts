@@ -13,9 +13,8 @@ import {
   RingGeometry,
   SphereGeometry,
   Vector3,
-  EdgesGeometry,
 } from 'three';
-import type { CampusObject, Finding } from '../format';
+import type { Finding } from '../format';
 import { isCrouching, isDuring } from '../data/spans';
 import type { Obstacle } from '../data/obstacle';
 import type { WalkData } from '../data/report';
@@ -25,7 +24,7 @@ import { directionOf, type Visitor } from './cameras';
 import type { LoadedCampus } from './campuses';
 import { Figure, otherColors, visitorColors } from './figure';
 import type { Label, Labels } from './labels';
-import { contains, geometryOf, Volume } from './shapes';
+import { contains, edgesOf, facesOf, geometryOf, Volume } from './shapes';
 import type { Stage } from './stage';
 import { Trail } from './trail';
 
@@ -143,10 +142,14 @@ export class WalkScene {
     const at = shown.at ? new Vector3(...shown.at) : null;
     const pieces = object ? this.loaded.model.piecesOf(index) : [];
     this.loaded.obstacle.show(pieces, at);
-    if (object && object.shape !== 'mesh') this.obstacle.add(outline(object));
-    // A shape without nodes of the model is drawn itself.
-    if (object && object.shape !== 'mesh' && pieces.length === 0)
-      this.obstacle.add(filled(object, colors.failure, 0.4));
+    if (object && object.shape !== 'mesh') {
+      const geometry = geometryOf(object);
+      this.obstacle.add(edgesOf(geometry, colors.failure, 0.9, 20, 8));
+      // A shape without nodes of the model is drawn itself.
+      const faces = facesOf(geometry, colors.failure, 0.4, 7);
+      Object.assign(faces.material, { polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -2 });
+      if (pieces.length === 0) this.obstacle.add(faces);
+    }
     if (at) {
       this.obstacle.add(ball(at, 0.05, colors.failure));
       const foot = shown.tick === null ? null : this.visitorAt(shown.tick).pose.y;
@@ -314,29 +317,4 @@ function ball(at: Vector3, radius: number, color: number): Mesh {
   );
   mesh.position.copy(at);
   return mesh;
-}
-
-function filled(object: CampusObject, color: number, opacity: number): Mesh {
-  const material = new MeshBasicMaterial({
-    color,
-    transparent: true,
-    opacity,
-    depthWrite: false,
-    fog: false,
-    polygonOffset: true,
-    polygonOffsetFactor: -2,
-    polygonOffsetUnits: -2,
-  });
-  const mesh = new Mesh(geometryOf(object), material);
-  mesh.renderOrder = 7;
-  return mesh;
-}
-
-function outline(object: CampusObject): LineSegments {
-  const lines = new LineSegments(
-    new EdgesGeometry(geometryOf(object), 20),
-    new LineBasicMaterial({ color: colors.failure, fog: false, transparent: true, opacity: 0.9 }),
-  );
-  lines.renderOrder = 8;
-  return lines;
 }

@@ -3,14 +3,10 @@
 import {
   BoxGeometry,
   BufferGeometry,
-  EdgesGeometry,
   Float32BufferAttribute,
   Group,
   Line,
   LineBasicMaterial,
-  LineSegments,
-  Mesh,
-  MeshBasicMaterial,
   Points,
   PointsMaterial,
   type Vector3,
@@ -18,6 +14,7 @@ import {
 import type { Point } from '../format';
 import { boxBetween, coordinates, type DrawnBox } from '../data/snippets';
 import type { Hit } from '../scene/picker';
+import { edgesOf, facesOf } from '../scene/shapes';
 import type { Stage } from '../scene/stage';
 import { copyText } from '../ui/clipboard';
 import type { Scope } from '../ui/dom';
@@ -129,11 +126,7 @@ function rounded(point: Vector3): Point {
 function drawn(box: DrawnBox): Group {
   const root = new Group();
   const geometry = new BoxGeometry(Math.max(box.width, 0.02), box.height, Math.max(box.depth, 0.02));
-  const faces = new MeshBasicMaterial({ color, transparent: true, opacity: 0.2, depthWrite: false, fog: false });
-  root.add(
-    new Mesh(geometry, faces),
-    new LineSegments(new EdgesGeometry(geometry), new LineBasicMaterial({ color, fog: false })),
-  );
+  root.add(facesOf(geometry, color, 0.2), edgesOf(geometry, color, 1));
   root.position.set(box.base[0], box.base[1] + box.height / 2, box.base[2]);
   root.rotation.y = (box.yaw * Math.PI) / 180;
   return root;
