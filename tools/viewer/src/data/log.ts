@@ -5,7 +5,7 @@ export interface LogLine {
   seconds: number;
   kind: string;
   object: string;
-  fields: { name: string; value: string; quoted: boolean }[];
+  fields: { name: string; value: string }[];
   /** As it was written. */
   text: string;
 }
@@ -19,8 +19,7 @@ export function parseLogLine(text: string): LogLine | null {
   const fields: LogLine['fields'] = [];
   for (reader.skipSpaces(); !reader.atEnd(); reader.skipSpaces()) {
     const name = reader.until('=');
-    const quoted = reader.isQuote();
-    fields.push({ name, value: reader.word(), quoted });
+    fields.push({ name, value: reader.word() });
   }
   return { tick: Number(head[1]), seconds: Number(head[2]), kind: head[3] ?? '', object, fields, text };
 }

@@ -6,7 +6,6 @@ import { TriangleTree } from './triangle_tree';
 
 export interface Hit {
   point: Vector3;
-  normal: Vector3;
   distance: number;
   piece: Piece;
 }
@@ -19,7 +18,7 @@ export class Picker {
 
   /** The nearest hit before `limit` metres, below what is cut away. `direction` has unit length. */
   cast(origin: Vector3, direction: Vector3, limit = Infinity, accepts?: (piece: Piece) => boolean): Hit | null {
-    let best: { distance: number; piece: Piece; triangle: number } | null = null;
+    let best: Hit | null = null;
     const start = this.belowCut(origin, direction);
     if (start === null) return null;
     const from = origin.clone().addScaledVector(direction, start);
@@ -40,10 +39,10 @@ export class Picker {
       const hit = this.treeOf(piece.mesh).cast(local.toArray(), along.toArray(), nearest);
       if (hit && !this.isCutAway(from.y + direction.y * hit.distance)) {
         nearest = hit.distance;
-        best = { distance: hit.distance + start, piece, triangle: hit.triangle };
+        best = { point: ray.at(hit.distance, new Vector3()), distance: hit.distance + start, piece };
       }
     }
-    return best && this.described(best, origin, direction);
+    return best;
   }
 
   /** Whether nothing is between two points, apart from what is within a hand's breadth of them. */
@@ -56,23 +55,6 @@ export class Picker {
   /** How far one gets from a point before something is in the way. */
   clearance(from: Vector3, direction: Vector3, limit: number): number {
     return this.cast(from, direction, limit, isOpaque)?.distance ?? limit;
-  }
-
-  private described(
-    hit: { distance: number; piece: Piece; triangle: number },
-    origin: Vector3,
-    direction: Vector3,
-  ): Hit {
-    const { mesh } = hit.piece;
-    const normal = new Vector3(...this.treeOf(mesh).normalOf(hit.triangle));
-    normal.applyMatrix3(new Matrix3().getNormalMatrix(mesh.matrixWorld)).normalize();
-    if (normal.dot(direction) > 0) normal.negate();
-    return {
-      point: origin.clone().addScaledVector(direction, hit.distance),
-      normal,
-      distance: hit.distance,
-      piece: hit.piece,
-    };
   }
 
   /** Where the ray gets below what is cut away; null if it never does. */

@@ -4,12 +4,6 @@ import type { BufferGeometry } from 'three';
 
 const leafSize = 8;
 
-interface TreeHit {
-  /** Along the ray, in lengths of its direction. */
-  distance: number;
-  triangle: number;
-}
-
 export class TriangleTree {
   private readonly positions: Float32Array;
   /** Three vertices of each triangle. */
@@ -43,9 +37,11 @@ export class TriangleTree {
     this.build(0, triangles, centers);
   }
 
-  /** The nearest triangle hit before `limit`, from either side. Origin and direction are the mesh's own. */
-  cast(origin: readonly number[], direction: readonly number[], limit: number): TreeHit | null {
-    let best: TreeHit | null = null;
+  /**
+   * The nearest triangle hit before `limit`, from either side. Origin and direction are the mesh's own, the distance is in
+   * lengths of the direction.
+   */
+  cast(origin: readonly number[], direction: readonly number[], limit: number): { distance: number } | null {
     let nearest = limit;
     const stack = [0];
     while (stack.length > 0) {
@@ -57,24 +53,11 @@ export class TriangleTree {
         continue;
       }
       for (let i = this.first[node]!; i < this.first[node]! + count; ++i) {
-        const triangle = this.order[i]!;
-        const distance = this.distanceTo(triangle, origin, direction);
-        if (distance >= 0 && distance < nearest) {
-          nearest = distance;
-          best = { distance, triangle };
-        }
+        const distance = this.distanceTo(this.order[i]!, origin, direction);
+        if (distance >= 0 && distance < nearest) nearest = distance;
       }
     }
-    return best;
-  }
-
-  /** A normal of the triangle, not of unit length. */
-  normalOf(triangle: number): [number, number, number] {
-    const [a, b, c] = [0, 1, 2].map((k) => this.vertices[triangle * 3 + k]! * 3) as [number, number, number];
-    const p = this.positions;
-    const [ux, uy, uz] = [p[b]! - p[a]!, p[b + 1]! - p[a + 1]!, p[b + 2]! - p[a + 2]!];
-    const [vx, vy, vz] = [p[c]! - p[a]!, p[c + 1]! - p[a + 1]!, p[c + 2]! - p[a + 2]!];
-    return [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+    return nearest < limit ? { distance: nearest } : null;
   }
 
   private sumOf(triangle: number, axis: number): number {
