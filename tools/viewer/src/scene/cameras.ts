@@ -96,11 +96,9 @@ export class CameraRig {
 
   zoom(steps: number): void {
     const factor = 1.12 ** steps;
-    this.third.distance =
-      this.mode === 'third' ? MathUtils.clamp(this.third.distance * factor, 1.2, 40) : this.third.distance;
-    this.orbit.distance =
-      this.mode === 'orbit' ? MathUtils.clamp(this.orbit.distance * factor, 0.6, 900) : this.orbit.distance;
-    this.top.height = this.mode === 'top' ? MathUtils.clamp(this.top.height * factor, 4, 900) : this.top.height;
+    if (this.mode === 'third') this.third.distance = MathUtils.clamp(this.third.distance * factor, 1.2, 40);
+    if (this.mode === 'orbit') this.orbit.distance = MathUtils.clamp(this.orbit.distance * factor, 0.6, 900);
+    if (this.mode === 'top') this.top.height = MathUtils.clamp(this.top.height * factor, 4, 900);
     if (this.mode === 'free') this.fly(0, 0, -steps * 1.5);
   }
 

@@ -1,6 +1,6 @@
 // The path on the ground: a line as wide on every screen, strong up to the visitor and pale ahead.
 
-import { Group, Vector2, type Object3D } from 'three';
+import { Group, Vector2 } from 'three';
 import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
@@ -11,10 +11,8 @@ const above = 0.06; // metres over the ground, so that it isn't drawn in it
 interface TrailStyle {
   color: number;
   width: number;
-  /** Draws up to this tick only. */
-  until?: number;
   /** Metres added to the height, where two lie over each other. */
-  lift?: number;
+  lift: number;
 }
 
 export class Trail {
@@ -31,7 +29,7 @@ export class Trail {
     private readonly path: Path,
     private readonly style: TrailStyle,
   ) {
-    this.height = above + (style.lift ?? 0);
+    this.height = above + style.lift;
     this.before = new Uint32Array(path.length);
     const positions = this.segments();
     const all = new LineSegmentsGeometry();
@@ -59,10 +57,6 @@ export class Trail {
     for (const line of this.lines) line.material.resolution = new Vector2(width, height);
   }
 
-  addTo(parent: Object3D): void {
-    parent.add(this.root);
-  }
-
   dispose(): void {
     this.root.removeFromParent();
     for (const line of this.lines) {
@@ -77,10 +71,8 @@ export class Trail {
 
   private segments(): Float32Array {
     const positions: number[] = [];
-    const end = this.style.until ?? Infinity;
     for (let key = 0; key < this.path.length; ++key) {
-      const isSegment = key > 0 && !this.path.isJump(key) && this.path.ticks[key]! <= end;
-      if (isSegment) positions.push(...this.pointAt(key - 1), ...this.pointAt(key));
+      if (key > 0 && !this.path.isJump(key)) positions.push(...this.pointAt(key - 1), ...this.pointAt(key));
       this.before[key] = positions.length / 6;
     }
     return positions.length > 0 ? new Float32Array(positions) : new Float32Array(6);

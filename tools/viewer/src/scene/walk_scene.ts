@@ -14,9 +14,11 @@ import {
   SphereGeometry,
   Vector3,
 } from 'three';
-import type { Finding } from '../format';
+import type { Avatar, Finding } from '../format';
 import { isCrouching, isDuring } from '../data/spans';
+import type { LogLine } from '../data/log';
 import type { Obstacle } from '../data/obstacle';
+import type { Path } from '../data/path';
 import type { WalkData } from '../data/report';
 import type { Layers } from '../store';
 import type { WalkContext } from '../walk/context';
@@ -28,7 +30,7 @@ import { contains, edgesOf, facesOf, geometryOf, Volume } from './shapes';
 import type { Stage } from './stage';
 import { Trail } from './trail';
 
-const defaultAvatar = { radius: 0.3, height: 1.8, eye_height: 1.7 };
+const defaultAvatar: Avatar = { radius: 0.3, height: 1.8, eye_height: 1.7 };
 const colors = {
   trail: 0x2b7cff,
   other: 0xf08c1e,
@@ -39,9 +41,10 @@ const colors = {
 };
 
 interface Walker {
-  data: WalkData;
+  path: Path;
+  log: LogLine[];
   figure: Figure;
-  trail: Trail | null;
+  trail: Trail;
 }
 
 export class WalkScene {
@@ -78,23 +81,17 @@ export class WalkScene {
     stage.scene.add(this.root);
   }
 
-  get avatar(): typeof defaultAvatar {
+  get avatar(): Avatar {
     return this.context.data.details.recording?.avatar ?? defaultAvatar;
   }
 
   visitorAt(tick: number): Visitor {
-    const { data } = this.context;
-    const avatar = data.details.recording?.avatar ?? defaultAvatar;
-    const crouching = isCrouching(data.log, tick);
-    const pose = data.path?.at(tick) ?? { x: 0, y: 0, z: 0, yaw: 0, pitch: 0 };
-    const crouched = data.details.recording?.avatar.crouch_height ?? avatar.height * 0.6;
-    return {
-      pose,
-      eyeHeight: crouching
-        ? (data.details.recording?.avatar.crouch_eye_height ?? avatar.eye_height * 0.6)
-        : avatar.eye_height,
-      height: crouching ? crouched : avatar.height,
-    };
+    const { log, path } = this.context.data;
+    const { eye_height: eyeHeight, height, crouch_eye_height, crouch_height } = this.avatar;
+    const pose = path?.at(tick) ?? { x: 0, y: 0, z: 0, yaw: 0, pitch: 0 };
+    return isCrouching(log, tick)
+      ? { pose, eyeHeight: crouch_eye_height ?? eyeHeight * 0.6, height: crouch_height ?? height * 0.6 }
+      : { pose, eyeHeight, height };
   }
 
   get figures(): number[][] {
@@ -107,15 +104,13 @@ export class WalkScene {
   }
 
   setTick(tick: number, layers: Layers, fromEyes: boolean): void {
-    this.walkers.forEach(({ data, figure, trail }, index) => {
-      if (!data.path) return;
-      const at = Math.min(tick, data.path.lastTick);
-      const { path } = data;
-      figure.set(path.at(at), path.distanceAt(at), tick > at ? 0 : path.speedAt(at), isCrouching(data.log, at));
+    this.walkers.forEach(({ path, log, figure, trail }, index) => {
+      const at = Math.min(tick, path.lastTick);
+      figure.set(path.at(at), path.distanceAt(at), tick > at ? 0 : path.speedAt(at), isCrouching(log, at));
       figure.showBody(index > 0 || !fromEyes);
       figure.showCapsule(layers.capsule && (index > 0 || !fromEyes));
-      trail?.setTick(at);
-      if (trail) trail.root.visible = layers.trail;
+      trail.setTick(at);
+      trail.root.visible = layers.trail;
     });
     this.triggers.visible = layers.triggers;
     this.contacts.visible = layers.contacts;
@@ -176,12 +171,12 @@ export class WalkScene {
   }
 
   resize(width: number, height: number): void {
-    this.walkers.forEach(({ trail }) => trail?.resize(width, height));
+    this.walkers.forEach(({ trail }) => trail.resize(width, height));
   }
 
   dispose(): void {
     this.root.removeFromParent();
-    this.walkers.forEach(({ figure, trail }) => (figure.dispose(), trail?.dispose()));
+    this.walkers.forEach(({ figure, trail }) => (figure.dispose(), trail.dispose()));
     this.loaded.obstacle.clear();
     this.loaded.hovered.clear();
     this.loaded.model.cut(null);
@@ -190,19 +185,13 @@ export class WalkScene {
     this.stage.invalidate();
   }
 
-  private addWalker(
-    data: WalkData,
-    figureColors: typeof visitorColors,
-    color: number,
-    width: number,
-    lift: number,
-  ): void {
-    if (!data.path) return;
-    const figure = new Figure(data.details.recording?.avatar ?? defaultAvatar, figureColors);
-    const trail = new Trail(data.path, { color, width, lift });
-    this.root.add(figure.root);
-    trail.addTo(this.root);
-    this.walkers.push({ data, figure, trail });
+  private addWalker(data: WalkData, look: typeof visitorColors, color: number, width: number, lift: number): void {
+    const { path, log, details } = data;
+    if (!path) return;
+    const figure = new Figure(details.recording?.avatar ?? defaultAvatar, look);
+    const trail = new Trail(path, { color, width, lift });
+    this.root.add(figure.root, trail.root);
+    this.walkers.push({ path, log, figure, trail });
   }
 
   private addTriggers(): void {
@@ -241,7 +230,7 @@ export class WalkScene {
     const { pose, eyeHeight } = this.visitorAt(tick);
     const eye = new Vector3(pose.x, pose.y + eyeHeight, pose.z);
     const direction = directionOf(pose.yaw, pose.pitch);
-    const reach = this.context.data.details.recording?.avatar.gaze_distance ?? 10;
+    const reach = this.avatar.gaze_distance ?? 10;
     const end = eye.clone().addScaledVector(direction, this.loaded.picker.clearance(eye, direction, reach));
     const position = this.gaze.geometry.getAttribute('position');
     position.setXYZ(0, ...eye.addScaledVector(direction, 0.15).toArray());
