@@ -2,6 +2,7 @@
 // in each.
 
 import type { Outcome, WalkRow } from '../format';
+import { kept } from './kept';
 
 export interface Group {
   file: string;
@@ -20,11 +21,7 @@ export function grouped(rows: readonly WalkRow[], selected: readonly number[]): 
   const groups = new Map<string, Group>();
   for (const index of selected) {
     const row = rows[index]!;
-    let group = groups.get(row.file);
-    if (!group) {
-      group = { file: row.file, walks: [], failed: 0 };
-      groups.set(row.file, group);
-    }
+    const group = kept(groups, row.file, () => ({ file: row.file, walks: [], failed: 0 }));
     group.walks.push(index);
     group.failed += isBad(row.outcome) ? 1 : 0;
   }

@@ -1,6 +1,7 @@
 // The report's campuses in 3D, loaded when first shown and kept, on the one stage that the page has.
 
 import { Vector3 } from 'three';
+import { kept } from '../data/kept';
 import type { Report } from '../data/report';
 import { CampusModel } from './campus_model';
 import { Highlight } from './highlight';
@@ -58,12 +59,7 @@ export class Campuses {
 
   /** For plans; null without 3D. */
   plan(index: number): Promise<HTMLCanvasElement | null> {
-    let plan = this.plans.get(index);
-    if (!plan) {
-      plan = this.makePlan(index);
-      this.plans.set(index, plan);
-    }
-    return plan;
+    return kept(this.plans, index, () => this.makePlan(index));
   }
 
   private async makePlan(index: number): Promise<HTMLCanvasElement | null> {
@@ -75,12 +71,7 @@ export class Campuses {
   }
 
   private load(index: number): Promise<LoadedCampus> {
-    let loading = this.loaded.get(index);
-    if (!loading) {
-      loading = this.read(index);
-      this.loaded.set(index, loading);
-    }
-    return loading;
+    return kept(this.loaded, index, () => this.read(index));
   }
 
   private async read(index: number): Promise<LoadedCampus> {

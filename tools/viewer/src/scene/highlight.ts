@@ -1,6 +1,7 @@
 // Lights up pieces of the campus in a colour; large ones only about a point, so that a red ground isn't all one sees.
 
 import { Color, Vector3, type Material, type MeshLambertMaterial } from 'three';
+import { kept } from '../data/kept';
 import type { CampusModel, Piece } from './campus_model';
 
 const reach = 3; // metres about the point
@@ -22,7 +23,7 @@ export class Highlight {
     const isLarge = pieces.some((piece) => piece.bounds.getSize(new Vector3()).length() > 14);
     this.uniforms.within.value = isLarge && about ? reach : 1e6;
     if (about) this.uniforms.about.value.copy(about);
-    for (const piece of pieces) piece.mesh.material = this.tintedOf(piece.material);
+    for (const { mesh, material } of pieces) mesh.material = kept(this.tinted, material, () => this.tintedOf(material));
     this.lit = [...pieces];
   }
 
@@ -34,9 +35,7 @@ export class Highlight {
   }
 
   private tintedOf(material: Material): Material {
-    let tinted = this.tinted.get(material);
-    if (tinted) return tinted;
-    tinted = material.clone() as MeshLambertMaterial;
+    const tinted = material.clone() as MeshLambertMaterial;
     tinted.onBeforeCompile = (shader) => {
       Object.assign(shader.uniforms, this.uniforms);
       shader.vertexShader = `varying vec3 worldPlace;\n${shader.vertexShader}`.replace(
@@ -54,7 +53,6 @@ export class Highlight {
     };
     tinted.customProgramCacheKey = () => 'tinted';
     this.model.adopt(tinted);
-    this.tinted.set(material, tinted);
     return tinted;
   }
 }

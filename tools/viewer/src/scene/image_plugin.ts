@@ -10,6 +10,7 @@ import {
   type Wrapping,
 } from 'three';
 import type { GLTFLoaderPlugin, GLTFParser } from 'three/examples/jsm/loaders/GLTFLoader.js';
+import { kept } from '../data/kept';
 
 interface Document {
   textures?: { sampler?: number }[];
@@ -48,12 +49,7 @@ export class ImagePlugin implements GLTFLoaderPlugin {
   }
 
   private bitmap(document: Document, source: number): Promise<ImageBitmap | null> {
-    let bitmap = this.bitmaps.get(source);
-    if (!bitmap) {
-      bitmap = this.decode(document.images?.[source] ?? {});
-      this.bitmaps.set(source, bitmap);
-    }
-    return bitmap;
+    return kept(this.bitmaps, source, () => this.decode(document.images?.[source] ?? {}));
   }
 
   /** Null if the browser can't: the surface is plain then. */

@@ -1,6 +1,7 @@
 // Rays against the campus: what is under the pointer, what hides something from a camera.
 
 import { Box3, Matrix3, Matrix4, Ray, Vector3, type Mesh } from 'three';
+import { kept } from '../data/kept';
 import type { CampusModel, Piece } from './campus_model';
 import { TriangleTree } from './triangle_tree';
 
@@ -70,21 +71,11 @@ export class Picker {
   }
 
   private treeOf(mesh: Mesh): TriangleTree {
-    let tree = this.trees.get(mesh.geometry);
-    if (!tree) {
-      tree = new TriangleTree(mesh.geometry);
-      this.trees.set(mesh.geometry, tree);
-    }
-    return tree;
+    return kept(this.trees, mesh.geometry, () => new TriangleTree(mesh.geometry));
   }
 
   private inverseOf(mesh: Mesh): Matrix4 {
-    let inverse = this.inverses.get(mesh);
-    if (!inverse) {
-      inverse = mesh.matrixWorld.clone().invert();
-      this.inverses.set(mesh, inverse);
-    }
-    return inverse;
+    return kept(this.inverses, mesh, () => mesh.matrixWorld.clone().invert());
   }
 }
 
