@@ -17,28 +17,8 @@ import {
 import type { Avatar } from '../format';
 import type { Pose } from '../data/path';
 
-interface FigureColors {
-  coat: number;
-  bag: number;
-  trousers: number;
-  skin: number;
-  hair: number;
-}
-
-export const visitorColors: FigureColors = {
-  coat: 0x2f6fde,
-  bag: 0x18315c,
-  trousers: 0x2c3442,
-  skin: 0xe2b08d,
-  hair: 0x3a2a1f,
-};
-export const otherColors: FigureColors = {
-  coat: 0xe08a1e,
-  bag: 0x5c3d12,
-  trousers: 0x4a4038,
-  skin: 0xe2b08d,
-  hair: 0x3a2a1f,
-};
+export const visitorColors = { coat: 0x2f6fde, bag: 0x18315c, trousers: 0x2c3442, skin: 0xe2b08d, hair: 0x3a2a1f };
+export const otherColors = { ...visitorColors, coat: 0xe08a1e, bag: 0x5c3d12, trousers: 0x4a4038 };
 
 /** Proportions of an adult of height 1. */
 const hip = 0.51;
@@ -54,7 +34,7 @@ export class Figure {
 
   constructor(
     private readonly avatar: Avatar,
-    colors: FigureColors,
+    colors: typeof visitorColors,
   ) {
     this.height = avatar.height;
     // Narrow bodies are drawn narrow, but nobody is a barrel.
@@ -65,27 +45,21 @@ export class Figure {
     const bag = new MeshLambertMaterial({ color: colors.bag });
     const hair = new MeshLambertMaterial({ color: colors.hair });
 
-    const torso = this.part(new CapsuleGeometry(0.088, 0.185, 6, 14), coat, 0, 0.675, 0);
+    const torso = this.part(new CapsuleGeometry(0.088, 0.185, 6, 14), coat, 0.675, 0);
     torso.scale.set(1.08 * girth, 1, 0.74 * girth);
-    const hips = this.part(new SphereGeometry(0.085, 14, 10), cloth, 0, 0.525, 0);
+    const hips = this.part(new SphereGeometry(0.085, 14, 10), cloth, 0.525, 0);
     hips.scale.set(1.08 * girth, 0.8, 0.8 * girth);
-    const shoulders = this.part(
-      new CapsuleGeometry(0.043, 0.17 * girth, 6, 14).rotateZ(Math.PI / 2),
-      coat,
-      0,
-      0.785,
-      0,
-    );
+    const shoulders = this.part(new CapsuleGeometry(0.043, 0.17 * girth, 6, 14).rotateZ(Math.PI / 2), coat, 0.785, 0);
     shoulders.scale.set(1, 1, 0.92);
     // Shows from afar which way the visitor faces.
-    const pack = this.part(new CapsuleGeometry(0.062, 0.1, 6, 12), bag, 0, 0.7, 0.085 * girth);
+    const pack = this.part(new CapsuleGeometry(0.062, 0.1, 6, 12), bag, 0.7, 0.085 * girth);
     pack.scale.set(1, 1, 0.62);
-    this.part(new CapsuleGeometry(0.026, 0.05, 4, 10), skin, 0, 0.855, 0);
-    const head = this.part(new SphereGeometry(0.062, 18, 14), skin, 0, 0.93, -0.006);
+    this.part(new CapsuleGeometry(0.026, 0.05, 4, 10), skin, 0.855, 0);
+    const head = this.part(new SphereGeometry(0.062, 18, 14), skin, 0.93, -0.006);
     head.scale.set(0.86, 1.12, 0.98);
-    const cap = this.part(new SphereGeometry(0.065, 18, 10, 0, Math.PI * 2, 0, Math.PI * 0.56), hair, 0, 0.937, 0.006);
+    const cap = this.part(new SphereGeometry(0.065, 18, 10, 0, Math.PI * 2, 0, Math.PI * 0.56), hair, 0.937, 0.006);
     cap.scale.set(0.9, 1.1, 1);
-    const face = this.part(new SphereGeometry(0.012, 8, 6), skin, 0, 0.922, -0.066);
+    const face = this.part(new SphereGeometry(0.012, 8, 6), skin, 0.922, -0.066);
     face.scale.set(0.8, 1.1, 1);
 
     this.limbs = {
@@ -142,17 +116,17 @@ export class Figure {
     this.capsule.geometry.dispose();
   }
 
+  /** In the middle of its parent, from side to side. */
   private part(
     geometry: BufferGeometry,
     material: MeshLambertMaterial,
-    x: number,
     y: number,
     z: number,
     parent: Object3D = this.body,
   ): Mesh {
     this.geometries.push(geometry);
     const mesh = new Mesh(geometry, material);
-    mesh.position.set(x, y, z);
+    mesh.position.set(0, y, z);
     parent.add(mesh);
     return mesh;
   }
@@ -168,15 +142,9 @@ export class Figure {
   ): Group {
     const joint = new Group();
     joint.position.set(x, y, 0);
-    this.part(new CapsuleGeometry(radius, length, 4, 10), cloth, 0, -length / 2, 0, joint);
-    const tip = this.part(
-      new SphereGeometry(radius * 1.02, 10, 8),
-      end,
-      0,
-      -length - radius * 0.75,
-      -radius * 0.5,
-      joint,
-    );
+    this.part(new CapsuleGeometry(radius, length, 4, 10), cloth, -length / 2, 0, joint);
+    const sphere = new SphereGeometry(radius * 1.02, 10, 8);
+    const tip = this.part(sphere, end, -length - radius * 0.75, -radius * 0.5, joint);
     if (y === hip) {
       tip.scale.set(0.95, 0.7, 1.9);
       tip.position.set(0, -hip + radius * 0.7, -radius * 0.7);
