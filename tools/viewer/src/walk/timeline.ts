@@ -1,7 +1,7 @@
 // The time line: steps and pop-ups as bands, every event as a mark, failures in red; a slider for hand and keys.
 
 import { element, Scope, setText } from '../ui/dom';
-import { isDuring, type EventGroup } from '../data/spans';
+import { groupOf, isDuring, type EventGroup } from '../data/spans';
 import type { WalkContext } from './context';
 import type { Player } from './player';
 
@@ -170,25 +170,13 @@ export class Timeline {
     canvas.clearRect(0, 0, this.width, height);
     this.drawSteps(canvas, color);
     for (const popup of this.context.data.details.recording?.popups ?? []) {
-      this.band(canvas, popup.from, popup.to, top.popups, rows.popups, color('event-popup'), 0.75);
+      this.band(canvas, popup, top.popups, rows.popups, color('event-popup'), 0.75);
     }
     const rowHeight = rows.events / 4;
     for (const span of this.context.spans) {
-      const [group, row] =
-        span.kind === 'collision'
-          ? (['contact', 2] as const)
-          : span.kind === 'ray'
-            ? (['gaze', 1] as const)
-            : (['trigger', 0] as const);
-      this.band(
-        canvas,
-        span.from,
-        span.to,
-        top.events + row * rowHeight + 1,
-        rowHeight - 2,
-        color(`event-${group}`),
-        0.3,
-      );
+      const group = groupOf(span.kind);
+      const y = top.events + eventRows[group] * rowHeight + 1;
+      this.band(canvas, span, y, rowHeight - 2, color(`event-${group}`), 0.3);
     }
     for (const mark of this.marks) {
       if (mark.group === 'failure') continue;
@@ -209,15 +197,7 @@ export class Timeline {
         const x = this.pixelsOf(step.from);
         const width = this.pixelsOf(step.to) - x;
         const failed = failedLines.has(`${step.file}:${step.line}`);
-        this.band(
-          canvas,
-          step.from,
-          step.to,
-          top.steps,
-          rows.steps,
-          failed ? color('failed') : color('step'),
-          i % 2 ? 1 : 0.72,
-        );
+        this.band(canvas, step, top.steps, rows.steps, color(failed ? 'failed' : 'step'), i % 2 ? 1 : 0.72);
         if (width < 56) return;
         canvas.save();
         canvas.beginPath();
@@ -231,8 +211,7 @@ export class Timeline {
 
   private band(
     canvas: CanvasRenderingContext2D,
-    from: number,
-    to: number,
+    { from, to }: { from: number; to: number },
     y: number,
     tall: number,
     color: string,
