@@ -44,10 +44,7 @@ export class ListPage {
   ) {
     const { walks } = report.index;
     this.rows = walks.map((row) => searchable(row, report.campusOf(row)?.name ?? ''));
-    this.total = counted(
-      walks,
-      walks.map((_, index) => index),
-    );
+    this.total = counted(walks, [...walks.keys()]);
     this.list = new VirtualList(scope, 'walks');
     this.list.root.setAttribute('aria-label', 'Walks');
     this.filterBox = element('input', {

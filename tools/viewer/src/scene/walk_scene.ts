@@ -247,16 +247,7 @@ export class WalkScene {
     const bracket = (height: number, color: number, aside: number): Vector3 => {
       const base = new Vector3(at.x + aside, foot, at.z + aside);
       const top = base.clone().setY(foot + height);
-      const bar = (y: number): [Vector3, Vector3] => [
-        base
-          .clone()
-          .setY(y)
-          .add(new Vector3(-0.08, 0, 0)),
-        base
-          .clone()
-          .setY(y)
-          .add(new Vector3(0.08, 0, 0)),
-      ];
+      const bar = (y: number): Vector3[] => [-0.08, 0.08].map((x) => new Vector3(base.x + x, y, base.z));
       const geometry = new BufferGeometry().setFromPoints([base, top, ...bar(foot), ...bar(foot + height)]);
       const lines = new LineSegments(geometry, new LineBasicMaterial({ color, depthTest: false, fog: false }));
       lines.renderOrder = 9;

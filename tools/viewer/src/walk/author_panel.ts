@@ -37,10 +37,9 @@ export function authorPanel(context: WalkContext, viewport: Viewport | null, sco
       box: 'Drag over the ground around a door: from one corner to the other.',
     }[tool];
   });
-  const height = numberInput('Height', marks.height, 'm', () =>
-    marks.setBox(Number(height.input.value), Number(yaw.input.value)),
-  );
-  const yaw = numberInput('Turned', 0, '°', () => marks.setBox(Number(height.input.value), Number(yaw.input.value)));
+  const setBox = (): void => marks.setBox(Number(height.input.value), Number(yaw.input.value));
+  const height = numberInput('Height', marks.height, 'm', setBox);
+  const yaw = numberInput('Turned', 0, '°', setBox);
   const boxFields = element('div', { class: 'fields' }, height.root, yaw.root);
   const show = (): void => {
     const { points, box } = marks;

@@ -68,13 +68,7 @@ export class HoverCard {
       ),
       ...deeds.map((deed) => element('div', { class: 'hover-deed', text: deed })),
       ...within.map((id) => element('div', { class: 'hover-deed' }, 'in trigger ', name(id))),
-      element('div', {
-        class: 'hover-point',
-        text: `[${hit.point
-          .toArray()
-          .map((value) => value.toFixed(2))
-          .join(', ')}]`,
-      }),
+      element('div', { class: 'hover-point', text: `[${[...hit.point].map((value) => value.toFixed(2)).join(', ')}]` }),
     );
   }
 }
