@@ -204,13 +204,8 @@ export class Viewport {
   private listenForFlight(canvas: HTMLElement): void {
     this.scope.listen(canvas, 'keydown', (event) => {
       const key = event.key.toLowerCase();
-      if (
-        this.context.store.state.camera !== 'free' ||
-        !/^([wasdqe]|shift)$/.test(key) ||
-        event.ctrlKey ||
-        event.metaKey
-      )
-        return;
+      const isFlight = this.context.store.state.camera === 'free' && /^([wasdqe]|shift)$/.test(key);
+      if (!isFlight || event.ctrlKey || event.metaKey) return;
       this.keys.add(key);
       if (key !== 'shift') event.stopPropagation();
       this.stage.invalidate();

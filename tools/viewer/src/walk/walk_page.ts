@@ -132,17 +132,13 @@ export class WalkPage {
     const { context, scope, viewport } = this;
     const { details } = context.data;
     const problems = context.failures.length + details.result.complaints.length;
-    const tabs: { id: Tab; text: string; count?: number; make: () => HTMLElement }[] = [
-      ...(problems > 0
-        ? [
-            {
-              id: 'failure' as Tab,
-              text: problems > 1 ? 'Failures' : 'Failure',
-              count: problems,
-              make: () => failurePanel(context, this.player, (index) => this.showFailure(index)),
-            },
-          ]
-        : []),
+    const all: { id: Tab; text: string; count?: number; make: () => HTMLElement }[] = [
+      {
+        id: 'failure',
+        text: problems > 1 ? 'Failures' : 'Failure',
+        count: problems,
+        make: () => failurePanel(context, this.player, (index) => this.showFailure(index)),
+      },
       { id: 'log', text: 'Log', make: () => new LogPanel(context, this.player, scope).root },
       { id: 'steps', text: 'Steps', make: () => stepsPanel(context, this.player, scope) },
       {
@@ -154,6 +150,7 @@ export class WalkPage {
       { id: 'file', text: 'File', make: () => filePanel(context) },
       { id: 'author', text: 'Author', make: () => authorPanel(context, viewport, scope) },
     ];
+    const tabs = all.filter(({ id }) => id !== 'failure' || problems > 0);
     const panel = element('div', { class: 'panel', attributes: { role: 'tabpanel', tabindex: -1, id: 'panel' } });
     const made = new Map<Tab, HTMLElement>();
     const choose = (id: Tab): void => context.store.set({ tab: id });
