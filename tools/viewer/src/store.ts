@@ -83,8 +83,8 @@ export class Store {
   }
 
   /**
-   * Calls `act` at once, and whenever a member of the state, or what a function selects from it, has changed. The calls end
-   * with the scope; without one, they go on as long as the page.
+   * Calls `act` at once, and whenever a member of the state, or what a function selects from it, has changed. The calls
+   * end with the scope; without one, they go on as long as the page.
    */
   on<Key extends keyof State>(scope: Scope | null, of: Key, act: (value: State[Key]) => void): void;
   on<Value>(scope: Scope | null, of: Selector<Value>, act: (value: Value) => void): void;

@@ -38,8 +38,8 @@ export class TriangleTree {
   }
 
   /**
-   * The nearest triangle hit before `limit`, from either side. Origin and direction are the mesh's own, the distance is in
-   * lengths of the direction.
+   * The nearest triangle hit before `limit`, from either side. Origin and direction are the mesh's own, and the distance
+   * is in lengths of the direction.
    */
   cast(origin: readonly number[], direction: readonly number[], limit: number): { distance: number } | null {
     let nearest = limit;
