@@ -56,10 +56,6 @@ void pad_to_four(std::string& bytes) {
 
 }  // namespace
 
-std::size_t GlbBuffers::stride_of(View view) {
-    return layout_of(view).stride;
-}
-
 std::size_t GlbBuffers::append(View view, std::string_view elements) {
     std::string& raw = raw_[static_cast<std::size_t>(view)];
     const std::size_t offset = raw.size();

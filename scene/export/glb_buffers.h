@@ -31,9 +31,6 @@ public:
     /// Compresses everything.
     Finished finish();
 
-    /// Bytes of an element.
-    static std::size_t stride_of(View view);
-
 private:
     std::array<std::string, kViews> raw_;
     std::vector<std::string> images_;

@@ -1,11 +1,13 @@
 #include "scene/export/named_glb.h"
 
+#include <algorithm>
 #include <cstdint>
-#include <span>
-#include <stdexcept>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json.hpp>
+
+#include "scene/export/glb_container.h"
 
 namespace campuswalk::scene {
 namespace {
@@ -18,25 +20,31 @@ constexpr int kFloat = 5126;
 constexpr int kVertexData = 34962;
 constexpr int kIndexData = 34963;
 
-template <typename T>
-std::string_view bytes_of(std::span<const T> values) {
-    return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
+template <typename Values>
+std::string_view bytes_of(const Values& values) {
+    return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(*values.data())};
 }
 
-/// The binary chunk in three views: positions, normals, indices.
-struct Buffers {
-    std::string positions;
-    std::string normals;
-    std::string indices;
-};
+/// What a buffer view holds: an attribute or the indices of all meshes, or one image.
+enum class Content { positions, normals, uvs, indices, image };
 
-enum View { positions, normals, indices };
+Json view_json(Content content, std::size_t offset, std::size_t length) {
+    constexpr int kStrides[] = {12, 12, 8, 0, 0};
+    Json view = {{"buffer", 0}, {"byteOffset", offset}, {"byteLength", length}};
+    if (const int stride = kStrides[static_cast<std::size_t>(content)]; stride > 0) {
+        view["byteStride"] = stride;
+    }
+    if (content != Content::image) {
+        view["target"] = content == Content::indices ? kIndexData : kVertexData;
+    }
+    return view;
+}
 
 class NamedGlb {
 public:
     explicit NamedGlb(const Model& model) : model_(model) {}
 
-    std::string file() {
+    std::string file(std::span<const std::string> images) {
         Json nodes = Json::array();
         Json roots = Json::array();
         for (const Node& node : model_.nodes) {
@@ -47,23 +55,28 @@ public:
         for (const Material& material : model_.materials) {
             materials.push_back(material_json(material));
         }
-        const Json document = {
-            {"asset", {{"version", "2.0"}, {"generator", "campuswalk"}}},
-            {"scene", 0},
-            {"scenes", {{{"nodes", roots}}}},
-            {"nodes", nodes},
-            {"meshes", meshes_},
-            {"materials", materials},
-            {"accessors", accessors_},
-            {"bufferViews",
-             {view_json(0, buffers_.positions.size(), 12, kVertexData),
-              view_json(buffers_.positions.size(), buffers_.normals.size(), 12, kVertexData),
-              view_json(buffers_.positions.size() + buffers_.normals.size(), buffers_.indices.size(), 0,
-                        kIndexData)}},
-            {"buffers",
-             {{{"byteLength",
-                buffers_.positions.size() + buffers_.normals.size() + buffers_.indices.size()}}}}};
-        return container(document.dump(-1, ' ', false, Json::error_handler_t::replace));
+        Json document = {{"asset", {{"version", "2.0"}, {"generator", "campuswalk"}}},
+                         {"scene", 0},
+                         {"scenes", {{{"nodes", roots}}}},
+                         {"nodes", nodes},
+                         {"meshes", meshes_},
+                         {"materials", materials},
+                         {"accessors", accessors_}};
+        for (std::size_t i = 0; i < images.size(); ++i) {
+            document["textures"].push_back({{"source", i}, {"sampler", 0}});
+            document["samplers"] = {Json::object()};
+            document["images"].push_back({{"bufferView", contents_.size()},
+                                          {"mimeType", "image/png"},
+                                          {"name", model_.textures[i].name}});
+            append(contents_.size(), Content::image, images[i]);
+        }
+        std::size_t length = 0;
+        for (std::size_t i = 0; i < contents_.size(); ++i) {
+            document["bufferViews"].push_back(view_json(contents_[i], length, bytes_[i].size()));
+            length += bytes_[i].size();
+        }
+        document["buffers"] = {{{"byteLength", length}}};
+        return glb_container(document.dump(-1, ' ', false, Json::error_handler_t::replace), bytes_);
     }
 
 private:
@@ -88,63 +101,61 @@ private:
             low = low.cwiseMin(p);
             high = high.cwiseMax(p);
         }
-        Json position = accessor(positions, buffers_.positions.size(), mesh.positions.size(), kFloat, "VEC3");
-        position["min"] = numbers(low);
-        position["max"] = numbers(high);
-        buffers_.positions +=
-            bytes_of(std::span<const Eigen::Vector3f>(mesh.positions.data(), mesh.positions.size()));
-        const Json normal = accessor(normals, buffers_.normals.size(), mesh.normals.size(), kFloat, "VEC3");
-        buffers_.normals +=
-            bytes_of(std::span<const Eigen::Vector3f>(mesh.normals.data(), mesh.normals.size()));
-        const std::size_t position_at = keep(position);
-        const std::size_t normal_at = keep(normal);
-        return {{"attributes", {{"POSITION", position_at}, {"NORMAL", normal_at}}},
+        const std::size_t count = mesh.positions.size();
+        const std::size_t position =
+            add_array(Content::positions, bytes_of(mesh.positions), count, kFloat, "VEC3");
+        accessors_[position]["min"] = numbers(low);
+        accessors_[position]["max"] = numbers(high);
+        Json attributes = {{"POSITION", position}};
+        if (!mesh.normals.empty()) {
+            attributes["NORMAL"] = add_array(Content::normals, bytes_of(mesh.normals), count, kFloat, "VEC3");
+        }
+        if (!mesh.uvs.empty()) {
+            attributes["TEXCOORD_0"] = add_array(Content::uvs, bytes_of(mesh.uvs), count, kFloat, "VEC2");
+        }
+        return {{"attributes", attributes},
                 {"indices", add_indices(mesh)},
                 {"material", index_of(mesh.material)}};
     }
 
     std::size_t add_indices(const Mesh& mesh) {
-        const std::size_t at = buffers_.indices.size();
         const std::size_t count = 3 * mesh.triangles.size();
-        const bool narrow = mesh.positions.size() < 0xFFFF;
-        if (narrow) {
-            std::vector<std::uint16_t> values;
-            values.reserve(count);
-            for (const auto& triangle : mesh.triangles) {
-                for (const std::uint32_t index : triangle) {
-                    values.push_back(static_cast<std::uint16_t>(index));
-                }
-            }
-            buffers_.indices += bytes_of(std::span<const std::uint16_t>(values));
-            buffers_.indices.resize((buffers_.indices.size() + 3) / 4 * 4, '\0');
-        } else {
-            for (const auto& triangle : mesh.triangles) {
-                buffers_.indices += bytes_of(std::span<const std::uint32_t>(triangle));
+        if (mesh.positions.size() >= 0xFFFF) {
+            return add_array(Content::indices, bytes_of(mesh.triangles), count, kUnsignedInt, "SCALAR");
+        }
+        std::vector<std::uint16_t> values;
+        values.reserve(count);
+        for (const auto& triangle : mesh.triangles) {
+            for (const std::uint32_t index : triangle) {
+                values.push_back(static_cast<std::uint16_t>(index));
             }
         }
-        return keep(accessor(indices, at, count, narrow ? kUnsignedShort : kUnsignedInt, "SCALAR"));
+        return add_array(Content::indices, bytes_of(values), count, kUnsignedShort, "SCALAR");
     }
 
-    static Json accessor(View view, std::size_t offset, std::size_t count, int component, const char* type) {
-        return {{"bufferView", static_cast<int>(view)},
-                {"byteOffset", offset},
-                {"componentType", component},
-                {"count", count},
-                {"type", type}};
-    }
-
-    std::size_t keep(Json accessor) {
-        accessors_.push_back(std::move(accessor));
+    /// Returns the number of its accessor.
+    std::size_t add_array(Content content, std::string_view bytes, std::size_t count, int component,
+                          const char* type) {
+        const auto view = static_cast<std::size_t>(std::ranges::find(contents_, content) - contents_.begin());
+        accessors_.push_back({{"bufferView", view},
+                              {"byteOffset", append(view, content, bytes)},
+                              {"componentType", component},
+                              {"count", count},
+                              {"type", type}});
         return accessors_.size() - 1;
     }
 
-    static Json view_json(std::size_t offset, std::size_t length, int stride, int target) {
-        Json view = {{"buffer", 0}, {"byteOffset", offset}, {"byteLength", length}};
-        if (stride > 0) {
-            view["byteStride"] = stride;
+    /// To a view that may be new; returns the offset in it.
+    std::size_t append(std::size_t view, Content content, std::string_view values) {
+        if (view == contents_.size()) {
+            contents_.push_back(content);
+            bytes_.emplace_back();
         }
-        view["target"] = target;
-        return view;
+        std::string& bytes = bytes_[view];
+        const std::size_t offset = bytes.size();
+        bytes += values;
+        bytes.resize((bytes.size() + 3) / 4 * 4, '\0');
+        return offset;
     }
 
     static Json material_json(const Material& material) {
@@ -153,6 +164,10 @@ private:
                       {{"baseColorFactor", material.base_color},
                        {"metallicFactor", material.metallic},
                        {"roughnessFactor", material.roughness}}}};
+        if (material.base_color_texture) {
+            json["pbrMetallicRoughness"]["baseColorTexture"] = {
+                {"index", index_of(*material.base_color_texture)}};
+        }
         if (material.alpha_mode == AlphaMode::blend) {
             json["alphaMode"] = "BLEND";
         }
@@ -162,45 +177,17 @@ private:
         return json;
     }
 
-    static void append_word(std::string& bytes, std::size_t word) {
-        for (unsigned shift = 0; shift < 32; shift += 8) {
-            bytes += static_cast<char>((word >> shift) & 0xFFU);
-        }
-    }
-
-    std::string container(std::string json) const {
-        constexpr std::size_t kHeader = 12;
-        constexpr std::size_t kChunkHeader = 8;
-        json.resize((json.size() + 3) / 4 * 4, ' ');
-        const std::size_t bin = buffers_.positions.size() + buffers_.normals.size() + buffers_.indices.size();
-        const std::size_t total = kHeader + kChunkHeader + json.size() + kChunkHeader + bin;
-        if (total > 0xFFFFFFFF) {
-            throw std::runtime_error("the model is too large for one GLB file (4 GB)");
-        }
-        std::string bytes = "glTF";
-        bytes.reserve(total);
-        append_word(bytes, 2);
-        append_word(bytes, total);
-        append_word(bytes, json.size());
-        bytes += "JSON" + json;
-        append_word(bytes, bin);
-        bytes.append("BIN\0", 4);
-        for (const std::string* view : {&buffers_.positions, &buffers_.normals, &buffers_.indices}) {
-            bytes += *view;
-        }
-        return bytes;
-    }
-
     const Model& model_;
-    Buffers buffers_;
+    std::vector<Content> contents_;   ///< by view
+    std::vector<std::string> bytes_;  ///< likewise
     Json meshes_ = Json::array();
     Json accessors_ = Json::array();
 };
 
 }  // namespace
 
-std::string write_named_glb(const Model& model) {
-    return NamedGlb(model).file();
+std::string write_named_glb(const Model& model, std::span<const std::string> images) {
+    return NamedGlb(model).file(images);
 }
 
 }  // namespace campuswalk::scene

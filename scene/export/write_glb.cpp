@@ -11,6 +11,7 @@
 
 #include "scene/export/export_materials.h"
 #include "scene/export/glb_buffers.h"
+#include "scene/export/glb_container.h"
 #include "scene/export/simplify_group.h"
 
 namespace campuswalk::scene {
@@ -155,7 +156,7 @@ public:
             json += each;
         }
         json += "," + materials.json(finished.first_image) + "," + finished.json + "}";
-        return container(std::move(json), std::move(finished.bin));
+        return glb_container(std::move(json), std::span(&finished.bin, 1));
     }
 
 private:
@@ -237,27 +238,6 @@ private:
             text += (text.empty() ? "" : ",") + item.dump(-1, ' ', false, Json::error_handler_t::replace);
         }
         return text.empty() ? "" : ",\"" + std::string(name) + "\":[" + text + "]";
-    }
-
-    static void append_word(std::string& bytes, std::size_t word) {
-        for (unsigned shift = 0; shift < 32; shift += 8) {
-            bytes += static_cast<char>((word >> shift) & 0xFFU);
-        }
-    }
-
-    static std::string container(std::string json, std::string bin) {
-        constexpr std::size_t kHeader = 12;
-        constexpr std::size_t kChunkHeader = 8;
-        json.resize((json.size() + 3) / 4 * 4, ' ');
-        bin.resize((bin.size() + 3) / 4 * 4, '\0');
-        std::string bytes = "glTF";
-        append_word(bytes, 2);
-        append_word(bytes, kHeader + kChunkHeader + json.size() + kChunkHeader + bin.size());
-        append_word(bytes, json.size());
-        bytes += "JSON" + json;
-        append_word(bytes, bin.size());
-        bytes += std::string("BIN\0", 4) + bin;
-        return bytes;
     }
 
     bool rounded_;
