@@ -17,6 +17,8 @@
 #include "engine/render/gl/driver_threads.h"
 #include "engine/render/image/png.h"
 #include "engine/render/renderer.h"
+#include "scene/base/atomic_file.h"
+#include "scene/export/named_glb.h"
 #include "scene/model/model.h"
 #include "tools/campuswalk/run/cases/frame_helpers.h"
 #include "tools/campuswalk/run/workers/worker.h"
@@ -25,7 +27,6 @@
 #include "tools/campuswalk_bench/draw/drawn_campus.h"
 #include "tools/campuswalk_bench/draw/looks.h"
 #include "tools/campuswalk_bench/files/scratch_folder.h"
-#include "tools/campuswalk_bench/files/write_glb.h"
 #include "tools/campuswalk_bench/measure/heap.h"
 #include "tools/campuswalk_bench/measure/shuffled_runs.h"
 
@@ -222,10 +223,13 @@ Subject houses(int lots) {
 DrawnCampus draw_campus(const Subject& subject, const DrawBench& bench, const fs::path& folder) {
     const auto& [name, model, views, by_processes] = subject;
     fs::create_directories(folder);
-    write_glb(model, folder / "campus.glb", [](const scene::Texture& texture) {
-        return engine::render::encode_png(
+    std::vector<std::string> images;
+    for (const scene::Texture& texture : model.textures) {
+        const auto png = engine::render::encode_png(
             {texture.width, texture.height, {texture.rgba.begin(), texture.rgba.end()}});
-    });
+        images.emplace_back(png.begin(), png.end());
+    }
+    scene::write_file_atomically(folder / "campus.glb", scene::write_named_glb(model, images));
     write_views(views, bench.rounds, folder);
     DrawnCampus drawn;
     drawn.name = name;

@@ -9,12 +9,13 @@
 
 #include <Eigen/Geometry>
 
+#include "scene/base/atomic_file.h"
 #include "scene/campus/campus_description.h"
+#include "scene/export/named_glb.h"
 #include "scene/model/model.h"
 #include "tools/campuswalk/loading/model_importer.h"
 #include "tools/campuswalk_bench/engines/peer_engines.h"
 #include "tools/campuswalk_bench/files/scratch_folder.h"
-#include "tools/campuswalk_bench/files/write_glb.h"
 #include "tools/campuswalk_bench/measure/shuffled_runs.h"
 #include "tools/campuswalk_bench/procedural/walkable_campus.h"
 
@@ -31,6 +32,7 @@ scene::Model one_mesh(const collision::TriangleMesh& triangles) {
     mesh.positions = triangles.positions;
     mesh.triangles = triangles.triangles;
     model.meshes.push_back(std::move(mesh));
+    model.materials.emplace_back();
     scene::Node node;
     node.name = "campus";
     node.meshes.push_back(scene::MeshIndex{0});
@@ -133,9 +135,9 @@ CaseResult run_import_cases(int lots, int rounds, const std::vector<fs::path>& m
     const fs::path with = folder.path() / "with-normals.glb";
     const fs::path without = folder.path() / "without-normals.glb";
     scene::Model model = one_mesh(mesh);
-    write_glb(model, without);
+    scene::write_file_atomically(without, scene::write_named_glb(model));
     model.meshes[0].normals = smooth_normals(mesh);
-    write_glb(model, with);
+    scene::write_file_atomically(with, scene::write_named_glb(model));
     CaseResult result;
     time_readers("glb", with, Steps::none, triangles, rounds, result);
     time_readers("glb_without_normals", without, Steps::join, triangles, rounds, result);
