@@ -94,33 +94,38 @@ const std::vector<Row> kRows = {
 };
 
 TEST(Targets, CanBeRatiosOfWholeCases) {
-    Target target{"", "table1", "all", "ours", "peer", Measure::mean_ratio, 10.0, 0.0};
-    EXPECT_DOUBLE_EQ(measured(target, kRows).value(), 10.0) << "of 5 and 20";
-    EXPECT_TRUE(reaches(target, 10.0, 10.0));
-    EXPECT_FALSE(reaches(target, 9.9, 10.0));
+    Target target{"", "table1", "all", "ours", "peer", Measure::mean_ratio, 9.9, {}};
+    EXPECT_DOUBLE_EQ(verdict_on(target, kRows).value.value(), 10.0) << "of 5 and 20";
+    EXPECT_TRUE(verdict_on(target, kRows).holds);
+    target.must = 10.1;
+    EXPECT_FALSE(verdict_on(target, kRows).holds);
     target.measure = Measure::worst_ratio;
-    EXPECT_DOUBLE_EQ(measured(target, kRows).value(), 5.0);
+    EXPECT_DOUBLE_EQ(verdict_on(target, kRows).value.value(), 5.0);
+    target.must = 5.0;
+    EXPECT_TRUE(verdict_on(target, kRows).holds);
     target.peer = "half";
-    EXPECT_FALSE(measured(target, kRows).has_value()) << "a placement is missing";
+    EXPECT_FALSE(verdict_on(target, kRows).value.has_value()) << "a placement is missing";
     target.peer = "nobody";
-    EXPECT_FALSE(measured(target, kRows).has_value());
+    EXPECT_FALSE(verdict_on(target, kRows).value.has_value());
     target.ours = "nobody";
     target.peer = "peer";
-    EXPECT_FALSE(measured(target, kRows).has_value());
+    EXPECT_FALSE(verdict_on(target, kRows).value.has_value());
 }
 
 TEST(Targets, CanBeLimits) {
-    const Target target{"", "memory", "bytes", "ours", "", Measure::figure, 96.0, 48.0};
-    const double figure = measured(target, kRows).value();
-    EXPECT_EQ(figure, 50.0);
-    EXPECT_TRUE(reaches(target, figure, target.must));
-    EXPECT_FALSE(reaches(target, figure, target.aim));
+    Target target{"", "memory", "bytes", "ours", "", Measure::figure, 96.0, 48.0};
+    EXPECT_EQ(verdict_on(target, kRows).value, 50.0);
+    EXPECT_TRUE(verdict_on(target, kRows).holds);
+    target.must = 48.0;
+    EXPECT_FALSE(verdict_on(target, kRows).holds);
 }
 
 TEST(Targets, AimsAreStricterThanLimits) {
     for (const Target& target : targets()) {
         EXPECT_GT(target.must, 0.0) << target.what;
-        EXPECT_TRUE(target.aim == 0.0 || reaches(target, target.aim, target.must)) << target.what;
+        if (target.aim) {
+            EXPECT_EQ(target.measure == Measure::figure, *target.aim < target.must) << target.what;
+        }
     }
 }
 

@@ -54,9 +54,8 @@ DrawnCampus made_up_campus(std::size_t triangles, double ms, std::size_t heap_by
         heap_bytes};
 }
 
-const DrawVerdict& verdict(const std::vector<DrawVerdict>& all, const std::string& what,
-                           const std::string& unit) {
-    for (const DrawVerdict& each : all) {
+const Verdict& verdict(const std::vector<Verdict>& all, const std::string& what, const std::string& unit) {
+    for (const Verdict& each : all) {
         if (each.what.starts_with(what) && each.unit == unit) {
             return each;
         }
@@ -68,20 +67,20 @@ TEST(DrawVerdicts, CompareTimesWithTargets) {
     const auto all =
         draw_verdicts({made_up_campus(500000, 24.0, 100000000), made_up_campus(2000000, 50.0, 500000000)});
     EXPECT_DOUBLE_EQ(*verdict(all, "an image, shadows+fxaa, hills of 500000", " ms").value, 48.0);
-    EXPECT_TRUE(verdict(all, "an image, shadows+fxaa, hills of 500000", " ms").holds());
-    EXPECT_FALSE(verdict(all, "an image, shadows+msaa4, hills of 500000", " ms").holds()) << "144 of 110";
-    EXPECT_FALSE(verdict(all, "an image, shadows+fxaa, hills of 2000000", " ms").holds()) << "100 of 85";
+    EXPECT_TRUE(verdict(all, "an image, shadows+fxaa, hills of 500000", " ms").holds);
+    EXPECT_FALSE(verdict(all, "an image, shadows+msaa4, hills of 500000", " ms").holds) << "144 of 110";
+    EXPECT_FALSE(verdict(all, "an image, shadows+fxaa, hills of 2000000", " ms").holds) << "100 of 85";
     EXPECT_DOUBLE_EQ(*verdict(all, "shadows+fxaa, hills of 500000", "x as long in three.js").value, 3.0);
-    EXPECT_TRUE(verdict(all, "shadows+fxaa, hills of 500000", "x as long in three.js").holds());
+    EXPECT_TRUE(verdict(all, "shadows+fxaa, hills of 500000", "x as long in three.js").holds);
     const std::string by_processes = "shadows+fxaa, hills of 500000 triangles, by processes";
     EXPECT_DOUBLE_EQ(*verdict(all, "an image, " + by_processes, " ms").value, 36.0);
     EXPECT_DOUBLE_EQ(*verdict(all, by_processes, "x as long in three.js").value, 4.0);
-    EXPECT_FALSE(verdict(all, "no-aa, hills of 500000", "x as long in VTK").holds())
+    EXPECT_FALSE(verdict(all, "no-aa, hills of 500000", "x as long in VTK").holds)
         << "twice, not three times";
     EXPECT_FALSE(verdict(all, "msaa4, hills of 500000", "x as long in VTK").value.has_value())
         << "not measured";
     EXPECT_NEAR(*verdict(all, "memory per triangle", " bytes").value, 266.67, 0.01);
-    EXPECT_FALSE(verdict(all, "memory per triangle", " bytes").holds());
+    EXPECT_FALSE(verdict(all, "memory per triangle", " bytes").holds);
     EXPECT_FALSE(
         verdict(draw_verdicts({made_up_campus(500000, 24.0, 1)}), "memory", " bytes").value.has_value());
 }

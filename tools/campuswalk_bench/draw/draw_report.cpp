@@ -42,38 +42,25 @@ struct Allowance {
 };
 constexpr Allowance kAllowances[] = {{1000000, 50.0, 110.0}, {4000000, 85.0, 187.0}};
 
-void add_time_verdicts(const DrawnCampus& campus, const char* our_engine,
-                       std::vector<DrawVerdict>& verdicts) {
+void add_time_verdicts(const DrawnCampus& campus, const char* our_engine, std::vector<Verdict>& verdicts) {
     const std::string of = ", " + campus.name + " of " + std::to_string(campus.triangles) + " triangles" +
                            (our_engine == std::string_view(kOurProcesses) ? ", by processes" : "");
     const auto* allowed = std::find_if(std::begin(kAllowances), std::end(kAllowances), [&](const auto& each) {
         return campus.triangles <= each.max_triangles;
     });
     if (allowed != std::end(kAllowances)) {
-        verdicts.push_back({"an image, shadows+fxaa" + of,
-                            ours_ms(campus, "shadows+fxaa", our_engine),
-                            " ms",
-                            false,
-                            allowed->fxaa_ms,
-                            {}});
-        verdicts.push_back({"an image, shadows+msaa4" + of,
-                            ours_ms(campus, "shadows+msaa4", our_engine),
-                            " ms",
-                            false,
-                            allowed->msaa_ms,
-                            {}});
+        verdicts.push_back(at_most("an image, shadows+fxaa" + of, ours_ms(campus, "shadows+fxaa", our_engine),
+                                   " ms", allowed->fxaa_ms));
+        verdicts.push_back(at_most("an image, shadows+msaa4" + of,
+                                   ours_ms(campus, "shadows+msaa4", our_engine), " ms", allowed->msaa_ms));
     }
     for (const char* look : {"no-aa", "fxaa", "msaa4", "shadows+fxaa", "shadows+msaa4"}) {
-        verdicts.push_back({std::string(look) + of, times_ours(campus, "three.js", look, our_engine),
-                            "x as long in three.js", true, 2.0, 4.0});
+        verdicts.push_back(at_least(look + of, times_ours(campus, "three.js", look, our_engine),
+                                    "x as long in three.js", 2.0, 4.0));
     }
     for (const char* look : {"no-aa", "fxaa", "msaa4"}) {
-        verdicts.push_back({std::string(look) + of,
-                            times_ours(campus, "vtk", look, our_engine),
-                            "x as long in VTK",
-                            true,
-                            3.0,
-                            {}});
+        verdicts.push_back(
+            at_least(look + of, times_ours(campus, "vtk", look, our_engine), "x as long in VTK", 3.0));
     }
 }
 
@@ -96,8 +83,8 @@ void print_draw_table(const DrawnCampus& campus) {
                 campus.encode_ms, 1e-6 * static_cast<double>(campus.heap_bytes));
 }
 
-std::vector<DrawVerdict> draw_verdicts(const std::vector<DrawnCampus>& campuses) {
-    std::vector<DrawVerdict> verdicts;
+std::vector<Verdict> draw_verdicts(const std::vector<DrawnCampus>& campuses) {
+    std::vector<Verdict> verdicts;
     for (const DrawnCampus& campus : campuses) {
         add_time_verdicts(campus, kOurs, verdicts);
         add_time_verdicts(campus, kOurProcesses, verdicts);
@@ -112,26 +99,15 @@ std::vector<DrawVerdict> draw_verdicts(const std::vector<DrawnCampus>& campuses)
         bytes = (static_cast<double>(large.heap_bytes) - static_cast<double>(small.heap_bytes)) /
                 static_cast<double>(large.triangles - small.triangles);
     }
-    verdicts.push_back({"memory per triangle, without textures", bytes, " bytes", false, 200.0, {}});
-    verdicts.push_back({"PNG of an image", large.encode_ms, " ms", false, 20.0, {}});
+    verdicts.push_back(at_most("memory per triangle, without textures", bytes, " bytes", 200.0));
+    verdicts.push_back(at_most("PNG of an image", large.encode_ms, " ms", 20.0));
     return verdicts;
 }
 
-void print_draw_verdicts(const std::vector<DrawVerdict>& verdicts) {
+void print_draw_verdicts(const std::vector<Verdict>& verdicts) {
     std::printf("\nCompared with the targets, by medians\n");
-    for (const DrawVerdict& verdict : verdicts) {
-        if (!verdict.value) {
-            std::printf("  %-68snot measured\n", verdict.what.c_str());
-            continue;
-        }
-        std::printf("  %-68s%8.2f%-24s(must %g", verdict.what.c_str(), *verdict.value, verdict.unit,
-                    verdict.must);
-        if (verdict.aim) {
-            std::printf(", aim %g", *verdict.aim);
-        }
-        const bool is_aim = verdict.aim && *verdict.value >= *verdict.aim;
-        std::printf(")  %s\n", !verdict.holds() ? "MISSED" : is_aim ? "aim reached" : "reached");
-    }
+    print_verdicts(verdicts, 68,
+                   [](const Verdict& verdict) { std::printf("%8.2f%-24s", *verdict.value, verdict.unit); });
 }
 
 void write_draw_csv(const std::vector<DrawnCampus>& campuses, const std::filesystem::path& file) {

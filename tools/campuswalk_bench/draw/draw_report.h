@@ -1,11 +1,11 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "tools/campuswalk_bench/draw/draw_times.h"
+#include "tools/campuswalk_bench/measure/verdict.h"
 
 namespace campuswalk::tools::bench {
 
@@ -20,22 +20,10 @@ struct DrawnCampus {
 
 void print_draw_table(const DrawnCampus& campus);
 
-/// One target of drawing, and what was measured.
-struct DrawVerdict {
-    std::string what;
-    std::optional<double> value;  ///< none when it wasn't measured
-    const char* unit = "";
-    bool more_is_better = false;
-    double must = 0.0;
-    std::optional<double> aim;
-
-    bool holds() const { return value && (more_is_better ? *value >= must : *value <= must); }
-};
-
 /// Milliseconds and ratios are of medians. Memory is the difference between the last campus and the first:
 /// textures, shadow maps and the image's own buffers are the same for both.
-std::vector<DrawVerdict> draw_verdicts(const std::vector<DrawnCampus>& campuses);
-void print_draw_verdicts(const std::vector<DrawVerdict>& verdicts);
+std::vector<Verdict> draw_verdicts(const std::vector<DrawnCampus>& campuses);
+void print_draw_verdicts(const std::vector<Verdict>& verdicts);
 
 /// One line per campus, engine and look. Throws std::runtime_error when it can't be written.
 void write_draw_csv(const std::vector<DrawnCampus>& campuses, const std::filesystem::path& file);

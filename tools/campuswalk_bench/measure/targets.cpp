@@ -19,16 +19,16 @@ constexpr Target kTargets[] = {
     {"all contacts", "table1", "all", "wide_avx2", "embree", mean_ratio, 16, 28},
     {"all contacts", "table1", "all", "wide_sse42", "fcl_obb", mean_ratio, 12, 17},
     {"all contacts", "table1", "all", "wide_avx512", "fcl_obb", mean_ratio, 24, 42},
-    {"all contacts", "table1", "all", "paper", "fcl_obb", mean_ratio, 2.5, 0},
+    {"all contacts", "table1", "all", "paper", "fcl_obb", mean_ratio, 2.5, {}},
     {"first contact", "table1", "first", "wide_avx2", "fcl_obb", mean_ratio, 8, 12},
-    {"first contact, worst", "table1", "first", "wide_avx2", "fcl_obb", worst_ratio, 1, 0},
+    {"first contact, worst", "table1", "first", "wide_avx2", "fcl_obb", worst_ratio, 1, {}},
     {"a million triangles", "million", "all", "wide_avx2", "fcl_obb", mean_ratio, 10, 20},
     {"nested cylinders", "nested", "all", "wide_avx2", "fcl_obb", mean_ratio, 5, 10},
     {"build", "build", "build", "wide", "fcl_obb", mean_ratio, 4.4, 9},
     {"memory, bytes per triangle", "memory", "heap_bytes", "wide", "", figure, 96, 48},
     // At most one and a half times assimp's time: ours runs in a separate process with limits.
-    {"import of 2M triangles", "import", "glb", "helper", "assimp", mean_ratio, 0.667, 0},
-    {"import without normals", "import", "glb_without_normals", "helper", "assimp", mean_ratio, 0.667, 0},
+    {"import of 2M triangles", "import", "glb", "helper", "assimp", mean_ratio, 0.667, {}},
+    {"import without normals", "import", "glb_without_normals", "helper", "assimp", mean_ratio, 0.667, {}},
     {"rays of 200 m", "rays", "first_hit", "wide", "embree_robust", mean_ratio, 0.5, 1},
 };
 
@@ -44,12 +44,7 @@ std::vector<double> least_figures(const Target& target, const std::string& engin
     return figures;
 }
 
-}  // namespace
-
-std::span<const Target> targets() {
-    return kTargets;
-}
-
+/// Empty if one of the engines wasn't measured.
 std::optional<double> measured(const Target& target, const std::vector<Row>& rows) {
     const std::vector<double> ours = least_figures(target, target.ours, rows);
     if (ours.empty()) {
@@ -69,8 +64,20 @@ std::optional<double> measured(const Target& target, const std::vector<Row>& row
                                          : geometric_mean(ratios);
 }
 
-bool reaches(const Target& target, double value, double bound) {
-    return target.measure == figure ? value <= bound : value >= bound;
+}  // namespace
+
+std::span<const Target> targets() {
+    return kTargets;
+}
+
+Verdict verdict_on(const Target& target, const std::vector<Row>& rows) {
+    const bool is_ratio = target.measure != figure;
+    std::string what = target.what;
+    what.resize(28, ' ');  // a column
+    what += target.ours + (is_ratio ? std::string(" against ") + target.peer : "") + ":";
+    const auto value = measured(target, rows);
+    return is_ratio ? at_least(what, value, "x", target.must, target.aim)
+                    : at_most(what, value, "", target.must, target.aim);
 }
 
 }  // namespace campuswalk::tools::bench

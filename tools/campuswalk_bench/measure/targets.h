@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tools/campuswalk_bench/measure/row.h"
+#include "tools/campuswalk_bench/measure/verdict.h"
 
 namespace campuswalk::tools::bench {
 
@@ -25,15 +26,12 @@ struct Target {
     const char* peer = "";
     Measure measure = Measure::mean_ratio;
     double must = 0.0;
-    double aim = 0.0;  ///< 0: none
+    std::optional<double> aim;
 };
 
 std::span<const Target> targets();
 
-/// Empty if one of the engines wasn't measured.
-std::optional<double> measured(const Target& target, const std::vector<Row>& rows);
-
-/// Whether the figure is as good as `bound`.
-bool reaches(const Target& target, double figure, double bound);
+/// Without a value if one of the engines wasn't measured.
+Verdict verdict_on(const Target& target, const std::vector<Row>& rows);
 
 }  // namespace campuswalk::tools::bench

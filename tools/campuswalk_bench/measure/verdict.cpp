@@ -16,13 +16,6 @@ Verdict with_outcome(Verdict verdict) {
     return verdict;
 }
 
-std::string value_of(const Verdict& verdict) {
-    char text[32];
-    std::snprintf(text, sizeof(text), "%.*f%s", *verdict.value >= 1000.0 ? 0 : 2, *verdict.value,
-                  verdict.unit);
-    return text;
-}
-
 }  // namespace
 
 Verdict at_most(std::string what, std::optional<double> value, const char* unit, double must,
@@ -30,17 +23,27 @@ Verdict at_most(std::string what, std::optional<double> value, const char* unit,
     return with_outcome({std::move(what), value, unit, false, must, aim, false});
 }
 
-Verdict at_least(std::string what, std::optional<double> value, const char* unit, double must, double aim) {
+Verdict at_least(std::string what, std::optional<double> value, const char* unit, double must,
+                 std::optional<double> aim) {
     return with_outcome({std::move(what), value, unit, true, must, aim, false});
 }
 
-void print_verdicts(const std::vector<Verdict>& verdicts) {
+void print_value(const Verdict& verdict) {
+    char text[32];
+    std::snprintf(text, sizeof(text), "%.*f%s", *verdict.value >= 1000.0 ? 0 : 2, *verdict.value,
+                  verdict.unit);
+    std::printf("%20s  ", text);
+}
+
+void print_verdicts(const std::vector<Verdict>& verdicts, int width, void (*print)(const Verdict& verdict)) {
     for (const Verdict& verdict : verdicts) {
+        std::printf("  %-*s", width, verdict.what.c_str());
         if (!verdict.value) {
-            std::printf("  %-46snot measured\n", verdict.what.c_str());
+            std::printf("not measured\n");
             continue;
         }
-        std::printf("  %-46s%20s  (must %g", verdict.what.c_str(), value_of(verdict).c_str(), verdict.must);
+        print(verdict);
+        std::printf("(must %g", verdict.must);
         if (verdict.aim) {
             std::printf(", aim %g", *verdict.aim);
         }

@@ -19,9 +19,15 @@ struct Verdict {
 
 Verdict at_most(std::string what, std::optional<double> value, const char* unit, double must,
                 std::optional<double> aim = std::nullopt);
-Verdict at_least(std::string what, std::optional<double> value, const char* unit, double must, double aim);
+Verdict at_least(std::string what, std::optional<double> value, const char* unit, double must,
+                 std::optional<double> aim = std::nullopt);
 
-/// One line each.
-void print_verdicts(const std::vector<Verdict>& verdicts);
+/// Prints the value and its unit, right-aligned.
+void print_value(const Verdict& verdict);
+
+/// One line each: what it is about, in a column of that width, the value as `print` shows it, and the
+/// outcome.
+void print_verdicts(const std::vector<Verdict>& verdicts, int width = 46,
+                    void (*print)(const Verdict& verdict) = print_value);
 
 }  // namespace campuswalk::tools::bench
