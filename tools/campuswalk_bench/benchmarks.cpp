@@ -9,8 +9,6 @@
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk_bench/campus/campus_cases.h"
-#include "tools/campuswalk_bench/draw/draw_bench.h"
-#include "tools/campuswalk_bench/explore/explore_bench.h"
 #include "tools/campuswalk_bench/import/import_cases.h"
 #include "tools/campuswalk_bench/measure/row.h"
 #include "tools/campuswalk_bench/measure/targets.h"
@@ -107,36 +105,10 @@ void check_output(const std::filesystem::path& file) {
 }
 
 /// Throws std::runtime_error in a build that can't draw.
-void draw(const BenchOptions& options) {
+void require_drawing() {
     if (!can_draw()) {
         throw std::runtime_error("this build has no rendering: configure with CAMPUSWALK_RENDER=ON");
     }
-    DrawBench bench{rounds_of(options, 5), options.quick, options.csv, options.folder, {}};
-    for (const std::string& peer : options.peers) {
-        const std::size_t equals = peer.find('=');
-        bench.peers.push_back({peer.substr(0, equals), peer.substr(equals + 1)});
-    }
-    run_draw_bench(bench);
-}
-
-bool explore(const BenchOptions& options) {
-    ExploreBench bench;
-    bench.rounds = rounds_of(options, bench.rounds);
-    bench.quick = options.quick;
-    bench.csv = options.csv;
-    bench.data = options.data;
-    bench.campuses = options.campuses;
-    bench.allow = options.allow;
-    if (options.walks) {
-        bench.walks = static_cast<std::size_t>(*options.walks);
-    }
-    if (options.steered_walks) {
-        bench.steered_walks = static_cast<std::size_t>(*options.steered_walks);
-    }
-    if (options.routes) {
-        bench.routes = static_cast<std::size_t>(*options.routes);
-    }
-    return run_explore_bench(bench);
 }
 
 }  // namespace
@@ -146,8 +118,8 @@ std::span<const BenchCommand> bench_commands() {
 }
 
 int run_bench(const BenchOptions& options) {
-    if (!options.plot.empty() && !can_draw()) {
-        throw std::runtime_error("this build has no rendering: configure with CAMPUSWALK_RENDER=ON");
+    if (!options.plot.empty()) {
+        require_drawing();
     }
     check_output(options.csv);
     check_output(options.plot);
@@ -159,10 +131,13 @@ int run_bench(const BenchOptions& options) {
         return right ? kPass : kExpectationFailed;
     }
     if (options.which == kBenchExplore) {
-        return explore(options) ? kPass : kExpectationFailed;
+        const bool right =
+            run_explore_bench(rounds_of(options, 5), options.quick, options.csv, options.explore);
+        return right ? kPass : kExpectationFailed;
     }
     if (options.which == kBenchDraw) {
-        draw(options);
+        require_drawing();
+        run_draw_bench(rounds_of(options, 5), options.quick, options.csv, options.draw);
         return kPass;
     }
     CaseResult all;

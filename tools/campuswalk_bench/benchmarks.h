@@ -1,29 +1,25 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "tools/campuswalk_bench/draw/draw_bench.h"
+#include "tools/campuswalk_bench/explore/explore_bench.h"
+
 namespace campuswalk::tools {
 
 struct BenchOptions {
-    std::string which;               ///< one of bench_commands(), or kBenchAll
-    std::filesystem::path csv;       ///< empty: none
-    std::filesystem::path plot;      ///< of table1: *.svg or *.png; empty: none
-    int rounds = 0;                  ///< how often each query or tick is timed; 0: the case's default
-    std::filesystem::path folder;    ///< of draw: where the models and images are saved; empty: nowhere
-    std::vector<std::string> peers;  ///< of draw: NAME=COMMAND of another program that draws
+    std::string which;           ///< one of bench_commands(), or kBenchAll
+    std::filesystem::path csv;   ///< empty: none
+    std::filesystem::path plot;  ///< of table1: *.svg or *.png; empty: none
+    int rounds = 0;              ///< how often each query or tick is timed; 0: the case's default
+    bench::DrawBench draw;
+    bench::ExploreBench explore;
     std::vector<std::filesystem::path> models;  ///< of import: more files to read
-    std::filesystem::path data;         ///< of explore: the folder of models of others; empty: without them
-    std::vector<std::string> campuses;  ///< of explore: only these; empty: all
-    std::vector<std::string> allow;     ///< of explore: run, jump
-    std::optional<int> walks;           ///< of explore: random walks on each campus
-    std::optional<int> steered_walks;   ///< of explore: likewise, steering in falls
-    std::optional<int> routes;          ///< of explore: between random pairs of places
-    bool mixed = false;                 ///< of table1: include the paper's mixed reading
-    bool quick = false;                 ///< small scenes, one round: to see that it works
+    bool mixed = false;                         ///< of table1: include the paper's mixed reading
+    bool quick = false;                         ///< small scenes, one round: to see that it works
 };
 
 struct BenchCommand {

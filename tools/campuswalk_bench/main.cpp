@@ -32,7 +32,7 @@ void add_draw_options(Command& command, BenchOptions& options) {
     command.option({.names = "--folder",
                     .help = "Save each campus as a GLB file here, and a picture of each look",
                     .value = "DIR"},
-                   options.folder);
+                   options.draw.folder);
     command.option(
         {.names = "--peer",
          .help =
@@ -45,7 +45,7 @@ void add_draw_options(Command& command, BenchOptions& options) {
                  return equals > 0 && equals < peer.size() - 1 ? std::string()
                                                                : "'" + peer + "' isn't NAME=COMMAND";
              }},
-        options.peers);
+        options.draw.peers);
 }
 
 /// The options of `explore` alone.
@@ -55,22 +55,22 @@ void add_explore_options(Command& command, BenchOptions& options) {
          .help = "Folder of the models of others: recast/, gazebo/ and ufaz/; without it, only the "
                  "demo campus is explored",
          .value = "DIR"},
-        options.data);
+        options.explore.data);
     command.option({.names = "--campus", .help = "Only this one; may be repeated", .value = "NAME"},
-                   options.campuses);
+                   options.explore.campuses);
     command.choices({.names = "--allow",
                      .help = "What visitors do besides walking, in explorations and random walks; several "
                              "with commas between",
                      .is_list = true},
-                    {"run", "jump"}, options.allow);
+                    {"run", "jump"}, options.explore.allow);
     command.option({.names = "--walks", .help = "Random walks on each campus; 10000 by default"},
-                   options.walks, {0, 10000000});
+                   options.explore.walks, {0, 10000000});
     command.option({.names = "--steered-walks",
                     .help = "Random walks that steer in falls, on `dungeon`; 100000 by default"},
-                   options.steered_walks, {0, 10000000});
+                   options.explore.steered_walks, {0, 10000000});
     command.option({.names = "--routes",
                     .help = "Routes between random pairs of places on each campus; 1000 by default"},
-                   options.routes, {0, 10000000});
+                   options.explore.routes, {0, 10000000});
 }
 
 /// The options of `import` alone.

@@ -10,7 +10,8 @@ bool can_draw() {
     return false;
 }
 
-void run_draw_bench(const DrawBench& /*bench*/) {
+void run_draw_bench(int /*rounds*/, bool /*quick*/, const std::filesystem::path& /*csv*/,
+                    const DrawBench& /*bench*/) {
     throw std::logic_error("a build without rendering was asked to draw");
 }
 

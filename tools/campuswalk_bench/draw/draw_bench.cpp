@@ -22,6 +22,7 @@
 #include "scene/model/model.h"
 #include "tools/campuswalk/run/cases/frame_helpers.h"
 #include "tools/campuswalk/run/workers/worker.h"
+#include "tools/campuswalk_bench/draw/draw_peers.h"
 #include "tools/campuswalk_bench/draw/draw_report.h"
 #include "tools/campuswalk_bench/draw/draw_times.h"
 #include "tools/campuswalk_bench/draw/drawn_campus.h"
@@ -220,7 +221,8 @@ Subject houses(int lots) {
             {}};
 }
 
-DrawnCampus draw_campus(const Subject& subject, const DrawBench& bench, const fs::path& folder) {
+DrawnCampus draw_campus(const Subject& subject, int rounds, const std::vector<std::string>& peers,
+                        const fs::path& folder) {
     const auto& [name, model, views, by_processes] = subject;
     fs::create_directories(folder);
     std::vector<std::string> images;
@@ -230,27 +232,29 @@ DrawnCampus draw_campus(const Subject& subject, const DrawBench& bench, const fs
         images.emplace_back(png.begin(), png.end());
     }
     scene::write_file_atomically(folder / "campus.glb", scene::write_named_glb(model, images));
-    write_views(views, bench.rounds, folder);
+    write_views(views, rounds, folder);
     DrawnCampus drawn;
     drawn.name = name;
     drawn.triangles = scene::count_triangles(model);
     std::printf(
         "\n%s: %zu triangles in %zu meshes, %zu views of %dx%d, %d rounds after one to warm up\n"
         "processes: %zu of ours at the same time; an image's time is divided by their number\n",
-        name.c_str(), drawn.triangles, model.meshes.size(), views.size(), kDrawnWidth, kDrawnHeight,
-        bench.rounds, drawing_processes());
+        name.c_str(), drawn.triangles, model.meshes.size(), views.size(), kDrawnWidth, kDrawnHeight, rounds,
+        drawing_processes());
     std::fflush(stdout);
-    OurDrawing ours = draw_ours(model, views, bench.rounds, folder);
+    OurDrawing ours = draw_ours(model, views, rounds, folder);
     drawn.looks = std::move(ours.looks);
     drawn.looks.insert(drawn.looks.end(), by_processes.begin(), by_processes.end());
     drawn.encode_ms = ours.encode_ms;
     drawn.heap_bytes = ours.heap_bytes;
-    for (const DrawPeer& peer : bench.peers) {
+    for (const std::string& peer : peers) {
+        const std::size_t equals = peer.find('=');
+        const std::string peer_name = peer.substr(0, equals);
         try {
-            std::vector<DrawTimes> theirs = draw_peer(peer, folder);
+            std::vector<DrawTimes> theirs = draw_peer({peer_name, peer.substr(equals + 1)}, folder);
             drawn.looks.insert(drawn.looks.end(), theirs.begin(), theirs.end());
         } catch (const std::exception& error) {
-            std::printf("  absent: %s: %s\n", peer.name.c_str(), error.what());
+            std::printf("  absent: %s: %s\n", peer_name.c_str(), error.what());
         }
     }
     print_draw_table(drawn);
@@ -263,25 +267,25 @@ bool can_draw() {
     return true;
 }
 
-void run_draw_bench(const DrawBench& bench) {
+void run_draw_bench(int rounds, bool quick, const fs::path& csv, const DrawBench& bench) {
     const ScratchFolder scratch(bench.folder);
     // The drawing processes come first: they can't be forked from a process that has drawn.
     std::vector<Subject> subjects;
-    for (const int lots : bench.quick ? std::vector<int>{1} : std::vector<int>{8, 17}) {
+    for (const int lots : quick ? std::vector<int>{1} : std::vector<int>{8, 17}) {
         for (const auto& make : {hills, houses}) {
             Subject& made = subjects.emplace_back(make(lots));
-            made.by_processes = draw_by_processes(made.model, made.views, bench.rounds);
+            made.by_processes = draw_by_processes(made.model, made.views, rounds);
         }
     }
     std::vector<DrawnCampus> campuses;
     for (const Subject& made : subjects) {
         const std::string folder = made.name + "-" + std::to_string(scene::count_triangles(made.model));
-        campuses.push_back(draw_campus(made, bench, scratch.path() / folder));
+        campuses.push_back(draw_campus(made, rounds, bench.peers, scratch.path() / folder));
         std::fflush(stdout);
     }
     print_draw_verdicts(draw_verdicts(campuses));
-    if (!bench.csv.empty()) {
-        write_draw_csv(campuses, bench.csv);
+    if (!csv.empty()) {
+        write_draw_csv(campuses, csv);
     }
 }
 

@@ -1,25 +1,22 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
-
-#include "tools/campuswalk_bench/draw/draw_peers.h"
 
 namespace campuswalk::tools::bench {
 
 struct DrawBench {
-    int rounds = 1;
-    bool quick = false;            ///< one small campus
-    std::filesystem::path csv;     ///< empty: none
-    std::filesystem::path folder;  ///< where the campus and an image of each look are saved; empty: nowhere
-    std::vector<DrawPeer> peers;
+    std::filesystem::path folder;    ///< where the campus and an image of each look are saved; empty: nowhere
+    std::vector<std::string> peers;  ///< other programs that draw: NAME=COMMAND
 };
 
 /// False in a build without rendering, which must not call run_draw_bench.
 bool can_draw();
 
 /// Times images of campuses of half a million and two million triangles, on hills and among houses, drawn by
-/// us and by the peers, and prints the times and how they compare with the targets.
-void run_draw_bench(const DrawBench& bench);
+/// us and by the peers, or of a small one if `quick`, and prints the times and how they compare with the
+/// targets. `csv` may be empty.
+void run_draw_bench(int rounds, bool quick, const std::filesystem::path& csv, const DrawBench& bench);
 
 }  // namespace campuswalk::tools::bench

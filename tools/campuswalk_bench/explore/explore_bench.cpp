@@ -75,24 +75,24 @@ bool is_wanted(const ExploreBench& bench, const std::string& name) {
 
 }  // namespace
 
-bool run_explore_bench(const ExploreBench& bench) {
+bool run_explore_bench(int rounds, bool quick, const std::filesystem::path& csv, const ExploreBench& bench) {
     std::printf(
         "A person of 1.8 m at 60 Hz, slopes up to 50 degrees, from one spawn, cells of 0.25 m; Recast's\n"
         "whole build, tile by tile, with cells of 0.15 m and 0.1 m in height, without Detour's part.\n");
     std::vector<ExploredCampusSource> sources = explored_campuses(bench.data);
-    if (bench.quick) {
+    if (quick) {
         sources = {small_explored_campus()};
     }
+    const auto count = [](int n) { return static_cast<std::size_t>(n); };
     std::vector<ExploreScore> scores;
     for (const ExploredCampusSource& source : sources) {
         if (!is_wanted(bench, source.name)) {
             continue;
         }
-        ExploreCaseSettings settings{bench.rounds, bench.walks, 0, bench.routes};
-        if (source.name == kSteeredIn) {
-            settings.steered_walks = bench.steered_walks;
-        }
-        if (bench.quick) {
+        ExploreCaseSettings settings{rounds, count(bench.walks),
+                                     count(source.name == kSteeredIn ? bench.steered_walks : 0),
+                                     count(bench.routes)};
+        if (quick) {
             settings.walks = settings.steered_walks = settings.routes = kQuickWalks;
         }
         try {
@@ -106,8 +106,8 @@ bool run_explore_bench(const ExploreBench& bench) {
     }
     std::printf("\nCompared with the targets; times are geometric means of all campuses\n");
     print_verdicts(explore_verdicts(scores));
-    if (!bench.csv.empty()) {
-        write_explore_csv(scores, bench.csv);
+    if (!csv.empty()) {
+        write_explore_csv(scores, csv);
     }
     return std::ranges::all_of(scores, is_correct);
 }
