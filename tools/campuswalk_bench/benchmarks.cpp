@@ -5,6 +5,8 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "engine/events/decimals.h"
+#include "scene/base/atomic_file.h"
 #include "scene/base/diagnostic.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/writable_path.h"
@@ -12,8 +14,7 @@
 #include "tools/campuswalk_bench/import/import_cases.h"
 #include "tools/campuswalk_bench/measure/row.h"
 #include "tools/campuswalk_bench/measure/targets.h"
-#include "tools/campuswalk_bench/measure/write_csv.h"
-#include "tools/campuswalk_bench/pairs/pair_case.h"
+#include "tools/campuswalk_bench/pairs/pair_runs.h"
 #include "tools/campuswalk_bench/pairs/table1_case.h"
 #include "tools/campuswalk_bench/trees/tree_cases.h"
 #include "tools/campuswalk_bench/walk/walk_bench.h"
@@ -23,6 +24,34 @@ namespace campuswalk::tools {
 using namespace bench;
 
 namespace {
+
+std::string line(const Row& row) {
+    std::string text = row.case_name + ',' + (row.pairs ? std::to_string(*row.pairs) : "") + ',' +
+                       row.engine + ',' + row.query + ',' + engine::fixed(row.least, 3) + ',' +
+                       engine::fixed(row.median, 3) + ',';
+    if (row.work) {
+        text +=
+            std::to_string(row.work->volume_tests) + ',' + std::to_string(row.work->primitive_tests) + ',';
+    } else {
+        text += ",,";
+    }
+    if (row.difference) {
+        text += row.difference->none() ? "yes" : to_string(*row.difference);
+    }
+    return text + '\n';
+}
+
+/// case,pairs,engine,query,us_min,us_median,nv,np,set_equal: one line per row. `pairs` is empty for queries
+/// that don't find overlapping pairs, nv and np where they aren't counted, and set_equal where nothing is
+/// compared; else set_equal is `yes` or +EXTRA/-MISSING. In case `memory`, us_min and us_median are bytes per
+/// triangle, as the query's name says. Throws std::runtime_error.
+void write_csv(const std::vector<Row>& rows, const std::filesystem::path& file) {
+    std::string text = "case,pairs,engine,query,us_min,us_median,nv,np,set_equal\n";
+    for (const Row& row : rows) {
+        text += line(row);
+    }
+    scene::write_file_atomically(file, text);
+}
 
 /// Prints the targets whose cases are among the rows, one per line: what was measured, and whether it reaches
 /// them.

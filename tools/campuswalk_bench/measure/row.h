@@ -25,7 +25,9 @@ struct Difference {
 };
 
 /// `+EXTRA/-MISSING`
-std::string to_string(const Difference& difference);
+inline std::string to_string(const Difference& difference) {
+    return "+" + std::to_string(difference.extra) + "/-" + std::to_string(difference.missing);
+}
 
 /// A line of the CSV: the cost of one query by one engine.
 struct Row {

@@ -15,4 +15,8 @@ Results measure(const PairScene& scene, const std::vector<NamedEngine>& engines,
 /// Reports the errors of our own engines, one per line on standard error. Returns whether there are any.
 bool report_our_errors(const PairScene& scene, const Results& results);
 
+/// Measures the two meshes of a scene with every engine, except for the variants that are only in Table I,
+/// and prints one line per engine.
+CaseResult run_pair_case(const PairScene& scene, int rounds);
+
 }  // namespace campuswalk::tools::bench
