@@ -155,20 +155,15 @@ void print_table1(const Results& results) {
     print_sets(results);
 }
 
-constexpr const char* kHybridEngines[] = {"paper", "obb", "sphere"};
-constexpr const char* kMixed = "mixed";
-constexpr const char* kBvh8AndPeers[] = {"wide_sse42",     "wide_avx2", "wide_avx512", "fcl_obb",
-                                         "bullet_gimpact", "ode",       "embree",      "cgal"};
-
 }  // namespace
 
 CaseResult run_table1(int rounds, bool mixed, const std::filesystem::path& plot) {
-    std::vector<const char*> names(std::begin(kHybridEngines), std::end(kHybridEngines));
+    std::vector<const char*> names = {"paper", "obb", "sphere"};
     if (mixed) {
-        names.push_back(kMixed);
+        names.push_back("mixed");
     }
-    names.insert(names.end(), std::begin(kBvh8AndPeers), std::end(kBvh8AndPeers));
-
+    names.insert(names.end(), {"wide_sse42", "wide_avx2", "wide_avx512", "fcl_obb", "bullet_gimpact", "ode",
+                               "embree", "cgal"});
     const PairScene scene = table1_pair_scene();
     const PairEngines made = make_engines(scene.a, scene.b, names);
     const Results results = measure(scene, made.engines, rounds);
