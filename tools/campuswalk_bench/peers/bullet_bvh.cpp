@@ -11,10 +11,6 @@ namespace campuswalk::tools::bench {
 
 namespace {
 
-btVector3 bullet(const collision::Vec3& v) {
-    return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z())};
-}
-
 struct Nearest : btTriangleRaycastCallback {
     using btTriangleRaycastCallback::btTriangleRaycastCallback;
     bool found = false;

@@ -20,10 +20,6 @@ namespace {
 
 static_assert(sizeof(btScalar) == sizeof(float), "Debian's usual build");
 
-btVector3 bullet(const collision::Vec3& v) {
-    return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z())};
-}
-
 /// Settings besides the body's, metres; by default Bullet's defaults.
 struct Tuning {
     btScalar mesh_margin = 0.04F;             ///< around triangles

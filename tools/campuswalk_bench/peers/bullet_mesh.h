@@ -19,4 +19,8 @@ inline btIndexedMesh indexed(const collision::TriangleMesh& mesh) {
     return part;
 }
 
+inline btVector3 bullet(const collision::Vec3& v) {
+    return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z())};
+}
+
 }  // namespace campuswalk::tools::bench
