@@ -128,9 +128,8 @@ public:
     /// All nodes, by which those are numbered at which walks start.
     void walk(std::uint64_t seed, const std::vector<WalkNodeId>& nodes) {
         SplitMix random(seed);
-        const auto any = static_cast<std::size_t>(random.between(0.0, static_cast<double>(nodes.size())));
-        const WalkNodeId& first =
-            seed % 2 == 0 ? space_.starts.front() : nodes[std::min(any, nodes.size() - 1)];
+        const std::size_t any = random.below(nodes.size());
+        const WalkNodeId& first = seed % 2 == 0 ? space_.starts.front() : nodes[any];
         walk_from(space_.state_at(first, strider_), seed, random);
     }
 

@@ -54,14 +54,10 @@ std::vector<Pair> random_pairs(const ExploredCampus& campus, const WalkSpace& sp
     const engine::ExploreSettings settings = campus.settings();
     engine::Strider strider(campus.world(), settings.strides, settings.solids);
     SplitMix random(kSeed);
-    const auto any = [&] {
-        const auto i = static_cast<std::size_t>(random.between(0.0, static_cast<double>(nodes.size())));
-        return nodes[std::min(i, nodes.size() - 1)];
-    };
     std::vector<Pair> pairs;
     for (std::size_t i = 0; i < count && !nodes.empty(); ++i) {
-        const WalkNodeId from = any();
-        const WalkNodeId to = any();
+        const WalkNodeId from = nodes[random.below(nodes.size())];
+        const WalkNodeId to = nodes[random.below(nodes.size())];
         pairs.push_back({space.state_at(from, strider), space.state_at(to, strider),
                          from == to || returns_to_start(space, from)});
     }

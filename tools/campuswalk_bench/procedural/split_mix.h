@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "collision/geometry/shapes.h"
@@ -14,6 +15,11 @@ public:
     double between(double low, double high) {
         constexpr double kStep = 0x1p-53;
         return low + (high - low) * kStep * static_cast<double>(next() >> 11U);
+    }
+
+    /// A number less than `count`.
+    std::size_t below(std::size_t count) {
+        return static_cast<std::size_t>(between(0.0, static_cast<double>(count)));
     }
 
     /// A uniformly distributed unit vector.
