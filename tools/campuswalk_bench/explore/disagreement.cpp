@@ -5,13 +5,14 @@
 #include <map>
 #include <utility>
 
+#include "tools/campuswalk_bench/explore/explored_campus.h"
+
 namespace campuswalk::tools::bench {
 
 using collision::Triangle;
 using collision::Vec3;
 using engine::GridCell;
 using engine::WalkGrid;
-using engine::WalkNodeId;
 using engine::WalkSpace;
 
 namespace {
@@ -41,11 +42,8 @@ bool has_around(const Heights& heights, const GridCell& cell, double y) {
 
 Heights heights_of(const WalkSpace& space) {
     Heights heights;
-    for (std::uint32_t tile = 0; tile < space.tiles.size(); ++tile) {
-        for (std::size_t i = 0; i < space.tiles[tile].nodes.size(); ++i) {
-            const WalkNodeId node{tile, static_cast<std::uint16_t>(i)};
-            heights[space.cell_of(node)].push_back(space.position(node).y());
-        }
+    for (const engine::WalkNodeId& node : nodes_of(space)) {
+        heights[space.cell_of(node)].push_back(space.position(node).y());
     }
     return heights;
 }

@@ -37,20 +37,8 @@ const SharedModel kModels[] = {
     {"outdoor_campus", "ufaz/after153/outdoor_campus.obj", {6, 0.1, 150}, 0.3},
 };
 
-/// Beside the program's avatars, or else below the current folder.
-fs::path demo_file() {
-    const fs::path name = "demo.campus.yaml";
-    for (const fs::path& avatars : search_paths().avatars) {
-        std::error_code ignored;
-        if (auto file = avatars.parent_path() / name; fs::exists(file, ignored)) {
-            return file;
-        }
-    }
-    return "config" / name;
-}
-
 ExploredCampus load_demo() {
-    ExploredCampus demo{"demo", WalkLoader().load_campus(demo_file()), {}, {}};
+    ExploredCampus demo{"demo", WalkLoader().load_campus(demo_file("demo.campus.yaml")), {}, {}};
     demo.spawn = demo.campus->description.spawns.at(0).position;
     return demo;
 }
@@ -91,6 +79,16 @@ ExploredCampus make_small() {
 }
 
 }  // namespace
+
+fs::path demo_file(const fs::path& name) {
+    for (const fs::path& avatars : search_paths().avatars) {
+        std::error_code ignored;
+        if (auto file = avatars.parent_path() / name; fs::exists(file, ignored)) {
+            return file;
+        }
+    }
+    return "config" / name;
+}
 
 engine::ExploreSettings ExploredCampus::settings() const {
     engine::ExploreSettings settings;

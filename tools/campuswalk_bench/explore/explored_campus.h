@@ -36,6 +36,9 @@ struct ExploredCampusSource {
     std::function<ExploredCampus()> load;  ///< throws, with the reason, where it is missing
 };
 
+/// A file of the demo: beside the program's avatars, or else below the current folder.
+std::filesystem::path demo_file(const std::filesystem::path& name);
+
 /// The demo campus, and models of others below `data`: recastnavigation's, Gazebo's, a campus game's.
 std::vector<ExploredCampusSource> explored_campuses(const std::filesystem::path& data);
 /// One lot with a course, made in code.

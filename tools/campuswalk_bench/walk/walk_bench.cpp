@@ -9,6 +9,7 @@
 
 #include "engine/simulation/simulation.h"
 #include "tools/campuswalk/loading/walk_loader.h"
+#include "tools/campuswalk_bench/explore/explored_campus.h"
 #include "tools/campuswalk_bench/measure/shuffled_runs.h"
 #include "tools/campuswalk_bench/walk/walk_case.h"
 #include "tools/campuswalk_bench/walk/walk_csv.h"
@@ -19,18 +20,6 @@ namespace campuswalk::tools::bench {
 namespace {
 
 constexpr int kSeconds = 120;
-
-/// Beside the program's avatars, or else below the current folder.
-std::filesystem::path tour_file() {
-    const std::filesystem::path name = "walks/first-tour.walk.yaml";
-    for (const std::filesystem::path& avatars : search_paths().avatars) {
-        std::error_code ignored;
-        if (auto file = avatars.parent_path() / name; std::filesystem::exists(file, ignored)) {
-            return file;
-        }
-    }
-    return "config" / name;
-}
 
 void walk_two_minutes(const LoadedWalk& tour) {
     engine::Simulation simulation(*tour.campus, tour.walk);
@@ -50,7 +39,7 @@ void walk_two_minutes(const LoadedWalk& tour) {
 std::optional<double> time_demo_tour(int rounds) {
     try {
         WalkLoader loader;
-        const LoadedWalk tour = loader.load_walk(tour_file());
+        const LoadedWalk tour = loader.load_walk(demo_file("walks/first-tour.walk.yaml"));
         double least = 1e300;
         for (int round = 0; round < rounds; ++round) {
             least = std::min(least, microseconds_of([&] { walk_two_minutes(tour); }));
