@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <cstdio>
-#include <exception>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -85,12 +84,8 @@ Row make_row(const QueryCase<Input, Answer>& query_case, const std::vector<Query
              std::size_t i, bool& ours_right) {
     const QueryRuns<Answer>& run = runs[i];
     const auto& engine = query_case.engines[i];
-    Row row;
-    row.case_name = query_case.case_name;
-    row.engine = engine.name;
-    row.query = query_case.query;
-    row.least = run.per_query.least;
-    row.median = run.per_query.median;
+    Row row{query_case.case_name, {}, engine.name, query_case.query, run.per_query.least,
+            run.per_query.median, {}, {}};
     std::printf("%16s%12.3f%12.3f", row.engine.c_str(), row.least, row.median);
     if (!engine.is_ours) {
         const Disagreement found = compare_with_peer(query_case, runs[0].answers, run.answers);
@@ -131,16 +126,12 @@ constexpr double kEyeHeight = 1.6;     ///< metres
 constexpr double kAvatarRadius = 0.3;  ///< metres
 constexpr double kAvatarHeight = 1.8;  ///< metres
 
-std::size_t below(std::size_t count, SplitMix& random) {
-    return static_cast<std::size_t>(random.between(0.0, static_cast<double>(count)));
-}
-
 /// Rays of `length` metres from eye height above some of `feet`, uniformly distributed over all directions.
 std::vector<Ray> eye_rays(std::span<const Vec3> feet, double length, std::size_t count, std::uint32_t seed) {
     SplitMix random(seed);
     std::vector<Ray> rays;
     while (rays.size() < count) {
-        const Vec3 eye = feet[below(feet.size(), random)] + Vec3(0.0, kEyeHeight, 0.0);
+        const Vec3 eye = feet[random.below(feet.size())] + Vec3(0.0, kEyeHeight, 0.0);
         rays.push_back({eye, eye + length * random.direction()});
     }
     return rays;
@@ -151,7 +142,7 @@ std::vector<Segment> avatars(const collision::TriangleMesh& mesh, std::size_t co
     SplitMix random(seed);
     std::vector<Segment> made;
     while (made.size() < count) {
-        const collision::Triangle near = vertices(mesh, below(mesh.triangles.size(), random));
+        const collision::Triangle near = vertices(mesh, random.below(mesh.triangles.size()));
         const Vec3 foot = (near.a + near.b + near.c) / 3.0 + 0.5 * random.direction();
         made.push_back({foot + Vec3(0, kAvatarRadius, 0), foot + Vec3(0, kAvatarHeight - kAvatarRadius, 0)});
     }
@@ -178,11 +169,7 @@ struct Campus {
 
 template <typename Make, typename Engine>
 void load(std::shared_ptr<Engine>& engine, const char* peer, const char* function, const Campus& campus) {
-    try {
-        engine = make_peer<Make>(peer, function, campus.generated.mesh);
-    } catch (const std::exception& error) {
-        std::printf("  absent: %s: %s\n", peer, error.what());
-    }
+    unless_absent(peer, [&] { engine = make_peer<Make>(peer, function, campus.generated.mesh); });
 }
 
 /// Both trees, queried by `query(collider, input, answer, counters)`.
@@ -201,11 +188,7 @@ std::vector<QueryEngine<Input, Answer>> both_trees(const Campus& campus, const R
 }
 
 QueryCase<Ray, Fraction> first_hits(const Campus& campus, const char* case_name, std::vector<Ray> rays) {
-    QueryCase<Ray, Fraction> query_case;
-    query_case.case_name = case_name;
-    query_case.query = "first_hit";
-    query_case.inputs = std::move(rays);
-    query_case.engines = both_trees<Ray, Fraction>(
+    auto engines = both_trees<Ray, Fraction>(
         campus, [](const MeshCollider& mesh, const Ray& ray, Fraction& answer, QueryStatistics& counters) {
             const auto hit = first_on_ray(mesh, ray, &counters);
             answer = hit ? Fraction(hit->fraction) : std::nullopt;
@@ -213,67 +196,69 @@ QueryCase<Ray, Fraction> first_hits(const Campus& campus, const char* case_name,
     for (const auto& [name, peer] :
          {std::pair("embree_robust", campus.embree), std::pair("bullet_bvh", campus.bullet)}) {
         if (peer) {
-            query_case.engines.push_back(
+            engines.push_back(
                 {name, false, [peer = peer](const Ray& ray, Fraction& answer, QueryStatistics&) {
                      answer = peer->first_on_ray(ray);
                  }});
         }
     }
-    query_case.is_same = same_hit;
-    query_case.is_right = [&campus](const Ray& ray, const Fraction& answer) {
-        return is_first_hit(campus.generated.mesh, ray, answer);
-    };
-    return query_case;
+    return {case_name,
+            "first_hit",
+            std::move(rays),
+            std::move(engines),
+            same_hit,
+            [&campus](const Ray& ray, const Fraction& answer) {
+                return is_first_hit(campus.generated.mesh, ray, answer);
+            }};
 }
 
 QueryCase<Ray, char> any_hits(const Campus& campus, std::vector<Ray> rays) {
-    QueryCase<Ray, char> query_case;
-    query_case.case_name = "rays";
-    query_case.query = "any_hit";
-    query_case.inputs = std::move(rays);
-    query_case.engines = both_trees<Ray, char>(
-        campus, [](const MeshCollider& mesh, const Ray& ray, char& answer, QueryStatistics& counters) {
-            answer = any_on_ray(mesh, ray, &counters) ? 1 : 0;
-        });
-    return query_case;
+    return {"rays",
+            "any_hit",
+            std::move(rays),
+            both_trees<Ray, char>(
+                campus, [](const MeshCollider& mesh, const Ray& ray, char& answer,
+                           QueryStatistics& counters) { answer = any_on_ray(mesh, ray, &counters) ? 1 : 0; }),
+            {},
+            {}};
 }
 
 QueryCase<Segment, Triangles> touches(const Campus& campus, std::vector<Segment> segments) {
-    QueryCase<Segment, Triangles> query_case;
-    query_case.case_name = "avatars";
-    query_case.query = "touching";
-    query_case.inputs = std::move(segments);
-    query_case.engines = both_trees<Segment, Triangles>(
-        campus,
-        [](const MeshCollider& mesh, const Segment& segment, Triangles& answer, QueryStatistics& counters) {
-            triangles_near(mesh, segment, kAvatarRadius, answer, &counters);
-        });
+    auto engines = both_trees<Segment, Triangles>(campus, [](const MeshCollider& mesh, const Segment& segment,
+                                                             Triangles& answer, QueryStatistics& counters) {
+        triangles_near(mesh, segment, kAvatarRadius, answer, &counters);
+    });
     if (campus.fcl) {
-        query_case.engines.push_back(
-            {"fcl_obbrss", false,
-             [fcl = campus.fcl](const Segment& segment, Triangles& answer, QueryStatistics&) {
-                 fcl->triangles_near(segment, kAvatarRadius, answer);
-             }});
+        engines.push_back({"fcl_obbrss", false,
+                           [fcl = campus.fcl](const Segment& segment, Triangles& answer, QueryStatistics&) {
+                               fcl->triangles_near(segment, kAvatarRadius, answer);
+                           }});
     }
-    query_case.is_same = [](const Segment&, const Triangles& a, const Triangles& b) { return a == b; };
-    query_case.is_right = [&campus](const Segment& segment, const Triangles& answer) {
-        return is_touching_set(campus.generated.mesh, segment, kAvatarRadius, answer);
-    };
-    return query_case;
+    return {"avatars",
+            "touching",
+            std::move(segments),
+            std::move(engines),
+            [](const Segment&, const Triangles& a, const Triangles& b) { return a == b; },
+            [&campus](const Segment& segment, const Triangles& answer) {
+                return is_touching_set(campus.generated.mesh, segment, kAvatarRadius, answer);
+            }};
 }
 
 QueryCase<Vec3, double> distances(const Campus& campus, const std::vector<Segment>& segments) {
-    QueryCase<Vec3, double> query_case;
-    query_case.case_name = "points";
-    query_case.query = "closest";
+    std::vector<Vec3> points;
     for (const Segment& segment : segments) {
-        query_case.inputs.push_back(segment.b);
+        points.push_back(segment.b);
     }
-    query_case.engines = both_trees<Vec3, double>(
-        campus, [](const MeshCollider& mesh, const Vec3& point, double& answer, QueryStatistics& counters) {
-            answer = closest_point(mesh, point, &counters).distance;
-        });
-    return query_case;
+    return {"points",
+            "closest",
+            std::move(points),
+            both_trees<Vec3, double>(
+                campus,
+                [](const MeshCollider& mesh, const Vec3& point, double& answer, QueryStatistics& counters) {
+                    answer = closest_point(mesh, point, &counters).distance;
+                }),
+            {},
+            {}};
 }
 
 }  // namespace

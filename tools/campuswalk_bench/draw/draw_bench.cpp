@@ -27,6 +27,7 @@
 #include "tools/campuswalk_bench/draw/draw_times.h"
 #include "tools/campuswalk_bench/draw/drawn_campus.h"
 #include "tools/campuswalk_bench/draw/looks.h"
+#include "tools/campuswalk_bench/engines/peer_engines.h"
 #include "tools/campuswalk_bench/files/scratch_folder.h"
 #include "tools/campuswalk_bench/measure/heap.h"
 #include "tools/campuswalk_bench/measure/shuffled_runs.h"
@@ -250,12 +251,10 @@ DrawnCampus draw_campus(const Subject& subject, int rounds, const std::vector<st
     for (const std::string& peer : peers) {
         const std::size_t equals = peer.find('=');
         const std::string peer_name = peer.substr(0, equals);
-        try {
-            std::vector<DrawTimes> theirs = draw_peer({peer_name, peer.substr(equals + 1)}, folder);
+        unless_absent(peer_name.c_str(), [&] {
+            const std::vector<DrawTimes> theirs = draw_peer(peer_name, peer.substr(equals + 1), folder);
             drawn.looks.insert(drawn.looks.end(), theirs.begin(), theirs.end());
-        } catch (const std::exception& error) {
-            std::printf("  absent: %s: %s\n", peer_name.c_str(), error.what());
-        }
+        });
     }
     print_draw_table(drawn);
     return drawn;

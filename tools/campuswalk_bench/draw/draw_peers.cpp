@@ -62,8 +62,9 @@ std::vector<DrawTimes> parse_times(const std::string& peer, const std::string& p
     return looks;
 }
 
-std::vector<DrawTimes> draw_peer(const DrawPeer& peer, const std::filesystem::path& folder) {
-    const std::string line = peer.command + " " + shell_quoted(std::filesystem::absolute(folder).string());
+std::vector<DrawTimes> draw_peer(const std::string& name, const std::string& command,
+                                 const std::filesystem::path& folder) {
+    const std::string line = command + " " + shell_quoted(std::filesystem::absolute(folder).string());
     FILE* pipe = popen(line.c_str(), "r");  // NOLINT(cert-env33-c): the user's own command line
     if (pipe == nullptr) {
         throw std::runtime_error("its command can't be run");
@@ -77,7 +78,7 @@ std::vector<DrawTimes> draw_peer(const DrawPeer& peer, const std::filesystem::pa
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
         throw std::runtime_error("its command failed");
     }
-    return parse_times(peer.name, printed);
+    return parse_times(name, printed);
 }
 
 }  // namespace campuswalk::tools::bench

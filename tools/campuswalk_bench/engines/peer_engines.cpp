@@ -2,6 +2,7 @@
 
 #include <dlfcn.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <stdexcept>
 
@@ -26,6 +27,14 @@ void* find_in_peer(const std::string& peer, const char* function) {
         throw std::runtime_error("it has no " + std::string(function));
     }
     return found;
+}
+
+void unless_absent(const char* peer, const std::function<void()>& use) {
+    try {
+        use();
+    } catch (const std::exception& error) {
+        std::printf("  absent: %s: %s\n", peer, error.what());
+    }
 }
 
 }  // namespace campuswalk::tools::bench

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -19,5 +20,8 @@ auto make_peer(const std::string& peer, const char* function, const Meshes&... m
     auto* make = reinterpret_cast<Make*>(find_in_peer(peer, function));
     return std::unique_ptr<std::remove_pointer_t<decltype(make(meshes...))>>(make(meshes...));
 }
+
+/// Calls `use`; what it throws is printed as the reason why the peer is absent.
+void unless_absent(const char* peer, const std::function<void()>& use);
 
 }  // namespace campuswalk::tools::bench

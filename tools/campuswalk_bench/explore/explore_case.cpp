@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
-#include <exception>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -40,13 +39,11 @@ std::vector<std::unique_ptr<NavMeshEngine>> make_peers(const ExploredCampus& cam
     std::vector<std::unique_ptr<NavMeshEngine>> peers;
     NavMeshSettings settings;
     settings.body = body_of(campus);
-    try {
+    unless_absent("recast", [&] {
         for (settings.threads = 1; settings.threads <= kMostThreads; ++settings.threads) {
             peers.push_back(make_peer<MakeNavMeshEngine>("recast", kMakeNavMeshEngine, triangles, settings));
         }
-    } catch (const std::exception& error) {
-        std::printf("  absent: recast: %s\n", error.what());
-    }
+    });
     return peers;
 }
 

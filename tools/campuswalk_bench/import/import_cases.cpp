@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <cstdio>
-#include <exception>
 #include <functional>
 #include <string>
 #include <utility>
@@ -75,7 +74,7 @@ enum class Steps { none, join, both };
 
 std::vector<Reader> readers_of(const fs::path& file, Steps steps) {
     std::vector<Reader> readers = {{"helper", [=] { return import_by_helper(file); }}};
-    try {
+    unless_absent("assimp", [&] {
         const auto peer = reinterpret_cast<ImportWithPeer>(find_in_peer("assimp", kImportWithPeer));
         if (steps != Steps::join) {
             readers.push_back({"assimp", [=] { return std::size_t{peer(file.c_str(), false)}; }});
@@ -84,9 +83,7 @@ std::vector<Reader> readers_of(const fs::path& file, Steps steps) {
             readers.push_back({steps == Steps::join ? "assimp" : "assimp-joined",
                                [=] { return std::size_t{peer(file.c_str(), true)}; }});
         }
-    } catch (const std::exception& error) {
-        std::printf("  absent: assimp: %s\n", error.what());
-    }
+    });
     return readers;
 }
 
@@ -109,13 +106,15 @@ void time_readers(const std::string& query, const fs::path& file, Steps steps, s
     for (std::size_t i = 0; i < readers.size(); ++i) {
         std::printf("%14s%10.1f%10.1f\n", readers[i].name.c_str(), spreads[i].least / 1000.0,
                     spreads[i].median / 1000.0);
-        Row row;
-        row.case_name = "import";
-        row.engine = readers[i].name;
-        row.query = query;
-        row.least = spreads[i].least / static_cast<double>(triangles);
-        row.median = spreads[i].median / static_cast<double>(triangles);
-        result.rows.push_back(row);
+        const auto count = static_cast<double>(triangles);
+        result.rows.push_back({"import",
+                               {},
+                               readers[i].name,
+                               query,
+                               spreads[i].least / count,
+                               spreads[i].median / count,
+                               {},
+                               {}});
     }
 }
 

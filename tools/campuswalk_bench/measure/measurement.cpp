@@ -26,16 +26,9 @@ std::vector<double> Results::least_times(const std::string& engine, Query query)
 std::vector<Row> rows_of(const Results& results) {
     std::vector<Row> rows;
     for (const Measurement& m : results.measurements) {
-        Row row;
-        row.case_name = results.case_name;
-        row.pairs = results.pairs[m.placement];
-        row.engine = results.engines[m.engine].name;
-        row.query = m.query == Query::all ? "all" : "first";
-        row.least = m.us_min;
-        row.median = m.us_median;
-        row.work = m.work;
-        row.difference = m.difference;
-        rows.push_back(row);
+        rows.push_back({results.case_name, results.pairs[m.placement], results.engines[m.engine].name,
+                        m.query == Query::all ? "all" : "first", m.us_min, m.us_median, m.work,
+                        m.difference});
     }
     return rows;
 }

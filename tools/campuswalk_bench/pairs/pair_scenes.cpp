@@ -9,10 +9,7 @@ namespace campuswalk::tools::bench {
 
 PairScene table1_pair_scene() {
     const Table1Scene table = table1_scene();
-    PairScene made;
-    made.name = "table1";
-    made.a = table.cylinder;
-    made.b = table.teapot;
+    PairScene made{"table1", table.cylinder, table.teapot, {}};
     for (const Table1Placement& placement : table.placements) {
         made.placements.push_back({placement.X_cylinder_teapot, placement.pairs});
     }
@@ -24,10 +21,7 @@ PairScene finer_scene(int fineness) {
     CylinderShape shape;
     shape.sides *= fineness;
     shape.stacks *= fineness;
-    PairScene made;
-    made.name = "million";
-    made.a = cylinder(shape);
-    made.b = teapot(fineness);
+    PairScene made{"million", cylinder(shape), teapot(fineness), {}};
     for (const Table1Placement& placement : table1_scene().placements) {
         if (placement.pairs == kPairs) {
             made.placements.push_back({placement.X_cylinder_teapot, std::nullopt});

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdio>
-#include <exception>
 #include <memory>
 #include <string>
 #include <vector>
@@ -45,23 +44,11 @@ std::vector<Builders> make_builders(const PairScene& scene) {
     };
     add("wide", [](const TriangleMesh& mesh) { return make_our_builder(mesh, TreeKind::bvh8); });
     add("paper", [](const TriangleMesh& mesh) { return make_our_builder(mesh, TreeKind::hybrid); });
-    try {
+    unless_absent("fcl_obb", [&] {
         add("fcl_obb", [](const TriangleMesh& mesh) {
             return make_peer<MakeTreeBuilder>("fcl_obb", kMakeTreeBuilder, mesh);
         });
-    } catch (const std::exception& error) {
-        std::printf("  absent: fcl_obb: %s\n", error.what());
-    }
-    return made;
-}
-
-Row row(const char* case_name, const std::string& engine, const char* query, double least, double median) {
-    Row made;
-    made.case_name = case_name;
-    made.engine = engine;
-    made.query = query;
-    made.least = least;
-    made.median = median;
+    });
     return made;
 }
 
@@ -76,7 +63,7 @@ void time_builds(const std::vector<Builders>& builders, double triangles, int ro
     for (std::size_t i = 0; i < builders.size(); ++i) {
         const Spread each{spreads[i].least / triangles, spreads[i].median / triangles};
         std::printf("%12s%10.3f%10.3f\n", builders[i].name.c_str(), each.least, each.median);
-        rows.push_back(row("build", builders[i].name, "build", each.least, each.median));
+        rows.push_back({"build", {}, builders[i].name, "build", each.least, each.median, {}, {}});
     }
 }
 
@@ -95,7 +82,7 @@ void measure_heap(const std::vector<Builders>& builders, double triangles, std::
             return;
         }
         const double bytes = static_cast<double>(after - before) / triangles;
-        rows.push_back(row("memory", of_one.name, "heap_bytes", bytes, bytes));
+        rows.push_back({"memory", {}, of_one.name, "heap_bytes", bytes, bytes, {}, {}});
         print_bytes(rows.back(), "mesh and tree, as allocated");
     }
 }
@@ -111,9 +98,9 @@ void measure_data(const PairScene& scene, double triangles, std::vector<Row>& ro
             trees += static_cast<double>(bytes_of_tree(collider));
         }
         const double both = (meshes + trees) / triangles;
-        rows.push_back(row("memory", name, "data_bytes", both, both));
+        rows.push_back({"memory", {}, name, "data_bytes", both, both, {}, {}});
         print_bytes(rows.back(), "mesh and tree, by their sizes");
-        rows.push_back(row("memory", name, "tree_bytes", trees / triangles, trees / triangles));
+        rows.push_back({"memory", {}, name, "tree_bytes", trees / triangles, trees / triangles, {}, {}});
         print_bytes(rows.back(), "the tree alone, by its size");
     }
 }

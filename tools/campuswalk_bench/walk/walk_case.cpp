@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <exception>
 #include <memory>
 
 #include "tools/campuswalk_bench/engines/peer_engines.h"
@@ -19,11 +18,9 @@ Peers make_peers(const collision::TriangleMesh& mesh, const WalkBody& body) {
     Peers made;
     for (const auto& [name, function] :
          {std::pair("bullet_default", kMakeWalkEngine), std::pair("bullet_tuned", kMakeTunedWalkEngine)}) {
-        try {
+        unless_absent(name, [&, name = name, function = function] {
             made.emplace_back(name, make_peer<MakeWalkEngine>("bullet_character", function, mesh, body));
-        } catch (const std::exception& error) {
-            std::printf("  absent: %s: %s\n", name, error.what());
-        }
+        });
     }
     return made;
 }
