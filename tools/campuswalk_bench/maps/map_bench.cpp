@@ -75,16 +75,13 @@ int main(int count, char** arguments) {
         request.file = arguments[1];
         request.mark.file = arguments[1];
         const auto imported = campuswalk::scene::osm::import_map(request);
-        std::size_t triangles = 0;
-        for (const auto& mesh : imported.model.meshes) {
-            triangles += mesh.triangles.size();
-        }
         rusage usage{};
         getrusage(RUSAGE_SELF, &usage);  // with libosmium's threads
         const auto seconds = [](const timeval& time) {
             return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
         };
-        std::printf("{\"triangles\": %zu, \"cpu\": %.4f, \"geos\": %.4f, \"megabytes\": %.1f}\n", triangles,
+        std::printf("{\"triangles\": %zu, \"cpu\": %.4f, \"geos\": %.4f, \"megabytes\": %.1f}\n",
+                    campuswalk::scene::count_triangles(imported.model),
                     seconds(usage.ru_utime) + seconds(usage.ru_stime), in_geos,
                     static_cast<double>(usage.ru_maxrss) / 1024.0);
     } catch (const std::exception& error) {

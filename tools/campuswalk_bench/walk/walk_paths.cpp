@@ -1,9 +1,9 @@
 #include "tools/campuswalk_bench/walk/walk_paths.h"
 
-#include <chrono>
 #include <cmath>
 
 #include "tools/campuswalk_bench/measure/heap.h"
+#include "tools/campuswalk_bench/measure/shuffled_runs.h"
 
 namespace campuswalk::tools::bench {
 
@@ -33,12 +33,6 @@ Vec3 desired_for(const WalkGoal& goal, const Vec3& foot, const WalkBody& body) {
     return length > most ? Vec3(most / length * to_goal) : to_goal;
 }
 
-double timed_walk(WalkEngine& engine, const Vec3& desired) {
-    const auto start = std::chrono::steady_clock::now();
-    engine.walk(desired);
-    return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
-}
-
 }  // namespace
 
 WalkRecord empty_record(const WalkPath& path, const WalkBody& body) {
@@ -64,7 +58,8 @@ void walk_path(WalkEngine& engine, const WalkPath& path, const WalkBody& body, W
     for (const WalkGoal& goal : path.goals) {
         bool arrived = false;
         for (std::size_t left = ticks_allowed(from, goal, body); left > 0 && !arrived; --left) {
-            const double us = timed_walk(engine, desired_for(goal, engine.foot(), body));
+            const Vec3 desired = desired_for(goal, engine.foot(), body);
+            const double us = microseconds_of([&] { engine.walk(desired); });
             record.ticks.push_back({engine.foot(), us});
             arrived = is_at(goal, record.ticks.back().foot);
         }

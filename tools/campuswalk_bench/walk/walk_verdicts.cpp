@@ -30,10 +30,7 @@ void add_quality_verdicts(const std::vector<WalkedCampus>& campuses, std::vector
         at_most("deepest penetration", 1000.0 * all.max_penetration, " mm", 1000.0 * kAllowedPenetration));
     verdicts.push_back(at_most("triangles crossed", count(all.crossings), "", 0.0));
     verdicts.push_back(at_most("paths that differ when repeated", count(all.differing_paths), "", 0.0));
-    std::optional<double> growth;
-    if (all.heap_growth) {
-        growth = count(*all.heap_growth);
-    }
+    const auto growth = all.heap_growth ? std::optional(count(*all.heap_growth)) : std::nullopt;
     verdicts.push_back(at_most("heap growth in warm ticks", growth, " bytes", 0.0));
     verdicts.push_back(at_most("worst tick", all.us_max, " us", 20.0));
 }
@@ -63,10 +60,9 @@ bool is_correct(const WalkScore& ours) {
 std::vector<Verdict> walk_verdicts(const std::vector<WalkedCampus>& campuses, std::optional<double> tour_ms) {
     std::vector<Verdict> verdicts;
     for (const WalkedCampus& campus : campuses) {
-        std::optional<double> ratio;
-        if (campus.fastest_peer) {
-            ratio = *campus.fastest_peer / campus.scores.front().us_mean;
-        }
+        const auto ratio = campus.fastest_peer
+                               ? std::optional(*campus.fastest_peer / campus.scores.front().us_mean)
+                               : std::nullopt;
         verdicts.push_back(at_least("mean tick, " + std::to_string(campus.triangles) + " triangles", ratio,
                                     "x Bullet's", 40.0, 100.0));
     }
