@@ -25,8 +25,8 @@ Verdict at_least(std::string what, std::optional<double> value, const char* unit
 /// Prints the value and its unit, right-aligned.
 void print_value(const Verdict& verdict);
 
-/// One line each: what it is about, in a column of that width, the value as `print` shows it, and the
-/// outcome.
+/// Prints a line for each: what it is about, padded to `width` characters, the value as `print` shows it, and
+/// whether the target is reached.
 void print_verdicts(const std::vector<Verdict>& verdicts, int width = 46,
                     void (*print)(const Verdict& verdict) = print_value);
 
