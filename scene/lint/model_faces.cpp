@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 
 #include "scene/lint/model_report.h"
 #include "scene/model/weld.h"
@@ -53,6 +54,8 @@ Interval range_of(const Model& model, const Node& node, int axis) {
 
 std::vector<std::size_t> outlier_nodes(const Model& model) {
     constexpr double kStretch = 4.0;
+    constexpr double kGroundSlack = 16.0;
+    constexpr double kSame = 1e-6;              // metres
     constexpr double kMinLength = 1.0;          // metres: in a flat model a bump is no outlier
     constexpr std::size_t kMinTriangles = 400;  // with fewer, 0.5 % of them is none
     std::vector<std::size_t> outliers;
@@ -60,13 +63,25 @@ std::vector<std::size_t> outlier_nodes(const Model& model) {
         return outliers;
     }
     std::vector<bool> is_outlier(model.nodes.size(), false);
+    const Bounds bounds = world_bounds(model);
+    std::array<Interval, 3> bulks;
+    double extent = kMinLength;
     for (int axis = 0; axis < 3; ++axis) {
-        const Interval bulk = central_range(triangle_centroids(model, axis));
-        const double slack = 0.5 * (kStretch - 1.0) * std::max(bulk.high - bulk.low, kMinLength);
+        bulks[static_cast<std::size_t>(axis)] = central_range(triangle_centroids(model, axis));
+        const Interval& bulk = bulks[static_cast<std::size_t>(axis)];
+        extent = std::max(extent, bulk.high - bulk.low);
+    }
+    const double slack = 0.5 * (kStretch - 1.0) * extent;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Interval& bulk = bulks[static_cast<std::size_t>(axis)];
         for (std::size_t i = 0; i < model.nodes.size(); ++i) {
             const Interval node = range_of(model, model.nodes[i], axis);
-            const bool beyond = node.low < bulk.low - slack || node.high > bulk.high + slack;
-            is_outlier[i] = is_outlier[i] || (node.low <= node.high && beyond);
+            // What the rest lies within, such as the ground, may be wider.
+            const bool surrounds = node.low <= bulk.low && node.high >= bulk.high;
+            const double allowed = surrounds ? kGroundSlack * slack : slack;
+            const bool stretches = (node.low < bulk.low - allowed && node.low <= bounds.min[axis] + kSame) ||
+                                   (node.high > bulk.high + allowed && node.high >= bounds.max[axis] - kSame);
+            is_outlier[i] = is_outlier[i] || (node.low <= node.high && stretches);
         }
     }
     for (std::size_t i = 0; i < is_outlier.size(); ++i) {

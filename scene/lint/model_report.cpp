@@ -8,31 +8,6 @@
 namespace campuswalk::scene {
 namespace {
 
-std::vector<NodeReport> report_nodes(const Model& model) {
-    std::vector<NodeReport> reports;
-    for (const Node& node : model.nodes) {
-        NodeReport report;
-        report.name = node.name;
-        report.parent = node.parent;
-        report.depth = node.parent < 0 ? 0 : reports[static_cast<std::size_t>(node.parent)].depth + 1;
-        std::set<std::size_t> materials;
-        for (const MeshIndex index : node.meshes) {
-            const Mesh& mesh = model.meshes[index_of(index)];
-            report.triangles += mesh.triangles.size();
-            materials.insert(index_of(mesh.material));
-        }
-        report.materials.assign(materials.begin(), materials.end());
-        for_each_vertex(model, node, [&](const Eigen::Vector3d& p) { report.bounds.extend(p); });
-        reports.push_back(report);
-    }
-    for (std::size_t i = reports.size(); i-- > 0;) {  // children first
-        if (reports[i].parent >= 0) {
-            reports[static_cast<std::size_t>(reports[i].parent)].bounds.extend(reports[i].bounds);
-        }
-    }
-    return reports;
-}
-
 std::vector<MaterialReport> report_materials(const Model& model) {
     std::vector<MaterialReport> reports;
     for (const Material& material : model.materials) {
@@ -68,6 +43,31 @@ void report_doors(const Model& model, ModelReport& report) {
 }
 
 }  // namespace
+
+std::vector<NodeReport> report_nodes(const Model& model) {
+    std::vector<NodeReport> reports;
+    for (const Node& node : model.nodes) {
+        NodeReport report;
+        report.name = node.name;
+        report.parent = node.parent;
+        report.depth = node.parent < 0 ? 0 : reports[static_cast<std::size_t>(node.parent)].depth + 1;
+        std::set<std::size_t> materials;
+        for (const MeshIndex index : node.meshes) {
+            const Mesh& mesh = model.meshes[index_of(index)];
+            report.triangles += mesh.triangles.size();
+            materials.insert(index_of(mesh.material));
+        }
+        report.materials.assign(materials.begin(), materials.end());
+        for_each_vertex(model, node, [&](const Eigen::Vector3d& p) { report.bounds.extend(p); });
+        reports.push_back(report);
+    }
+    for (std::size_t i = reports.size(); i-- > 0;) {  // children first
+        if (reports[i].parent >= 0) {
+            reports[static_cast<std::size_t>(reports[i].parent)].bounds.extend(reports[i].bounds);
+        }
+    }
+    return reports;
+}
 
 ModelReport report(const Model& model) {
     ModelReport result;

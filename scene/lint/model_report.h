@@ -80,6 +80,9 @@ struct ModelReport {
 
 ModelReport report(const Model& model);
 
+/// Only what it says of the nodes.
+std::vector<NodeReport> report_nodes(const Model& model);
+
 /// What the import says that it left out or repaired becomes the report's first warnings.
 void add_repairs(const std::vector<Diagnostic>& repairs, ModelReport& report);
 
@@ -93,8 +96,8 @@ bool has_wrong_frame(const ModelReport& report);
 /// The lint `solid-door`; `doors` is not empty.
 ModelLint solid_doors(std::vector<ModelLint::Place> doors);
 
-/// Indices of the nodes that stretch the bounds along some axis to four times the extent of 99 % of the
-/// triangles.
+/// Indices of the nodes that stretch the bounds by three halves of the extent of 99 % of the triangles, or,
+/// of what those lie within, by sixteen times as much.
 std::vector<std::size_t> outlier_nodes(const Model& model);
 
 /// Triangles of a node that have the same vertices and winding as an earlier triangle.

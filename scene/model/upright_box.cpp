@@ -84,6 +84,25 @@ void UprightBoxFit::add(const Vector3d& point) {
     }
 }
 
+std::vector<Vector3d> UprightBoxFit::vertices() {
+    plan_ = convex_hull(std::move(plan_));
+    std::vector<Vector3d> points;
+    for (const Vector2d& p : plan_) {
+        points.emplace_back(p.x(), low_, p.y());
+        points.emplace_back(p.x(), high_, p.y());
+    }
+    return points;
+}
+
+double UprightBoxFit::hull_area() {
+    plan_ = convex_hull(std::move(plan_));
+    double twice = 0.0;
+    for (std::size_t i = 2; i < plan_.size(); ++i) {
+        twice += cross(plan_[i - 1] - plan_[0], plan_[i] - plan_[0]);
+    }
+    return 0.5 * twice;
+}
+
 UprightBox UprightBoxFit::box() {
     plan_ = convex_hull(std::move(plan_));
     const Rectangle level = rectangle_about(plan_, Vector2d::UnitX());

@@ -29,6 +29,12 @@ public:
     /// axis-aligned box. `along` is within 45 degrees of +X. Sizes may be 0.
     UprightBox box();
 
+    /// Points whose box is the same.
+    std::vector<Eigen::Vector3d> vertices();
+
+    /// Of the convex hull of the plan, m².
+    double hull_area();
+
 private:
     std::vector<Eigen::Vector2d> plan_;  ///< x, z: the hull so far and the points added since
     std::size_t next_hull_ = 1024;

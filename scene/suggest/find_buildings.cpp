@@ -82,7 +82,8 @@ private:
         }
         BuildingUnit closed{n, {}, grouping_.house_of_units(units)};
         if (!closed.house || !is_part_of(*closed.house, report_.nodes[n].bounds) ||
-            !(are_named_after(n, units) || is_one(grouping_.groups_of(units), *closed.house))) {
+            !(are_named_after(n, units) ||
+              is_one(grouping_.groups_of(units), *closed.house, are_pieces_of(n, units)))) {
             return units;
         }
         for (const BuildingUnit& unit : units) {
@@ -102,12 +103,20 @@ private:
         return !name.empty() && static_cast<double>(named) >= kMost * static_cast<double>(units.size());
     }
 
-    /// Whether what was found in a group is one building that the group is named after.
-    bool is_one(const std::vector<BuildingGroup>& groups, const UprightBox& whole) const {
+    /// Whether split_nodes() has made the units from the node's triangles.
+    bool are_pieces_of(std::size_t node, const std::vector<BuildingUnit>& units) const {
+        return std::ranges::all_of(units, [&](const BuildingUnit& unit) {
+            const Node& piece = model_.nodes[unit.node];
+            return piece.name.empty() && piece.parent == static_cast<int>(node);
+        });
+    }
+
+    /// Whether what was found in a group, or among a node's pieces, is one building that it is named after.
+    bool is_one(const std::vector<BuildingGroup>& groups, const UprightBox& whole, bool are_pieces) const {
         constexpr double kMore = 1.5;   // of the footprint
         constexpr double kYard = 20.0;  // m²
         if (groups.empty()) {
-            return grouping_.is_roofed(whole);
+            return are_pieces || grouping_.is_roofed(whole);
         }
         return groups.size() == 1 && whole.footprint() <= kMore * groups[0].box.footprint() + kYard;
     }

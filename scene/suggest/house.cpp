@@ -17,6 +17,7 @@ constexpr double kStorey = 2.4;         // metres
 constexpr double kMinHeight = 2.2;      // metres
 constexpr double kMinFootprint = 12.0;  // m²
 constexpr double kMinWidth = 2.0;       // metres
+constexpr double kMinHull = 0.55;       // of the box's plan by the house's: a triangle has half of it
 constexpr double kMinWalls = 0.3;       // of the area of a wall of one storey around the box
 constexpr double kMinSide = 0.15;       // the same of one side
 constexpr double kMinLowest = 0.05;     // of the walls around the lowest storey: it may stand on columns
@@ -97,7 +98,8 @@ std::optional<UprightBox> house_of(const Model& model, const std::vector<const S
     }
     const UprightBox box = fit.box();
     const bool fits = box.size.y() > kMinHeight && box.footprint() >= kMinFootprint &&
-                      box.footprint() < most && std::min(box.size.x(), box.size.z()) >= kMinWidth;
+                      box.footprint() < most && std::min(box.size.x(), box.size.z()) >= kMinWidth &&
+                      fit.hull_area() >= kMinHull * box.footprint();
     return fits && surround(walls_about(structures, box), box) ? std::optional(box) : std::nullopt;
 }
 

@@ -17,17 +17,37 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kVertical = 0.2;  // the largest |y| of a wall's unit normal
-constexpr double kCell = 0.5;      // metres
+constexpr double kVertical = 0.2;   // the largest |y| of a wall's unit normal
+constexpr double kUpright = 0.005;  // that of one that somebody built
+constexpr double kCell = 0.5;       // metres
 
 Vector2d on_plan(const Vector3d& p) {
     return {p.x(), p.z()};
 }
 
-Wall wall_of(const std::array<Vector3d, 3>& vertices, double area) {
+bool has_level_edge(const std::array<Vector3d, 3>& vertices) {
+    constexpr double kLevel = 0.01;  // of its length
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const Vector3d edge = vertices[(i + 1) % vertices.size()] - vertices[i];
+        if (std::abs(edge.y()) < kLevel * edge.norm()) {
+            return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+std::optional<Wall> wall_of(const std::array<Vector3d, 3>& vertices) {
+    const Vector3d normal = (vertices[1] - vertices[0]).cross(vertices[2] - vertices[0]);
+    const double area = 0.5 * normal.norm();
+    if (!(area > 0.0) || std::abs(normal.y()) >= 2.0 * kVertical * area) {
+        return std::nullopt;
+    }
     Wall wall{.low = std::min({vertices[0].y(), vertices[1].y(), vertices[2].y()}),
               .high = std::max({vertices[0].y(), vertices[1].y(), vertices[2].y()}),
-              .area = area};
+              .area = area,
+              .is_built = std::abs(normal.y()) <= 2.0 * kUpright * area && has_level_edge(vertices)};
     double longest = -1.0;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const Vector2d from = on_plan(vertices[i]);
@@ -41,13 +61,13 @@ Wall wall_of(const std::array<Vector3d, 3>& vertices, double area) {
     return wall;
 }
 
+namespace {
+
 std::vector<Wall> walls_of(const Model& model, const Node& node) {
     std::vector<Wall> walls;
     for_each_triangle(model, node, [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
-        const Vector3d normal = (b - a).cross(c - a);
-        const double twice_area = normal.norm();
-        if (twice_area > 0.0 && std::abs(normal.y()) < kVertical * twice_area) {
-            walls.push_back(wall_of({a, b, c}, 0.5 * twice_area));
+        if (const std::optional<Wall> wall = wall_of({a, b, c})) {
+            walls.push_back(*wall);
         }
     });
     return walls;

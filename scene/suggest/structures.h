@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -17,8 +19,12 @@ struct Wall {
     Eigen::Vector2d to = Eigen::Vector2d::Zero();
     double low = 0.0;  ///< its height above the world's origin, metres
     double high = 0.0;
-    double area = 0.0;  ///< m²
+    double area = 0.0;      ///< m²
+    bool is_built = false;  ///< upright and with a level edge, as those of rocks hardly are
 };
+
+/// None if the triangle isn't nearly vertical, or has no area.
+std::optional<Wall> wall_of(const std::array<Eigen::Vector3d, 3>& vertices);
 
 /// A node with triangles that may belong to a building: neither it nor a group that it is in is named as
 /// surroundings (is_surroundings_name).

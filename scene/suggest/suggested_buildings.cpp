@@ -14,10 +14,13 @@
 #include "scene/campus/object_names.h"
 #include "scene/model/name_words.h"
 #include "scene/suggest/find_buildings.h"
+#include "scene/suggest/split_nodes.h"
 
 namespace campuswalk::scene {
 
 namespace {
+
+using Eigen::Vector3d;
 
 bool says_something(const std::string& name) {
     return !name.empty() && !is_generated_name(name) && !is_default_name(name) && !is_identifier(name);
@@ -149,23 +152,97 @@ std::vector<std::string> globs_of_building(const Model& model, const FoundBuildi
     return globs.size() <= kMany ? globs : std::vector<std::string>{};
 }
 
+/// The name of the lowest node that says something, from this one up to the highest that holds no other
+/// building and is no root without triangles, which an importer calls after the file.
+std::string name_above(const Model& model, std::size_t node, const std::vector<std::size_t>& below) {
+    for (const std::size_t group : chain_of(model, node)) {
+        const bool is_file = model.nodes[group].parent < 0 && model.nodes[group].meshes.empty();
+        if (below[group] > 1 || is_file) {
+            break;
+        }
+        if (const std::string name = without_file_ending(model.nodes[group].name); says_something(name)) {
+            return name;
+        }
+    }
+    return "";
+}
+
+/// The name of the building's widest node, of those that begin near its foot, rise to half of its height and
+/// whose names don't say that they are a part of it.
+std::string name_of_widest(const Model& model, const std::vector<NodeReport>& report,
+                           const FoundBuilding& building) {
+    constexpr double kLeast = 0.3;  // of the building's footprint
+    constexpr double kFoot = 0.2;   // of its height
+    const double foot = building.box.center.y() + (kFoot - 0.5) * building.box.size.y();
+    double widest = kLeast * building.box.footprint();
+    std::string best;
+    for (const std::size_t node : building.nodes) {
+        const std::string name = without_file_ending(model.nodes[node].name);
+        const Vector3d size = report[node].bounds.max - report[node].bounds.min;
+        if (size.x() * size.z() > widest && report[node].bounds.min.y() <= foot &&
+            size.y() >= 0.5 * building.box.size.y() && says_something(name) && !is_building_part_name(name) &&
+            !is_stairs_name(name) && !is_surroundings_name(name)) {
+            widest = size.x() * size.z();
+            best = name;
+        }
+    }
+    return best;
+}
+
 /// What each building is called in the model: the name of its only node, that of the lowest group which holds
-/// all of its nodes and of no other building, or the beginning that the names of most of its nodes share.
-/// Empty if those say nothing (is_default_name, is_identifier, generated names). One name for each building.
-std::vector<std::string> names_of(const Model& model, const std::vector<FoundBuilding>& buildings) {
+/// all of its nodes and of no other building, the beginning that the names of most of its nodes share, or the
+/// name of its widest; of those, the first that says something (is_default_name, is_identifier, generated
+/// names don't). If nothing does, empty. One name for each building.
+std::vector<std::string> names_of(const Model& model, const std::vector<NodeReport>& report,
+                                  const std::vector<FoundBuilding>& buildings) {
     const std::vector<std::size_t> below = buildings_below(model, buildings);
     std::vector<std::string> names;
     for (const FoundBuilding& building : buildings) {
         const auto group = common_group(model, building.nodes);
-        const std::string group_name =
-            group && below[*group] == 1 ? without_file_ending(model.nodes[*group].name) : "";
-        const std::string beginning = shared_beginning(model, building.nodes);
-        const bool is_file = group && model.nodes[*group].parent < 0 && model.nodes[*group].meshes.empty();
-        const std::string& first = is_file ? beginning : group_name;
-        const std::string& second = is_file ? group_name : beginning;
-        names.push_back(says_something(first) ? first : says_something(second) ? second : "");
+        std::string name = group ? name_above(model, *group, below) : "";
+        if (name.empty()) {
+            name = shared_beginning(model, building.nodes);
+        }
+        if (!says_something(name)) {
+            name = name_of_widest(model, report, building);
+        }
+        if (!says_something(name)) {
+            const std::size_t root = group ? chain_of(model, *group).back() : 0;
+            name = group && below[root] == 1 ? without_file_ending(model.nodes[root].name) : "";
+        }
+        names.push_back(says_something(name) ? name : "");
     }
     return names;
+}
+
+/// The buildings by the nodes of the original model: those that are a building's with all their pieces, or
+/// hardly reach beyond it and have no piece in another.
+std::vector<FoundBuilding> by_whole_nodes(const SplitModel& split, const std::vector<FoundBuilding>& found,
+                                          const ModelReport& report) {
+    constexpr double kMore = 1.5;                        // of the building's footprint
+    constexpr double kYard = 20.0;                       // m²
+    std::map<std::size_t, std::set<std::size_t>> users;  // by node of the original
+    for (std::size_t b = 0; b < found.size(); ++b) {
+        for (const std::size_t node : found[b].nodes) {
+            users[split.node[node]].insert(b);
+        }
+    }
+    std::vector<FoundBuilding> buildings;
+    for (const FoundBuilding& each : found) {
+        FoundBuilding& building = buildings.emplace_back(FoundBuilding{{}, each.box});
+        for (const std::size_t node : each.nodes) {
+            const std::size_t original = split.node[node];
+            const bool is_piece = node > 0 && split.node[node - 1] == original;
+            const Vector3d size = report.nodes[original].bounds.max - report.nodes[original].bounds.min;
+            const bool is_own =
+                users[original].size() == 1 && size.x() * size.z() <= kMore * each.box.footprint() + kYard;
+            if ((!is_piece || is_own) &&
+                std::ranges::find(building.nodes, original) == building.nodes.end()) {
+                building.nodes.push_back(original);
+            }
+        }
+    }
+    return buildings;
 }
 
 /// Globs that match the nodes of each building, with their subtrees, and nothing else; none if the names
@@ -207,8 +284,12 @@ void keep_largest_unnamed(std::vector<FoundBuilding>& buildings, std::vector<std
 }  // namespace
 
 std::vector<SuggestedBuilding> suggest_buildings(const Model& model, const ModelReport& report) {
-    std::vector<FoundBuilding> found = find_buildings(model, report);
-    std::vector<std::string> names = names_of(model, found);
+    const SplitModel split = split_nodes(model);
+    ModelReport pieces;
+    pieces.bounds = report.bounds;
+    pieces.nodes = split.report;
+    std::vector<FoundBuilding> found = find_buildings(split.model, pieces);
+    std::vector<std::string> names = names_of(split.model, split.report, found);
     if (found.size() == 1 && names[0].empty()) {
         names[0] = std::filesystem::path(model.file).stem().string();
     }
@@ -225,6 +306,7 @@ std::vector<SuggestedBuilding> suggest_buildings(const Model& model, const Model
         }
     }
     const std::vector<std::string> ids = distinct_words(words);
+    found = by_whole_nodes(split, found, report);
     const std::vector<std::vector<std::string>> globs = globs_of(model, found);
     std::vector<SuggestedBuilding> buildings;
     for (std::size_t i = 0; i < found.size(); ++i) {

@@ -118,8 +118,9 @@ std::vector<BuildingGroup> UnitGrouping::houses_of(const std::vector<BuildingUni
     return groups;
 }
 
-/// Houses that touch are one if their names say that they are parts of it: `library_hall` and
-/// `library_portico`, but neither `House 1` and `House 2` nor what begins as most names do.
+/// Houses that touch are one if one of them has a name and the other, less than half of its size, none that
+/// says anything, or if their names say that they are parts of it: `library_hall` and `library_portico`, but
+/// neither `House 1` and `House 2` nor what begins as most names do.
 void UnitGrouping::join_houses(const std::vector<BuildingUnit>& units, const Pairs& pairs,
                                std::vector<BuildingGroup>& groups) const {
     std::map<std::string, std::size_t> beginnings;
@@ -130,7 +131,15 @@ void UnitGrouping::join_houses(const std::vector<BuildingUnit>& units, const Pai
             ++beginnings[words[u][0]];
         }
     }
+    const auto says_nothing = [&](std::size_t unit) {
+        const std::string& name = model_.nodes[units[unit].node].name;
+        return is_generated_name(name) || is_default_name(name) || is_identifier(name);
+    };
     const auto are_parts_of_one = [&](std::size_t a, std::size_t b) {
+        if (says_nothing(a) != says_nothing(b)) {
+            const auto [named, other] = says_nothing(a) ? std::pair(b, a) : std::pair(a, b);
+            return units[other].house->footprint() < 0.5 * units[named].house->footprint();
+        }
         if (words[a].size() < 2 || words[b].size() < 2 || words[a] == words[b] ||
             words[a][0] != words[b][0]) {
             return false;

@@ -52,4 +52,12 @@ std::size_t add_turned_box(Model& model, const std::string& name, const Eigen::V
     return node;
 }
 
+std::size_t add_boxes(Model& model, const std::string& name, const std::vector<Box>& boxes) {
+    const std::size_t node = add_group(model, name);
+    for (const Box& box : boxes) {
+        model.nodes[node].meshes.push_back(add_mesh(model, box.low, box.high));
+    }
+    return node;
+}
+
 }  // namespace campuswalk::scene::test

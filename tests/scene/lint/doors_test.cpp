@@ -1,5 +1,7 @@
 #include "scene/lint/doors.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "tests/scene/box_model.h"
@@ -27,6 +29,26 @@ TEST(Doors, AreWhatIsNamedOneAndWhatClosesADoorway) {
     EXPECT_NEAR(doors[1].width, 1.0, 1e-6);
     EXPECT_NEAR(doors[1].height, 2.0, 1e-6);
     EXPECT_TRUE(doors[1].foot.isApprox(Eigen::Vector3d(3.075, 0, 2.5), 1e-6)) << doors[1].foot;
+}
+
+TEST(Doors, OfOneNodeAreAsManyAsStandApart) {
+    Model model;
+    const std::size_t node = test::add_boxes(model, "doors",
+                                             {{{0, 0, 0}, {1, 2.1, 0.05}},
+                                              {{0.1, 1, 0.05}, {0.2, 1.1, 0.12}},  // with its handle
+                                              {{10, 0, 0}, {11.5, 2.1, 0.05}},
+                                              {{20, 0, 0}, {20.05, 2.2, 0.9}}});
+    const std::vector<Door> doors = find_doors(model);
+    ASSERT_EQ(doors.size(), 3U);
+    std::vector<double> widths;
+    for (const Door& door : doors) {
+        EXPECT_EQ(door.node, node);
+        widths.push_back(door.width);
+    }
+    std::sort(widths.begin(), widths.end());
+    EXPECT_NEAR(widths[0], 0.9, 1e-5);
+    EXPECT_NEAR(widths[1], 1.0, 1e-5);
+    EXPECT_NEAR(widths[2], 1.5, 1e-5);
 }
 
 }  // namespace

@@ -158,5 +158,18 @@ TEST_F(ModelReportTest, FindsTheNodeThatStretchesTheBounds) {
     EXPECT_EQ(lint->places[0].at, Eigen::Vector3d(3900, 0, 3900));
 }
 
+TEST_F(ModelReportTest, TakesTheGroundAroundADenseCrowdForNoOutlier) {
+    std::string text = test::obj_box("ground", {-60, -1, -60}, {60, 0, 60}) +
+                       test::obj_box("hall", {-10, 0, -10}, {10, 6, 10}, 9);
+    for (int i = 0; i < 100; ++i) {
+        const int row = i / 10;
+        const Eigen::Vector3d low(-50.0 + i % 10 * 0.5, 0, 20.0 + row * 0.5);
+        text += test::obj_box("chair_" + std::to_string(i), low, low + Eigen::Vector3d(0.4, 0.9, 0.4),
+                              17 + 8 * i);
+    }
+    folder_.write("hall.obj", text);
+    EXPECT_TRUE(outlier_nodes(import("hall.obj")).empty());
+}
+
 }  // namespace
 }  // namespace campuswalk::scene
