@@ -115,6 +115,7 @@ public:
                 lowest = std::min(lowest, spot.at.foot.y());
             }
         }
+        spread_lowest();
     }
 
     std::optional<Vec3> best() const {
@@ -155,9 +156,27 @@ private:
     std::size_t weight_of(const Island& island) const {
         std::size_t weight = 0;
         for (const UnreachedSpot& spot : island.spots) {
-            weight += is_upstairs(spot.at.foot) ? 1U : is_under_the_sky(spot.at.foot) ? 8U : 2U;
+            weight += is_upstairs(spot.at.foot) ? 1U : is_under_the_sky(spot.at.foot) ? 16U : 4U;
         }
         return weight;
+    }
+
+    /// Ground counts a little beside it, too, also where nobody has room, higher by as much as one walks up:
+    /// the top of a wall is above the ground at its foot.
+    void spread_lowest() {
+        constexpr int kCells = 5;
+        constexpr double kRise = 1.2 * kStartCell;
+        for (int i = 0; i < kCells; ++i) {
+            std::map<GridCell, double> spread = lowest_;
+            for (const auto& [cell, height] : lowest_) {
+                for (const auto& [dx, dz] :
+                     {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)}) {
+                    double& beside = spread.try_emplace({cell.x + dx, cell.z + dz}, 1e300).first->second;
+                    beside = std::min(beside, height + kRise);
+                }
+            }
+            lowest_ = std::move(spread);
+        }
     }
 
     bool is_upstairs(const Vec3& foot) const {
@@ -175,7 +194,7 @@ private:
     const StartPreference& preference_;
     const WalkGrid grid_;
     std::vector<Island> islands_;
-    std::map<GridCell, double> lowest_;  ///< by cell: its lowest ground
+    std::map<GridCell, double> lowest_;  ///< by cell: the lowest ground there and near it
 };
 
 }  // namespace

@@ -44,6 +44,20 @@ TEST(BestStart, IsUnderTheOpenSky) {
     EXPECT_GT(foot->cwiseAbs().maxCoeff(), 8.0);
 }
 
+TEST(BestStart, IsNotOnAWall) {
+    scene::Campus campus = empty_campus();
+    add_box(campus, "floor", {-20, -0.2, -20}, {20, 0, 20});
+    for (const double x : {-20.0, -10.0, 0.0, 10.0, 19.0}) {  // wide enough to walk on, and more of it
+        add_box(campus, "wall-x" + std::to_string(static_cast<int>(x)), {x, 0, -20}, {x + 1.0, 13, 20});
+    }
+    for (const double z : {-20.0, -10.0, 0.0, 10.0}) {
+        add_box(campus, "wall-z" + std::to_string(static_cast<int>(z)), {-20, 0, z}, {20, 13, z + 2.4});
+    }
+    const auto foot = start_on(campus);
+    ASSERT_TRUE(foot);
+    EXPECT_NEAR(foot->y(), 0.0, 0.01);
+}
+
 TEST(BestStart, IsOnTheLowestFloorWithoutGround) {
     scene::Campus campus = empty_campus();
     for (int storey = 0; storey < 4; ++storey) {
