@@ -3,17 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <map>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 
 #include <Eigen/Geometry>
 
-#include "collision/geometry/disjoint_sets.h"
+#include "scene/base/quantile.h"
+#include "scene/lint/level_patches.h"
 #include "scene/model/line_triangle.h"
-#include "scene/model/upright_box.h"
 #include "scene/model/world_triangles.h"
 
 namespace campuswalk::scene {
@@ -21,7 +19,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kLevel = 0.998;      // the least cosine to +Y: 3.6 degrees
 constexpr double kMinGoing = 0.1;     // metres
 constexpr double kMaxGoing = 0.9;     // metres
 constexpr double kMinRise = 0.05;     // metres
@@ -37,80 +34,15 @@ struct Tread {
     double depth = 0.0;
 };
 
-/// Level triangles of one node that touch at vertices.
-struct LevelPatch {
-    UprightBoxFit fit;
-    double area = 0.0;
-};
-
-std::optional<Tread> tread_of(std::size_t node, LevelPatch& patch) {
+std::optional<Tread> tread_of(const LevelPatch& patch) {
     constexpr double kMinFilled = 0.5;  // winders are triangles
-    const UprightBox box = patch.fit.box();
+    const UprightBox& box = patch.box;
     const bool is_along = box.size.x() >= box.size.z();
-    Tread tread{node, box.center, is_along ? box.along : box.across(), std::max(box.size.x(), box.size.z()),
-                std::min(box.size.x(), box.size.z())};
+    Tread tread{patch.node, box.center, is_along ? box.along : box.across(),
+                std::max(box.size.x(), box.size.z()), std::min(box.size.x(), box.size.z())};
     const bool has_size = tread.width >= 0.4 && tread.width <= 12.0 && tread.depth >= 0.12 &&
                           tread.depth <= 0.75 && box.size.y() <= kSameHeight;
     return has_size && patch.area >= kMinFilled * box.footprint() ? std::optional(tread) : std::nullopt;
-}
-
-/// Numbers the different positions of a node's vertices, to a millimetre.
-class PositionNumbers {
-public:
-    std::size_t of(const Vector3d& p) {
-        constexpr double kPerMetre = 1000.0;
-        const std::array<std::int64_t, 3> key = {std::llround(p.x() * kPerMetre),
-                                                 std::llround(p.y() * kPerMetre),
-                                                 std::llround(p.z() * kPerMetre)};
-        return numbers_.try_emplace(key, numbers_.size()).first->second;
-    }
-    std::size_t count() const { return numbers_.size(); }
-
-private:
-    struct Hash {
-        std::size_t operator()(const std::array<std::int64_t, 3>& key) const {
-            std::uint64_t hash = 0;
-            for (const std::int64_t k : key) {
-                hash = (hash ^ static_cast<std::uint64_t>(k)) * 0x9E3779B97F4A7C15U;
-                hash ^= hash >> 32U;
-            }
-            return hash;
-        }
-    };
-    std::unordered_map<std::array<std::int64_t, 3>, std::size_t, Hash> numbers_;
-};
-
-/// Appends the node's level surfaces of a tread's size.
-void add_treads(const Model& model, std::size_t node, std::vector<Tread>& treads) {
-    std::vector<std::array<Vector3d, 3>> level;
-    std::vector<std::array<std::size_t, 3>> vertices;
-    PositionNumbers numbers;
-    for_each_triangle(model, model.nodes[node], [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
-        const Vector3d normal = (b - a).cross(c - a);
-        if (normal.y() > kLevel * normal.norm()) {
-            level.push_back({a, b, c});
-            vertices.push_back({numbers.of(a), numbers.of(b), numbers.of(c)});
-        }
-    });
-    collision::DisjointSets sets(numbers.count());
-    for (const auto& [a, b, c] : vertices) {
-        sets.join(a, b);
-        sets.join(b, c);
-    }
-    std::map<std::uint32_t, LevelPatch> patches;
-    for (std::size_t t = 0; t < level.size(); ++t) {
-        LevelPatch& patch = patches[sets.root(vertices[t][0])];
-        const auto& [a, b, c] = level[t];
-        patch.area += 0.5 * std::abs((b - a).cross(c - a).y());
-        for (const Vector3d& p : level[t]) {
-            patch.fit.add(p);
-        }
-    }
-    for (auto& [root, patch] : patches) {
-        if (const auto tread = tread_of(node, patch)) {
-            treads.push_back(*tread);
-        }
-    }
 }
 
 /// Whether one steps from `low` onto `high`.
@@ -265,11 +197,6 @@ std::array<Probe, 2> probes_of(const std::vector<Tread>& treads, const std::vect
             Probe{back, back.y() + kSameHeight, back.y() + kMaxRise, false}};
 }
 
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
-
 Flight flight_of(const Model& model, const std::vector<Tread>& treads, const std::vector<std::size_t>& chain,
                  const Probe& front, const Probe& back) {
     Flight flight;
@@ -299,9 +226,12 @@ Flight flight_of(const Model& model, const std::vector<Tread>& treads, const std
 }  // namespace
 
 std::vector<Flight> find_flights(const Model& model) {
+    constexpr double kWeld = 0.001;  // metres
     std::vector<Tread> treads;
-    for (std::size_t n = 0; n < model.nodes.size(); ++n) {
-        add_treads(model, n, treads);
+    for (const LevelPatch& patch : level_patches(model, kWeld)) {
+        if (const auto tread = tread_of(patch)) {
+            treads.push_back(*tread);
+        }
     }
     const std::vector<std::vector<std::size_t>> found = chains(link(treads));
     std::vector<Probe> probes;

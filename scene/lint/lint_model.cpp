@@ -3,13 +3,11 @@
 #include <map>
 #include <utility>
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include "scene/lint/closed_doors.h"
 #include "scene/lint/model_report.h"
 #include "scene/lint/named_sizes.h"
-#include "scene/lint/unit_guess.h"
 #include "scene/lint/wording.h"
 #include "scene/model/name_words.h"
 #include "scene/model/world_triangles.h"
@@ -17,25 +15,12 @@
 namespace campuswalk::scene {
 namespace {
 
-constexpr double kMinSize = 0.5;       // metres
-constexpr double kMaxSize = 5e3;       // metres
 constexpr double kMaxSpacing = 0.005;  // metres between adjacent float32 coordinates
-constexpr double kFacing = 0.9;        // cosine within which a face counts as facing an axis
-
-std::string campus_unit_hint(double size) {
-    const auto unit = guess_unit(size, 5.0, 3000.0);
-    return unit ? "; with `" + std::string(unit->yaml) + "` it would be " + in_metres(size * unit->factor)
-                : "";
-}
 
 void check_size(const Bounds& bounds, std::vector<ModelLint>& out) {
     const double size = (bounds.max - bounds.min).maxCoeff();
     if (size == 0.0) {
         out.push_back({"odd-scale", "all its vertices lie at one point"});
-    } else if (size < kMinSize || size > kMaxSize) {
-        out.push_back({"odd-scale", "it is " + in_metres(size) +
-                                        " across, which is an unlikely size for a campus" +
-                                        campus_unit_hint(size)});
     }
     const Eigen::Vector3d center = bounds.center();
     const double distance = center.norm();
@@ -70,29 +55,6 @@ void check_precision(const Model& model, std::vector<ModelLint>& out) {
                        "vertices of node '" + worst + "' lie on a grid of about " + in_metres(coarsest) +
                            " because they are so far from the file's origin; move the origin "
                            "near the model before export"});
-    }
-}
-
-/// Flat along z, and most of the area faces z instead of y. A lone façade looks the same, hence "seems".
-void check_up_axis(const Model& model, const Bounds& bounds, std::vector<ModelLint>& out) {
-    const Eigen::Vector3d size = bounds.max - bounds.min;
-    if (size.z() >= 0.5 * std::min(size.x(), size.y())) {
-        return;
-    }
-    double facing_y = 0.0;
-    double facing_z = 0.0;
-    for (const Node& node : model.nodes) {
-        for_each_triangle(model, node, [&](const auto& a, const auto& b, const auto& c) {
-            const Eigen::Vector3d n = (b - a).cross(c - a);
-            const double area = n.norm();
-            facing_y += std::abs(n.y()) > kFacing * area ? area : 0.0;
-            facing_z += std::abs(n.z()) > kFacing * area ? area : 0.0;
-        });
-    }
-    if (facing_z > 2.0 * facing_y) {
-        out.push_back({"z-up",
-                       "it seems to lie on its back: most of its area faces Z and it is flat along Z; "
-                       "set `up: z`"});
     }
 }
 
@@ -184,21 +146,12 @@ std::vector<ModelLint> find_lints(const Model& model, const ModelReport& report)
     }
     check_size(report.bounds, lints);
     check_precision(model, lints);
-    check_up_axis(model, report.bounds, lints);
     check_nodes(model, lints);
     check_duplicates(model, report.bounds, lints);
     check_outliers(model, report, lints);
-    const bool lies_flat =
-        std::ranges::any_of(lints, [](const ModelLint& lint) { return lint.code == "z-up"; });
-    const std::vector<ModelLint> size_lints = lint_named_sizes(model, report.nodes, lies_flat ? 2 : 1);
+    const std::vector<ModelLint> size_lints = lint_named_sizes(model, report.nodes);
     lints.insert(lints.end(), size_lints.begin(), size_lints.end());
     return lints;
-}
-
-bool has_wrong_frame(const ModelReport& report) {
-    return std::ranges::any_of(report.warnings, [](const ModelLint& lint) {
-        return lint.code == "z-up" || lint.code == "odd-scale" || lint.code == "door-size";
-    });
 }
 
 }  // namespace campuswalk::scene

@@ -90,10 +90,8 @@ ModelReport report(const Model& model) {
         result.textures.push_back({texture.name, texture.width, texture.height});
     }
     result.warnings = find_lints(model, result);
-    if (!has_wrong_frame(result)) {
-        report_doors(model, result);
-        result.flights = find_flights(model);
-    }
+    report_doors(model, result);
+    result.flights = find_flights(model);
     return result;
 }
 

@@ -37,10 +37,10 @@ struct TextureReport {
 
 /// A likely mistake in a model. `code` is stable:
 ///   no-triangles     nothing to walk on
-///   odd-scale        under 0.5 m or over 5 km across, or with risers of metres; suggests a unit
+///   odd-scale        all vertices lie at one point, or sizes are unusual (scene/frame)
 ///   coarse-position  so far from the file's origin that float32 spacing exceeds 5 mm
 ///   far-from-origin  over 10 km from the world's origin
-///   z-up             flat along Z and mostly facing Z: `up: z` is probably missing
+///   z-up             it seems to lie on its back: `up: z` is probably missing (scene/frame)
 ///   mirrored-node    nodes with a negative determinant (their winding is corrected on import)
 ///   unnamed-node     nodes with triangles but no stable name for globs to match
 ///   repeated-name    names shared by several nodes with triangles
@@ -73,8 +73,8 @@ struct ModelReport {
     std::vector<NodeReport> nodes;
     std::vector<MaterialReport> materials;
     std::vector<TextureReport> textures;
-    std::vector<Door> doors;      ///< none if has_wrong_frame
-    std::vector<Flight> flights;  ///< of stairs; none if has_wrong_frame
+    std::vector<Door> doors;
+    std::vector<Flight> flights;  ///< of stairs
     std::vector<ModelLint> warnings;
 };
 
@@ -88,10 +88,6 @@ void add_repairs(const std::vector<Diagnostic>& repairs, ModelReport& report);
 
 /// Of all but the doors in doorways. `report`: all but the warnings, doors and flights are filled in.
 std::vector<ModelLint> find_lints(const Model& model, const ModelReport& report);
-
-/// Whether the model seems to lie on its side or to be in another unit, as its warnings say. Measures of
-/// parts would only tell of that.
-bool has_wrong_frame(const ModelReport& report);
 
 /// The lint `solid-door`; `doors` is not empty.
 ModelLint solid_doors(std::vector<ModelLint::Place> doors);

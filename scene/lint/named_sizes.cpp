@@ -18,14 +18,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kMinDoor = 0.3;         // metres: a cupboard's
-constexpr double kMaxDoor = 6.0;         // metres: a cathedral's
-constexpr double kMinUsualDoor = 1.8;    // metres
-constexpr double kMaxUsualDoor = 3.2;    // metres
-constexpr double kMaxRiser = 0.32;       // metres: avatars step up 0.3 m
-constexpr double kMinUsualRiser = 0.1;   // metres
-constexpr double kMaxUsualRiser = 0.25;  // metres
-constexpr double kMaxLevels = 9.0;       // metres: between landings, of a stair without treads
+constexpr double kMinDoor = 0.3;       // metres: a cupboard's
+constexpr double kMaxDoor = 6.0;       // metres: a cathedral's
+constexpr double kMinUsualDoor = 1.8;  // metres
+constexpr double kMaxUsualDoor = 3.2;  // metres
+constexpr double kMaxRiser = 0.32;     // metres: avatars step up 0.3 m
 
 ModelLint::Place place_of(const NodeReport& node) {
     Vector3d foot = node.bounds.center();
@@ -62,17 +59,16 @@ std::string unit_hint(double height) {
                 : "scale the model if everything in it is off";
 }
 
-void check_doors(const Model& model, const std::vector<NodeReport>& nodes, int up,
-                 std::vector<ModelLint>& out) {
+void check_doors(const Model& model, const std::vector<NodeReport>& nodes, std::vector<ModelLint>& out) {
     ModelLint lint{"door-size", "", {}};
     ModelLint flat{"door-size", "", {}};
     double height = 0.0;
     for (const std::size_t n : find_parts(model, nodes, is_door_name)) {
         const Vector3d size = nodes[n].bounds.max - nodes[n].bounds.min;
-        if (up == 1 && lies_flat(size)) {
+        if (lies_flat(size)) {
             flat.places.push_back(place_of(nodes[n]));
-        } else if (is_implausible_door(size[up])) {
-            height = lint.places.empty() ? size[up] : height;
+        } else if (is_implausible_door(size.y())) {
+            height = lint.places.empty() ? size.y() : height;
             lint.places.push_back(place_of(nodes[n]));
         }
     }
@@ -89,8 +85,8 @@ void check_doors(const Model& model, const std::vector<NodeReport>& nodes, int u
     }
 }
 
-/// By part: the heights of its horizontal faces, along the axis `up`.
-std::map<std::size_t, std::vector<double>> heights_of_stairs(const Model& model, int up) {
+/// By part: the heights of its horizontal faces.
+std::map<std::size_t, std::vector<double>> heights_of_stairs(const Model& model) {
     constexpr double kTreadCosine = 0.99;
     const std::vector<std::size_t> part = named_parts(model, is_stairs_name);
     std::map<std::size_t, std::vector<double>> heights;
@@ -102,27 +98,18 @@ std::map<std::size_t, std::vector<double>> heights_of_stairs(const Model& model,
         for_each_triangle(model, model.nodes[n],
                           [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
                               const Vector3d normal = (b - a).cross(c - a);
-                              if (normal[up] > kTreadCosine * normal.norm()) {
-                                  own.push_back(a[up]);
+                              if (normal.y() > kTreadCosine * normal.norm()) {
+                                  own.push_back(a.y());
                               }
                           });
     }
     return heights;
 }
 
-/// That the model isn't in metres, if no stairs have such risers.
-std::optional<std::string> unit_by_riser(double riser) {
-    const auto unit = riser > kMaxLevels ? guess_unit(riser, kMinUsualRiser, kMaxUsualRiser) : std::nullopt;
-    return unit ? std::optional("with `" + std::string(unit->yaml) + "` they would be of " +
-                                in_metres(riser * unit->factor))
-                : std::nullopt;
-}
-
-void check_stairs(const Model& model, const std::vector<NodeReport>& nodes, int up,
-                  std::vector<ModelLint>& out) {
+void check_stairs(const Model& model, const std::vector<NodeReport>& nodes, std::vector<ModelLint>& out) {
     ModelLint lint{"stair-riser", "", {}};
     double riser = 0.0;
-    for (auto& [part, heights] : heights_of_stairs(model, up)) {
+    for (auto& [part, heights] : heights_of_stairs(model)) {
         const double own = riser_of(std::move(heights));
         if (own > kMaxRiser) {
             riser = lint.places.empty() ? own : riser;
@@ -132,18 +119,10 @@ void check_stairs(const Model& model, const std::vector<NodeReport>& nodes, int 
     if (lint.places.empty()) {
         return;
     }
-    if (const std::optional<std::string> unit = unit_by_riser(riser)) {
-        lint.code = "odd-scale";
-        lint.message = plural(lint.places.size(), "flight") +
-                       " of stairs with risers that no stairs have, for example '" +
-                       lint.places.front().node + "' with risers of " + in_metres(riser) + "; " + *unit;
-        out.push_back(lint);
-    } else if (up == 1) {
-        lint.message = plural(lint.places.size(), "flight") +
-                       " of stairs with risers too high to climb, for example '" + lint.places.front().node +
-                       "' with risers of " + in_metres(riser) + "; the default avatar steps up 0.3 m";
-        out.push_back(lint);
-    }
+    lint.message = plural(lint.places.size(), "flight") +
+                   " of stairs with risers too high to climb, for example '" + lint.places.front().node +
+                   "' with risers of " + in_metres(riser) + "; the default avatar steps up 0.3 m";
+    out.push_back(lint);
 }
 
 }  // namespace
@@ -164,26 +143,11 @@ double riser_of(std::vector<double> heights) {
     return risers[risers.size() / 2];
 }
 
-std::vector<ModelLint> lint_named_sizes(const Model& model, const std::vector<NodeReport>& nodes, int up) {
+std::vector<ModelLint> lint_named_sizes(const Model& model, const std::vector<NodeReport>& nodes) {
     std::vector<ModelLint> lints;
-    check_doors(model, nodes, up, lints);
-    check_stairs(model, nodes, up, lints);
+    check_doors(model, nodes, lints);
+    check_stairs(model, nodes, lints);
     return lints;
-}
-
-std::optional<double> scale_from_doors(const Model& model, const std::vector<NodeReport>& nodes) {
-    std::vector<double> heights;
-    for (const std::size_t n : find_parts(model, nodes, is_door_name)) {
-        heights.push_back(nodes[n].bounds.max.y() - nodes[n].bounds.min.y());
-    }
-    if (heights.empty()) {
-        return std::nullopt;
-    }
-    std::sort(heights.begin(), heights.end());
-    const double median = heights[heights.size() / 2];
-    const auto unit =
-        is_implausible_door(median) ? guess_unit(median, kMinUsualDoor, kMaxUsualDoor) : std::nullopt;
-    return unit ? std::optional(unit->factor) : std::nullopt;
 }
 
 }  // namespace campuswalk::scene

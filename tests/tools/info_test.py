@@ -90,9 +90,10 @@ class Info(ProgramCase):
 
     def test_maps_have_an_origin_and_a_geographic_place(self):
         self.write("map.obj", box("floor", 1, 84100, 447100, -0.2, 84300, 447300, 0))
-        found = self.info("map.obj")
+        found = self.checked(self.passes("info", "map.obj", "--up", "y", "--json").out)
         self.assertEqual((found["origin_near"], found["geographic"]), ([84000, 447000, 0], None))
-        self.assertIn("origin     84000.000,447000.000,0.000 m, with `origin: {at: near}`\n",
+        self.assertEqual(self.info("map.obj")["origin_near"], [84000, 0, -447000])  # +Z is up
+        self.assertIn("origin     84000.000,0.000,-447000.000 m, with `origin: {at: near}`\n",
                       self.passes("info", "map.obj").out)
         self.write("near.obj", HOUSE)
         self.assertEqual(self.info("near.obj")["origin_near"], [0, 0, 0])
@@ -214,7 +215,7 @@ class Info(ProgramCase):
         if turned.code == 3 or "no OpenGL" in turned.err:
             self.skipTest("no pictures here")
         self.assertEqual(turned.code, 0, turned.err)
-        self.assertRegex(turned.err, "town.obj: .*--up z")
+        self.assertRegex(turned.out, r"\nframe      \+Z is up, so it is read with `up: z`: 9600 m² of it face Z")
         upright = self.passes("info", "town.obj", "--up", "z", "--map", "upright.png")
         self.assertEqual(upright.err, "")
         self.assertEqual(self.read("turned.png"), self.read("upright.png"))

@@ -39,6 +39,7 @@ PROJECT = {
     "scene/osm": ["scene/export", "scene/import", "scene/model", "scene/base", "collision"],
     "scene/cache": ["scene/import", "scene/model", "scene/base", "collision"],
     "scene/campus": ["scene/cache", "scene/import", "scene/model", "scene/base", "collision"],
+    "scene/frame": ["scene/suggest", "scene/lint", "scene/model", "scene/base", "collision"],
     "scene/suggest": ["scene/campus", "scene/lint", "scene/model", "scene/base", "collision"],
     # Where a body can get to: what the simulation's go_to and "why not" build on.
     **_rooms("engine/walkspace", ["stride", "space", "explore", "barrier", "route", "passage", "report"],

@@ -38,7 +38,8 @@ constexpr std::array<NamedShape, 18> kShapes = {{{"flat", RoofShape::flat},
                                                  {"barrel", RoofShape::round},
                                                  {"arched", RoofShape::round}}};
 
-/// Pairs of numbers from 0 to 1, except for an onion's; what they are depends on the roof's family.
+/// Pairs of numbers from 0 to 1, except for an onion's; what they are depends on the roof's family. The
+/// highest is 1, as a roof reaches its height.
 using Profile = std::vector<std::pair<double, double>>;
 
 enum class RoofFamily {

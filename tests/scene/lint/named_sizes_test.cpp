@@ -32,33 +32,6 @@ TEST(NamedSizes, ReportsADoorOfFiveCentimetres) {
     EXPECT_TRUE(lints[0].places[0].at.isApprox(Eigen::Vector3d(0.21, 0, 0.0005), 1e-5));
 }
 
-TEST(NamedSizes, GuessesTheUnitFromTheMedianDoor) {
-    struct Case {
-        double height;
-        std::optional<double> scale;
-    };
-    for (const Case& c : {Case{210, 0.01}, Case{2100, 0.001}, Case{84, 0.0254}, Case{7, 0.3048},
-                          Case{0.021, 100.0}, Case{2.1, std::nullopt}, Case{0.9, std::nullopt}}) {
-        Model model;
-        test::add_box(model, "door_1", {0, 0, 0}, {1, c.height, 1});
-        test::add_box(model, "door_2", {5, 0, 0}, {6, c.height, 1});
-        test::add_box(model, "church_door", {9, 0, 0}, {10, 3 * c.height, 1});
-        EXPECT_EQ(scale_from_doors(model, report(model).nodes), c.scale) << c.height;
-    }
-    Model model;
-    test::add_box(model, "house", {0, 0, 0}, {1000, 500, 1000});
-    EXPECT_EQ(scale_from_doors(model, report(model).nodes), std::nullopt);
-}
-
-TEST(NamedSizes, MeasuresDoorsAlongTheUpAxis) {
-    Model model;
-    test::add_box(model, "door", {0, 0, 0}, {90, 5, 210});
-    EXPECT_TRUE(lints_of(model).empty());
-    const auto lints = lint_named_sizes(model, report(model).nodes, 2);
-    ASSERT_EQ(lints.size(), 1U);
-    EXPECT_NE(lints[0].message.find("`unit: cm`"), std::string::npos) << lints[0].message;
-}
-
 TEST(NamedSizes, ReportsADoorLyingOnTheGround) {
     Model model;
     test::add_box(model, "door", {0, 0, 0}, {0.9, 0.05, 2.1});
@@ -74,27 +47,6 @@ TEST(NamedSizes, AcceptsDoorsOfHousesCupboardsAndCathedrals) {
     test::add_box(model, "west_door", {4, 0, 0}, {8, 5.5, 0.3});
     test::add_box(model, "door_frame", {9, 0, 0}, {9.1, 0.1, 0.1});
     EXPECT_TRUE(lints_of(model).empty());
-}
-
-TEST(NamedSizes, NamesTheUnitInWhichRisersAreThoseOfStairs) {
-    for (const auto& [riser, unit] : {std::pair{17.0, "`unit: cm`"}, std::pair{170.0, "`unit: mm`"}}) {
-        Model model;
-        add_stairs(model, "Stairs", riser);
-        const auto lints = lints_of(model);
-        ASSERT_EQ(lints.size(), 1U) << riser;
-        EXPECT_EQ(lints[0].code.text(), "odd-scale");
-        EXPECT_NE(lints[0].message.find(std::string("with ") + unit + " they would be of 0.17 m"),
-                  std::string::npos)
-            << lints[0].message;
-    }
-    Model lying;  // on its back
-    const int group = static_cast<int>(test::add_group(lying, "Stairs"));
-    for (int i = 0; i < 10; ++i) {
-        test::add_box(lying, "tread", {0, -30.0 * (i + 1), 0}, {100, -30.0 * i, 17.0 * (i + 1)}, group);
-    }
-    const auto lints = lint_named_sizes(lying, report(lying).nodes, 2);
-    ASSERT_EQ(lints.size(), 1U);
-    EXPECT_EQ(lints[0].code.text(), "odd-scale");
 }
 
 TEST(NamedSizes, TakesStoreysFarApartForNoUnit) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -32,6 +33,7 @@ namespace {
 struct InfoOptions {
     scene::SceneFile scene;
     bool json = false;
+    bool strict = false;                           ///< what is unsure about the frame fails
     std::optional<std::filesystem::path> suggest;  ///< NAME.campus.yaml to write, with NAME.walk.yaml
     SuggestRequest suggestion;                     ///< what else it is made from
     std::optional<std::filesystem::path> places;   ///< GeoJSON, for the suggested campus or to be counted
@@ -56,28 +58,18 @@ void draw_map(const InfoOptions& options, scene::Model model) {
     draw_campus(campus, image);
 }
 
-/// The model, turned upright if it seems to lie on its side: from above it would be a line.
-scene::Model upright_for_map(const scene::SceneFile& scene, const scene::ModelReport& report,
-                             scene::Model model) {
-    if (!has_lint(report, "z-up") || scene.up != scene::UpAxis::y) {
-        return model;
-    }
-    print_error_line(scene.file + ": the map is drawn with --up z");
-    scene::SceneFile upright = scene;
-    upright.up = scene::UpAxis::z;
-    return read_model(upright, scene::EmptyModel::accept).imported.model;
+ModelInfo info_of(UprightModel upright) {
+    ModelInfo info;
+    info.ground = ground_of(upright.model, upright.report);
+    lint_ground(info.ground, upright.report);
+    info.buildings = scene::suggest_buildings(upright.model, upright.report);
+    info.upright = std::move(upright);
+    return info;
 }
 
-ModelInfo info_of(const scene::ImportedModel& imported) {
-    ModelInfo info;
-    info.report = scene::report(imported.model);
-    info.ground = ground_of(imported.model, info.report);
-    lint_ground(info.ground, info.report);
-    if (!scene::has_wrong_frame(info.report)) {
-        info.buildings = scene::suggest_buildings(imported.model, info.report);
-    }
-    scene::add_repairs(imported.warnings, info.report);
-    return info;
+/// Whether something about the frame has to be asked for.
+bool is_unsure(const scene::ModelReport& report) {
+    return has_lint(report, "z-up") || has_lint(report, "odd-scale");
 }
 
 scene::GeographicPlace origin_in(const std::string& text) {
@@ -137,15 +129,14 @@ int print_info(const InfoOptions& options) {
         require_images(options.backend);
         require_writable_png(*options.map, "the picture can't be written here");
     }
-    scene::LoadedModel loaded = read_model(options.scene, scene::EmptyModel::accept);
+    UprightModel upright = load_upright(options.scene, options.suggestion.typed, scene::EmptyModel::accept);
     if (options.map) {
-        require_no_input(*options.map, loaded.files, "the model is read from");
+        require_no_input(*options.map, upright.files, "the model is read from");
     }
-    scene::ImportedModel& imported = loaded.imported;
-    ModelInfo info = info_of(imported);
+    ModelInfo info = info_of(std::move(upright));
+    const scene::ModelReport& report = info.upright.report;
     if (options.places) {
-        info.places =
-            count_places(*place_file(options), origin ? origin : info.report.geographic, info.report);
+        info.places = count_places(*place_file(options), origin ? origin : report.geographic, report);
     }
     if (options.json) {
         print_lines(json_text(json_of(info), 2));
@@ -153,9 +144,9 @@ int print_info(const InfoOptions& options) {
         print_text(info);
     }
     if (options.map) {
-        draw_map(options, upright_for_map(options.scene, info.report, std::move(imported.model)));
+        draw_map(options, std::move(info.upright.model));
     }
-    return kPass;
+    return options.strict && is_unsure(report) ? kUnsure : kPass;
 }
 
 }  // namespace
@@ -174,6 +165,9 @@ void add_info(Command program, CommandAction& chosen) {
                    });
     add_file_frame(command, options->scene, "the file");
     command.flag({.names = "--json", .help = "Print JSON"}, options->json);
+    command.flag({.names = "--strict",
+                  .help = "Fail if the upper axis or the scale is unsure, or unlike what was typed"},
+                 options->strict);
     command.option(
         {.names = "--suggest",
          .help = "Write a first campus of it, with buildings, a spawn on open ground and triggers, and "
@@ -204,8 +198,17 @@ void add_info(Command program, CommandAction& chosen) {
         options->map);
     add_rendering_backend(command, options->backend);
     add_import_options(command);
-    command.footer("Exit code: 0 read, whatever its warnings; 2 bad usage or input.");
-    command.choose(chosen, [options] { return print_info(*options); });
+    command.footer(
+        "Exit code: 0 read, whatever its warnings; 1 with --strict, if its frame is unsure; 2 bad usage or "
+        "input.");
+    command.choose(chosen, [options, command] {
+        const auto is_typed = [&](const std::string& option) {
+            return std::ranges::any_of(command.given_except({}),
+                                       [&](const std::string& word) { return word.starts_with(option); });
+        };
+        options->suggestion.typed = {is_typed("--up"), is_typed("--scale")};
+        return print_info(*options);
+    });
 }
 
 }  // namespace campuswalk::tools

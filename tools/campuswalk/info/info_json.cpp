@@ -1,6 +1,8 @@
 
 #include "tools/campuswalk/info/model_info.h"
 
+#include "tools/campuswalk/suggest/frame_text.h"
+
 namespace campuswalk::tools {
 
 namespace {
@@ -94,6 +96,19 @@ Json json_of(const scene::NodeReport& node) {
             {"materials", node.materials}, {"bounds", json_of(node.bounds)}};
 }
 
+/// What is there of a kind, and what is usual.
+Json json_of(const scene::Measure& measure) {
+    const scene::UsualSize& usual = scene::usual_size(measure.kind);
+    return {{"what", usual.name},
+            {"count", measure.count},
+            {"median", measure.median},
+            {"usual", {usual.low, usual.high}}};
+}
+
+Json json_of(const scene::UpVote& vote) {
+    return {{"what", tools::name_of(vote.kind)}, {"y", vote.y}, {"z", vote.z}};
+}
+
 template <typename Part>
 Json list_of(const std::vector<Part>& parts) {
     Json list = Json::array();
@@ -103,12 +118,29 @@ Json list_of(const std::vector<Part>& parts) {
     return list;
 }
 
+/// What the model is read with, and what the guess says of it before that.
+Json json_of(const UprightModel& upright) {
+    const scene::FrameGuess& frame = upright.frame;
+    return {{"up", upright.file.up == scene::UpAxis::z ? "z" : "y"},
+            {"scale", upright.file.scale},
+            {"turned", upright.is_turned},
+            {"scaled", upright.is_scaled},
+            {"guess",
+             {{"up", frame.up == scene::UpAxis::z ? "z" : "y"},
+              {"up_confidence", tools::name_of(frame.up_confidence)},
+              {"votes", list_of(frame.votes)},
+              {"scale", frame.scale},
+              {"scale_confidence", tools::name_of(frame.scale_confidence)},
+              {"measures", list_of(frame.measures)}}}};
+}
+
 }  // namespace
 
 Json json_of(const ModelInfo& info) {
-    const scene::ModelReport& report = info.report;
-    return {{"campuswalk_info", 2},
+    const scene::ModelReport& report = info.upright.report;
+    return {{"campuswalk_info", 3},
             {"file", report.file},
+            {"frame", json_of(info.upright)},
             {"bounds", json_of(report.bounds)},
             {"origin_near", json_of(scene::origin_near(report.bounds))},
             {"geographic", json_of(report.geographic)},

@@ -13,6 +13,7 @@
 #include "scene/lint/model_report.h"
 #include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/info/model_info.h"
+#include "tools/campuswalk/suggest/frame_text.h"
 #include "tools/campuswalk/suggest/ground_lint.h"
 #include "tools/campuswalk/suggest/lint_text.h"
 
@@ -214,6 +215,13 @@ void print_extent(const scene::ModelReport& report) {
     }
 }
 
+void print_frame(const UprightModel& upright) {
+    const std::vector<std::string> lines = frame_lines(upright);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        print_line("%-10s %s", i == 0 ? "frame" : "", lines[i].c_str());
+    }
+}
+
 void print_buildings(const std::vector<scene::SuggestedBuilding>& buildings) {
     print_line("buildings  %zu", buildings.size());
     print_list(buildings, [](const scene::SuggestedBuilding& building) {
@@ -293,17 +301,16 @@ void print_nodes(const scene::ModelReport& report) {
 }  // namespace
 
 void print_text(const ModelInfo& info) {
-    const scene::ModelReport& report = info.report;
+    const scene::ModelReport& report = info.upright.report;
     print_line("%s", report.file.c_str());
     print_extent(report);
+    print_frame(info.upright);
     if (info.ground) {
         print_line("ground     %s", ground_text(*info.ground).c_str());
     }
-    if (!scene::has_wrong_frame(report)) {
-        print_buildings(info.buildings);
-        print_doors(report);
-        print_flights(report);
-    }
+    print_buildings(info.buildings);
+    print_doors(report);
+    print_flights(report);
     if (info.places) {
         print_line("places     %zu, %zu of them within its bounds", info.places->named,
                    info.places->within_bounds);

@@ -7,6 +7,7 @@
 #include "scene/lint/model_report.h"
 #include "scene/suggest/suggested_buildings.h"
 #include "tools/campuswalk/base/json_text.h"
+#include "tools/campuswalk/suggest/upright_model.h"
 
 namespace campuswalk::tools {
 
@@ -18,7 +19,7 @@ struct PlaceCount {
 
 /// What `campuswalk info` says about a model.
 struct ModelInfo {
-    scene::ModelReport report;  ///< with the repairs of the import before its warnings
+    UprightModel upright;
     std::optional<engine::GroundCover> ground;
     std::vector<scene::SuggestedBuilding> buildings;
     std::optional<PlaceCount> places = {};  ///< if a file of them was named

@@ -43,7 +43,7 @@ collision::World world_of(const scene::Model& model, const Vector3d& origin) {
 std::optional<engine::GroundCover> ground_of(const scene::Model& model, const scene::ModelReport& report) {
     constexpr double kRoom = 3.0;  // metres; smaller models are furniture
     const Vector3d size = report.bounds.max - report.bounds.min;
-    if (report.bounds.empty() || std::min(size.x(), size.z()) < kRoom || scene::has_wrong_frame(report)) {
+    if (report.bounds.empty() || std::min(size.x(), size.z()) < kRoom) {
         return std::nullopt;
     }
     const Vector3d middle = report.bounds.center().array().round();  // cells are numbered from the origin on

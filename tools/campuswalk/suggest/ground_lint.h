@@ -9,8 +9,7 @@
 
 namespace campuswalk::tools {
 
-/// The ground of a model, by walking about on it. None if that would only tell of what the report warns of
-/// already, a wrong axis or unit, and for models too small to walk on.
+/// The ground of a model, by walking about on it. None for models too small to walk on.
 std::optional<engine::GroundCover> ground_of(const scene::Model& model, const scene::ModelReport& report);
 
 /// Appends the lint `no-ground` if there is hardly any.

@@ -20,6 +20,8 @@
 #include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/loading/walk_loader.h"
 #include "tools/campuswalk/suggest/campus_text.h"
+#include "tools/campuswalk/suggest/frame_text.h"
+#include "tools/campuswalk/suggest/ground_lint.h"
 #include "tools/campuswalk/suggest/lint_text.h"
 #include "tools/campuswalk/suggest/place_visitor.h"
 #include "tools/campuswalk/suggest/read_places.h"
@@ -117,11 +119,12 @@ std::optional<scene::GeographicPlace> origin_on_earth(const UprightModel& model,
     return scene::GeographicPlace{map.y(), map.x(), map.z()};
 }
 
-/// Everything but the spawn and the visits.
-SuggestedCampus without_visitor(const UprightModel& model, const SuggestRequest& request) {
+/// Everything but the spawn and the visits. `origin`: what was subtracted from the model's coordinates.
+SuggestedCampus without_visitor(const UprightModel& model, const Vector3d& origin,
+                                const SuggestRequest& request) {
     SuggestedCampus campus;
     campus.scene = model.file;
-    campus.origin = model.origin;
+    campus.origin = origin;
     campus.model = seen_from(request.campus_file, model.file.path);
     if (request.places) {
         campus.places = *request.places;
@@ -130,13 +133,13 @@ SuggestedCampus without_visitor(const UprightModel& model, const SuggestRequest&
         read_places(*request.places,
                     campus.on_earth);  // an error in the file is about that, not about a draft
     }
-    campus.buildings = scene::suggest_buildings(model.models[0], model.report);
+    campus.buildings = scene::suggest_buildings(model.model, model.report);
     campus.interiors.assign(campus.buildings.size(), SuggestedInterior{true, {}});  // as far as is known
     const std::vector<std::string> doors = closed_door_names(model.report);
     for (const scene::SuggestedBuilding& building : campus.buildings) {
-        campus.doors_of.push_back(doors_of(model.models[0], building, doors));
+        campus.doors_of.push_back(doors_of(model.model, building, doors));
     }
-    campus.solids = scene::solid_parts(model.models[0], campus.buildings, doors);
+    campus.solids = scene::solid_parts(model.model, campus.buildings, doors);
     for (const std::string& name : doors) {
         campus.doors.emplace_back().pattern = scene::glob_for(name);
     }
@@ -157,8 +160,7 @@ WalkLoader quiet_loader(const UprightModel& model, const SuggestRequest& request
 /// placed on the campus in `loader`, which the walk then uses unless triggers of rooms were found.
 void write_campus(const UprightModel& model, const SuggestRequest& request, const fs::path& campus_file,
                   SuggestedCampus& campus, WalkLoader& loader) {
-    const double size = (model.report.bounds.max - model.report.bounds.min).maxCoeff();
-    const bool tiny = has_lint(model.report, "odd-scale") && size < 1.0;
+    const bool tiny = (model.report.bounds.max - model.report.bounds.min).maxCoeff() < 1.0;
     bool placed = false;
     if (!tiny && !has_lint(model.report, "no-ground")) {
         scene::write_file_atomically(campus_file, campus_yaml(campus));  // its spawn isn't known yet
@@ -265,8 +267,10 @@ int suggest_campus(const scene::SceneFile& model, const SuggestRequest& request)
     for (const fs::path& file : {campus_file, walk_file}) {
         require_writable_file(file, "the suggestion can't be written here");
     }
-    const UprightModel upright = load_upright(model);
-    SuggestedCampus campus = without_visitor(upright, request);
+    UprightModel upright = load_upright(model, request.typed, scene::EmptyModel::refuse);
+    const Vector3d origin = move_near(upright);
+    lint_ground(ground_of(upright.model, upright.report), upright.report);
+    SuggestedCampus campus = without_visitor(upright, origin, request);
     WalkLoader loader = quiet_loader(upright, request);
     const Drafts drafts(campus_file);
     write_campus(upright, request, drafts.campus, campus, loader);
@@ -281,6 +285,11 @@ int suggest_campus(const scene::SceneFile& model, const SuggestRequest& request)
     print_outside(campus_file, model.path, "the model");
     if (request.places) {
         print_outside(campus_file, request.places->path, "the file of places");
+    }
+    if (upright.is_turned || upright.is_scaled) {
+        for (const std::string& line : frame_lines(upright)) {
+            print_line("%s", line.c_str());
+        }
     }
     const RemainingLints left = remaining_lints(upright);
     if (left.opened > 0) {

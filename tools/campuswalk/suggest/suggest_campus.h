@@ -5,6 +5,7 @@
 
 #include "config/loader/load_campus.h"
 #include "scene/campus/campus_description.h"
+#include "tools/campuswalk/suggest/upright_model.h"
 
 namespace campuswalk::tools {
 
@@ -12,6 +13,7 @@ namespace campuswalk::tools {
 struct SuggestRequest {
     std::filesystem::path campus_file;               ///< NAME.campus.yaml
     bool overwrite = false;                          ///< replace it and the walk
+    TypedFrame typed;                                ///< of the model
     std::optional<config::PlaceFile> places;         ///< GeoJSON that the campus is to refer to
     std::optional<scene::GeographicPlace> on_earth;  ///< of the campus's [0, 0, 0]; none: as the model says
 };

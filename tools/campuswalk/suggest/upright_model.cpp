@@ -1,11 +1,11 @@
 #include "tools/campuswalk/suggest/upright_model.h"
 
 #include <algorithm>
+#include <utility>
 
-#include "scene/lint/named_sizes.h"
 #include "scene/model/name_words.h"
 #include "tools/campuswalk/loading/model_importer.h"
-#include "tools/campuswalk/suggest/ground_lint.h"
+#include "tools/campuswalk/suggest/frame_text.h"
 
 namespace campuswalk::tools {
 
@@ -16,34 +16,50 @@ bool has_lint(const scene::ModelReport& report, scene::DiagnosticCode code) {
                                [&](const scene::ModelLint& lint) { return lint.code == code; });
 }
 
-UprightModel load_upright(const scene::SceneFile& file) {
-    UprightModel upright{file, {}, {}, Vector3d::Zero()};
-    std::vector<scene::Diagnostic> repairs;
-    for (int turn = 0; turn < 3; ++turn) {
-        scene::ImportedModel imported = read_model(upright.file, scene::EmptyModel::refuse).imported;
-        upright.report = scene::report(imported.model);
-        upright.models.clear();
-        upright.models.push_back(std::move(imported.model));
-        repairs = std::move(imported.warnings);
-        if (has_lint(upright.report, "z-up") && upright.file.up == scene::UpAxis::y) {
-            upright.file.up = scene::UpAxis::z;
-        } else if (const auto scale = scene::scale_from_doors(upright.models[0], upright.report.nodes)) {
-            upright.file.scale *= *scale;
-        } else {
-            break;
-        }
+namespace {
+
+void report_on(UprightModel& upright) {
+    upright.report = scene::report(upright.model);
+    const std::vector<scene::ModelLint> lints = frame_lints(upright);
+    upright.report.warnings.insert(upright.report.warnings.begin(), lints.begin(), lints.end());
+    scene::add_repairs(upright.repairs, upright.report);
+}
+
+}  // namespace
+
+UprightModel load_upright(const scene::SceneFile& file, const TypedFrame& typed, scene::EmptyModel if_empty) {
+    UprightModel upright;
+    upright.file = file;
+    scene::LoadedModel loaded = read_model(file, if_empty);
+    upright.frame = scene::guess_frame(loaded.imported.model);
+    const scene::FrameGuess& frame = upright.frame;
+    upright.is_turned = !typed.up && file.up == scene::UpAxis::y && frame.up == scene::UpAxis::z &&
+                        frame.up_confidence == scene::Confidence::sure;
+    upright.is_scaled =
+        !typed.scale && frame.scale != 1.0 && frame.scale_confidence == scene::Confidence::sure;
+    if (upright.is_turned || upright.is_scaled) {
+        upright.file.up = upright.is_turned ? scene::UpAxis::z : file.up;
+        upright.file.scale *= upright.is_scaled ? frame.scale : 1.0;
+        loaded = read_model(upright.file, if_empty);
     }
-    if (has_lint(upright.report, "far-from-origin")) {
-        const scene::Bounds& bounds = upright.report.bounds;
-        Vector3d middle = bounds.center();
-        middle.y() = bounds.min.y();
-        upright.origin = middle.array().round();
-        scene::move_origin(upright.models[0], upright.origin);
-        upright.report = scene::report(upright.models[0]);
-    }
-    lint_ground(ground_of(upright.models[0], upright.report), upright.report);
-    scene::add_repairs(repairs, upright.report);
+    upright.model = std::move(loaded.imported.model);
+    upright.files = std::move(loaded.files);
+    upright.repairs = std::move(loaded.imported.warnings);
+    report_on(upright);
     return upright;
+}
+
+Vector3d move_near(UprightModel& upright) {
+    if (!has_lint(upright.report, "far-from-origin")) {
+        return Vector3d::Zero();
+    }
+    const scene::Bounds& bounds = upright.report.bounds;
+    Vector3d middle = bounds.center();
+    middle.y() = bounds.min.y();
+    const Vector3d origin = middle.array().round();
+    scene::move_origin(upright.model, origin);
+    report_on(upright);
+    return origin;
 }
 
 std::vector<std::string> closed_door_names(const scene::ModelReport& report) {

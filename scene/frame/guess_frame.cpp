@@ -1,0 +1,173 @@
+#include "scene/frame/guess_frame.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "scene/frame/stair_rhythm.h"
+#include "scene/model/name_words.h"
+#include "scene/model/world_triangles.h"
+
+namespace campuswalk::scene {
+namespace {
+
+using Eigen::Vector3d;
+
+Eigen::Matrix4d upright_from_z() {
+    Eigen::Matrix4d turn = Eigen::Matrix4d::Identity();
+    turn.topLeftCorner<3, 3>() << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+    return turn;
+}
+
+void turn(Model& model, const Eigen::Matrix4d& by) {
+    for (Node& node : model.nodes) {
+        node.X_world_node = by * node.X_world_node;
+    }
+}
+
+/// Area by the axis that it faces, within 26 degrees.
+Vector3d facing_areas(const Model& model) {
+    constexpr double kFacing = 0.9;
+    Vector3d areas = Vector3d::Zero();
+    for (const Node& node : model.nodes) {
+        for_each_triangle(model, node, [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+            const Vector3d normal = (b - a).cross(c - a);
+            const double length = normal.norm();
+            for (Eigen::Index axis = 0; axis < 3; ++axis) {
+                areas[axis] += std::abs(normal[axis]) > kFacing * length ? 0.5 * length : 0.0;
+            }
+        });
+    }
+    return areas;
+}
+
+/// Floors, roofs and ground face up and down, and most places are wider than high.
+UpVote vote_by_faces(const Model& model, const Vector3d& size) {
+    constexpr double kMuchMore = 1.6;
+    const Vector3d areas = facing_areas(model);
+    const auto wins = [&](Eigen::Index axis, Eigen::Index other) {
+        return areas[axis] > kMuchMore * std::max(areas[other], areas[0]) &&
+               size[axis] <= 0.8 * size.maxCoeff();
+    };
+    return {UpVote::Kind::facing, wins(1, 2) ? areas[1] : 0.0, wins(2, 1) ? areas[2] : 0.0};
+}
+
+double count_risers(const Model& model, double weld) {
+    std::size_t count = 0;
+    for (const StairRhythm& rhythm : stair_rhythms(level_patches(model, weld))) {
+        count += rhythm.risers;
+    }
+    return static_cast<double>(count);
+}
+
+/// Doors are higher than wide, and thin.
+UpVote vote_by_doors(const Model& model, const std::vector<NodeReport>& nodes) {
+    UpVote vote{UpVote::Kind::doors};
+    for (const Vector3d& size : door_leaves(model, nodes)) {
+        vote.y += size.y() == size.maxCoeff() ? 1.0 : 0.0;
+        vote.z += size.z() == size.maxCoeff() ? 1.0 : 0.0;
+    }
+    return vote;
+}
+
+double weight_of(UpVote::Kind kind) {
+    return kind == UpVote::Kind::facing ? 1.0 : 2.0;
+}
+
+void guess_up(Model& model, const std::vector<NodeReport>& nodes, FrameGuess& guess) {
+    constexpr double kWeld = 1e-6;  // of the model's size
+    Bounds bounds;
+    for (const NodeReport& node : nodes) {
+        bounds.extend(node.bounds);
+    }
+    const Vector3d size = bounds.max - bounds.min;
+    UpVote risers{UpVote::Kind::risers, count_risers(model, kWeld * size.maxCoeff())};
+    turn(model, upright_from_z());
+    risers.z = count_risers(model, kWeld * size.maxCoeff());
+    turn(model, upright_from_z().transpose());
+    double for_y = 0.0;
+    double for_z = 0.0;
+    for (const UpVote& vote : {vote_by_faces(model, size), risers, vote_by_doors(model, nodes)}) {
+        if (vote.y != vote.z) {
+            (vote.y > vote.z ? for_y : for_z) += weight_of(vote.kind);
+            guess.votes.push_back(vote);
+        }
+    }
+    if (for_z > for_y) {
+        guess.up = UpAxis::z;
+        guess.up_confidence = for_y == 0.0 ? Confidence::sure : Confidence::unsure;
+    } else if (for_y > 0.0) {
+        guess.up_confidence = for_z == 0.0 ? Confidence::sure : Confidence::unsure;
+    }
+}
+
+double fitting(const std::vector<Measure>& measures, double scale) {
+    double weight = 0.0;
+    for (const Measure& measure : measures) {
+        weight += measure.is_usual(scale) ? measure.weight : 0.0;
+    }
+    return weight;
+}
+
+/// Two digits, so that nobody takes it for exact.
+double rounded(double scale) {
+    double power = 1.0;
+    for (; scale >= 100.0 * power; power *= 10.0) {
+    }
+    for (; scale < 10.0 * power; power /= 10.0) {
+    }
+    return std::round(scale / power) * power;
+}
+
+void guess_scale(FrameGuess& guess) {
+    constexpr std::array<double, 6> kUnits = {0.01, 0.001, 0.0254, 0.3048, 100.0, 1000.0};
+    constexpr double kEnough = 2.0;  // weight, to be sure
+    constexpr double kLeast = 0.5;   // to say anything
+    double all = 0.0;
+    for (const Measure& measure : guess.measures) {
+        all += measure.weight;
+    }
+    const double as_it_is = fitting(guess.measures, 1.0);
+    if (all < kLeast) {
+        return;
+    }
+    if (2.0 * as_it_is >= all) {
+        guess.scale_confidence = as_it_is >= kEnough ? Confidence::sure : Confidence::unsure;
+        return;
+    }
+    const double unit =
+        *std::ranges::max_element(kUnits, {}, [&](double each) { return fitting(guess.measures, each); });
+    double best = fitting(guess.measures, unit) > as_it_is ? unit : 1.0;
+    for (const Measure& measure : guess.measures) {
+        const double scale = rounded(usual_size(measure.kind).typical / measure.median);
+        best = fitting(guess.measures, scale) > fitting(guess.measures, best) ? scale : best;
+    }
+    const bool is_sure = best == unit && 4.0 * fitting(guess.measures, best) >= 3.0 * all &&
+                         fitting(guess.measures, best) >= kEnough && 4.0 * as_it_is <= all;
+    guess.scale = best;
+    guess.scale_confidence = is_sure ? Confidence::sure : Confidence::unsure;
+}
+
+}  // namespace
+
+FrameGuess guess_frame(Model& model) {
+    FrameGuess guess;
+    std::vector<NodeReport> nodes = report_nodes(model);
+    if (std::ranges::all_of(nodes, [](const NodeReport& node) { return node.bounds.empty(); })) {
+        return guess;
+    }
+    guess_up(model, nodes, guess);
+    if (guess.up == UpAxis::z) {
+        turn(model, upright_from_z());
+        guess.measures = measure_usual(model, report_nodes(model));
+        turn(model, upright_from_z().transpose());
+    } else {
+        guess.measures = measure_usual(model, nodes);
+    }
+    guess_scale(guess);
+    return guess;
+}
+
+}  // namespace campuswalk::scene

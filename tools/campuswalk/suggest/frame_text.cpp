@@ -1,0 +1,145 @@
+#include "tools/campuswalk/suggest/frame_text.h"
+
+#include <algorithm>
+
+#include "scene/lint/wording.h"
+
+namespace campuswalk::tools {
+
+using scene::FrameGuess;
+using scene::Measure;
+using scene::UpVote;
+
+namespace {
+
+std::string counted(std::size_t count, const char* things) {
+    return std::to_string(count) + " " + things;
+}
+
+/// "6050 m² of its faces face Z, most of all", "54 risers climb along Z"
+std::string text_of(const UpVote& vote, scene::UpAxis up) {
+    const double own = up == scene::UpAxis::z ? vote.z : vote.y;
+    const std::string axis = up == scene::UpAxis::z ? "Z" : "Y";
+    switch (vote.kind) {
+        case UpVote::Kind::facing:
+            return scene::short_number(own) + " m² of it face " + axis + ", more than any other axis";
+        case UpVote::Kind::risers:
+            return counted(static_cast<std::size_t>(own), "risers of stairs climb along ") + axis;
+        case UpVote::Kind::doors:
+            return counted(static_cast<std::size_t>(own), "doors are longest along ") + axis;
+    }
+    return "";
+}
+
+std::string joined(const std::vector<std::string>& parts) {
+    std::string text;
+    for (const std::string& part : parts) {
+        text += (text.empty() ? "" : ", ") + part;
+    }
+    return text;
+}
+
+std::string votes_for(const FrameGuess& frame, scene::UpAxis up) {
+    std::vector<std::string> parts;
+    for (const UpVote& vote : frame.votes) {
+        if ((vote.z > vote.y) == (up == scene::UpAxis::z)) {
+            parts.push_back(text_of(vote, up));
+        }
+    }
+    return joined(parts);
+}
+
+/// "5 houses are 0.9 m high"
+std::string text_of(const Measure& measure, double scale) {
+    const scene::UsualSize& usual = scene::usual_size(measure.kind);
+    return counted(measure.count, measure.count == 1 ? usual.one : usual.name) +
+           (measure.count == 1 ? " is " : " are ") + scene::in_metres(scale * measure.median) + " " +
+           usual.does;
+}
+
+/// Of those that are usual at this scale, or of the others.
+std::vector<const Measure*> measures_that(const FrameGuess& frame, bool are_usual, double scale) {
+    std::vector<const Measure*> chosen;
+    for (const Measure& measure : frame.measures) {
+        if (measure.is_usual(scale) == are_usual) {
+            chosen.push_back(&measure);
+        }
+    }
+    return chosen;
+}
+
+std::string texts_of(const std::vector<const Measure*>& measures, double scale) {
+    std::vector<std::string> parts;
+    for (const Measure* measure : measures) {
+        parts.push_back(text_of(*measure, scale));
+    }
+    return joined(parts);
+}
+
+/// What would be usual if the model were scaled.
+std::string as_scaled(const FrameGuess& frame) {
+    return texts_of(measures_that(frame, true, frame.scale), frame.scale);
+}
+
+}  // namespace
+
+const char* name_of(UpVote::Kind kind) {
+    switch (kind) {
+        case UpVote::Kind::facing:
+            return "facing";
+        case UpVote::Kind::risers:
+            return "risers";
+        default:
+            return "doors";
+    }
+}
+
+const char* name_of(scene::Confidence confidence) {
+    switch (confidence) {
+        case scene::Confidence::sure:
+            return "sure";
+        case scene::Confidence::unsure:
+            return "unsure";
+        default:
+            return "none";
+    }
+}
+
+std::vector<std::string> frame_lines(const UprightModel& upright) {
+    const FrameGuess& frame = upright.frame;
+    std::vector<std::string> lines;
+    if (upright.is_turned) {
+        lines.push_back("+Z is up, so it is read with `up: z`: " + votes_for(frame, scene::UpAxis::z));
+    } else if (frame.up == scene::UpAxis::y && frame.up_confidence == scene::Confidence::sure) {
+        lines.push_back("+Y is up: " + votes_for(frame, scene::UpAxis::y));
+    }
+    if (upright.is_scaled) {
+        lines.push_back("it is read with `scale: " + scene::short_number(upright.file.scale) + "`, so that " +
+                        as_scaled(frame));
+    } else if (frame.scale == 1.0 && frame.scale_confidence != scene::Confidence::none) {
+        lines.push_back("sizes are usual: " + texts_of(measures_that(frame, true, 1.0), 1.0));
+    }
+    return lines;
+}
+
+std::vector<scene::ModelLint> frame_lints(const UprightModel& upright) {
+    const FrameGuess& frame = upright.frame;
+    std::vector<scene::ModelLint> lints;
+    if (frame.up == scene::UpAxis::z && !upright.is_turned) {
+        const std::string against = votes_for(frame, scene::UpAxis::y);
+        const char* mend =
+            upright.file.up == scene::UpAxis::y ? "; `up: z` would turn it" : "; `up: y` would turn it back";
+        lints.push_back({"z-up", "it seems to lie on its back: " + votes_for(frame, scene::UpAxis::z) +
+                                     (against.empty() ? "" : ", but " + against) + mend});
+    }
+    if (frame.scale != 1.0 && !upright.is_scaled) {
+        const std::string scale = scene::short_number(upright.file.scale * frame.scale);
+        lints.push_back({"odd-scale", texts_of(measures_that(frame, false, 1.0), 1.0) +
+                                          ", which is unusual; with `scale: " + scale + "` " +
+                                          as_scaled(frame) + "; it is read with " +
+                                          scene::short_number(upright.file.scale)});
+    }
+    return lints;
+}
+
+}  // namespace campuswalk::tools
