@@ -17,7 +17,7 @@ std::unique_ptr<Reporter> make_json_reporter(TextSink sink, const ReportStyle& s
 std::unique_ptr<Reporter> make_jsonl_reporter(TextSink sink, const ReportStyle& style);
 std::unique_ptr<Reporter> make_github_reporter(TextSink sink, const ReportStyle& style);
 std::unique_ptr<Reporter> make_markdown_reporter(TextSink sink, const ReportStyle& style);
-/// By the style's own maker; that of HTML is in engine/html_report, a layer of its own.
+/// The style's own maker makes it; HTML reports are made by engine/html_report, a layer of its own.
 std::unique_ptr<Reporter> make_html_reporter(TextSink sink, const ReportStyle& style);
 
 inline constexpr std::array kReporterKinds = {

@@ -14,7 +14,7 @@ inline double quantile(std::vector<double> values, double share) {
                            static_cast<std::size_t>(share * static_cast<double>(values.size())))];
 }
 
-/// Of an even number of values the higher of the two in the middle. `values` isn't empty.
+/// The value in the middle; if there are two, the higher one. `values` isn't empty.
 inline double median(std::vector<double> values) {
     return quantile(std::move(values), 0.5);
 }

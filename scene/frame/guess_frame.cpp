@@ -43,20 +43,24 @@ Vector3d facing_areas(const Model& model) {
     return areas;
 }
 
-/// Floors, roofs and ground face up and down, and most places are wider than high.
+/// Floors, roofs and ground face up and down, and most places are wider than high. A long house alone may
+/// face Z as much as a place on its back does, so that only what is flat tells it by itself.
 UpVote vote_by_faces(const Model& model, const Vector3d& size) {
-    constexpr double kMuchMore = 1.6;
+    constexpr double kMore = 1.6;
+    constexpr double kMuchMore = 6.0;
     const Vector3d areas = facing_areas(model);
-    const auto wins = [&](Eigen::Index axis, Eigen::Index other) {
-        return areas[axis] > kMuchMore * std::max(areas[other], areas[0]) &&
-               size[axis] <= 0.8 * size.maxCoeff();
+    const auto wins = [&](Eigen::Index axis, Eigen::Index other, double more, double flat) {
+        return areas[axis] > more * std::max(areas[other], areas[0]) &&
+               size[axis] <= flat * std::max(size[other], size[0]);
     };
-    return {UpVote::Kind::facing, wins(1, 2) ? areas[1] : 0.0, wins(2, 1) ? areas[2] : 0.0};
+    const bool is_flat = wins(1, 2, kMuchMore, 0.3) || wins(2, 1, kMuchMore, 0.3);
+    return {UpVote::Kind::facing, wins(1, 2, kMore, 0.8) ? areas[1] : 0.0,
+            wins(2, 1, kMore, 0.8) ? areas[2] : 0.0, is_flat ? 2.0 : 1.0};
 }
 
-double count_risers(const Model& model, double weld) {
+double count_risers(const std::vector<LevelPatch>& patches) {
     std::size_t count = 0;
-    for (const StairRhythm& rhythm : stair_rhythms(level_patches(model, weld))) {
+    for (const StairRhythm& rhythm : stair_rhythms(patches)) {
         count += rhythm.risers;
     }
     return static_cast<double>(count);
@@ -64,7 +68,7 @@ double count_risers(const Model& model, double weld) {
 
 /// Doors are higher than wide, and thin.
 UpVote vote_by_doors(const Model& model, const std::vector<NodeReport>& nodes) {
-    UpVote vote{UpVote::Kind::doors};
+    UpVote vote{UpVote::Kind::doors, 0.0, 0.0, 2.0};
     for (const Vector3d& size : door_leaves(model, nodes)) {
         vote.y += size.y() == size.maxCoeff() ? 1.0 : 0.0;
         vote.z += size.z() == size.maxCoeff() ? 1.0 : 0.0;
@@ -72,34 +76,20 @@ UpVote vote_by_doors(const Model& model, const std::vector<NodeReport>& nodes) {
     return vote;
 }
 
-double weight_of(UpVote::Kind kind) {
-    return kind == UpVote::Kind::facing ? 1.0 : 2.0;
-}
-
-void guess_up(Model& model, const std::vector<NodeReport>& nodes, FrameGuess& guess) {
-    constexpr double kWeld = 1e-6;  // of the model's size
-    Bounds bounds;
-    for (const NodeReport& node : nodes) {
-        bounds.extend(node.bounds);
-    }
-    const Vector3d size = bounds.max - bounds.min;
-    UpVote risers{UpVote::Kind::risers, count_risers(model, kWeld * size.maxCoeff())};
-    turn(model, upright_from_z());
-    risers.z = count_risers(model, kWeld * size.maxCoeff());
-    turn(model, upright_from_z().transpose());
+void guess_up(const std::vector<UpVote>& votes, FrameGuess& guess) {
     double for_y = 0.0;
     double for_z = 0.0;
-    for (const UpVote& vote : {vote_by_faces(model, size), risers, vote_by_doors(model, nodes)}) {
+    for (const UpVote& vote : votes) {
         if (vote.y != vote.z) {
-            (vote.y > vote.z ? for_y : for_z) += weight_of(vote.kind);
+            (vote.y > vote.z ? for_y : for_z) += vote.weight;
             guess.votes.push_back(vote);
         }
     }
     if (for_z > for_y) {
         guess.up = UpAxis::z;
-        guess.up_confidence = for_y == 0.0 ? Confidence::sure : Confidence::unsure;
+        guess.up_confidence = for_z >= 2.0 && for_y == 0.0 ? Confidence::sure : Confidence::unsure;
     } else if (for_y > 0.0) {
-        guess.up_confidence = for_z == 0.0 ? Confidence::sure : Confidence::unsure;
+        guess.up_confidence = for_y >= 2.0 * for_z ? Confidence::sure : Confidence::unsure;
     }
 }
 
@@ -123,8 +113,10 @@ double rounded(double scale) {
 
 void guess_scale(FrameGuess& guess) {
     constexpr std::array<double, 6> kUnits = {0.01, 0.001, 0.0254, 0.3048, 100.0, 1000.0};
-    constexpr double kEnough = 2.0;  // weight, to be sure
-    constexpr double kLeast = 0.5;   // to say anything
+    constexpr double kEnough = 2.0;       // weight, to be sure
+    constexpr double kLeast = 0.5;        // to say anything
+    constexpr double kLeastScale = 1e-9;  // as on the command line
+    constexpr double kMostScale = 1e9;
     double all = 0.0;
     for (const Measure& measure : guess.measures) {
         all += measure.weight;
@@ -141,7 +133,8 @@ void guess_scale(FrameGuess& guess) {
         *std::ranges::max_element(kUnits, {}, [&](double each) { return fitting(guess.measures, each); });
     double best = fitting(guess.measures, unit) > as_it_is ? unit : 1.0;
     for (const Measure& measure : guess.measures) {
-        const double scale = rounded(usual_size(measure.kind).typical / measure.median);
+        const double exact = usual_size(measure.kind).typical / measure.median;
+        const double scale = exact > kLeastScale && exact < kMostScale ? rounded(exact) : 1.0;
         best = fitting(guess.measures, scale) > fitting(guess.measures, best) ? scale : best;
     }
     const bool is_sure = best == unit && 4.0 * fitting(guess.measures, best) >= 3.0 * all &&
@@ -153,18 +146,29 @@ void guess_scale(FrameGuess& guess) {
 }  // namespace
 
 FrameGuess guess_frame(Model& model) {
+    constexpr double kWeld = 1e-6;  // of the model's size
     FrameGuess guess;
-    std::vector<NodeReport> nodes = report_nodes(model);
-    if (std::ranges::all_of(nodes, [](const NodeReport& node) { return node.bounds.empty(); })) {
+    const Bounds bounds = world_bounds(model);
+    if (bounds.empty() || bounds.min == bounds.max) {
         return guess;
     }
-    guess_up(model, nodes, guess);
+    const Vector3d size = bounds.max - bounds.min;
+    const double weld = kWeld * size.maxCoeff();
+    const std::vector<NodeReport> nodes = report_nodes(model);
+    const std::vector<LevelPatch> along_y = level_patches(model, weld);
+    turn(model, upright_from_z());
+    const std::vector<LevelPatch> along_z = level_patches(model, weld);
+    turn(model, upright_from_z().transpose());
+    guess_up({vote_by_faces(model, size),
+              {UpVote::Kind::risers, count_risers(along_y), count_risers(along_z), 2.0},
+              vote_by_doors(model, nodes)},
+             guess);
     if (guess.up == UpAxis::z) {
         turn(model, upright_from_z());
-        guess.measures = measure_usual(model, report_nodes(model));
+        guess.measures = measure_usual(model, report_nodes(model), along_z);
         turn(model, upright_from_z().transpose());
     } else {
-        guess.measures = measure_usual(model, nodes);
+        guess.measures = measure_usual(model, nodes, along_y);
     }
     guess_scale(guess);
     return guess;

@@ -15,6 +15,7 @@ struct UpVote {
     enum class Kind { facing, risers, doors } kind;
     double y = 0.0;  ///< of `facing`: m² of faces that face that axis; of others: how many
     double z = 0.0;
+    double weight = 1.0;  ///< 2 is enough by itself
 };
 
 /// What a model's geometry and names say of its unit and its upper axis.

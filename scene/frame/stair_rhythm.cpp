@@ -20,7 +20,7 @@ struct Tread {
     double depth = 0.0;
 };
 
-/// Long and narrow, and filled.
+/// A tread is long and narrow, and its surface fills its box.
 std::optional<Tread> tread_of(const LevelPatch& patch) {
     constexpr double kMinFilled = 0.7;
     const auto [depth, width] = std::minmax({patch.box.size.x(), patch.box.size.z()});
@@ -53,7 +53,7 @@ public:
         }
     }
 
-    /// Of a depth between half and twice of this one's, near it.
+    /// Visits the treads near this one whose depth is between half and twice as large.
     template <typename Visit>
     void for_each_near(const Tread& tread, const Visit& visit) const {
         for (int level = level_of(tread) - 1; level <= level_of(tread) + 1; ++level) {
@@ -87,7 +87,7 @@ private:
     std::map<Key, std::vector<std::size_t>> cells_;
 };
 
-/// By tread: the nearest that follows it.
+/// Finds for each tread the nearest one that follows it.
 std::vector<std::optional<std::size_t>> link(const std::vector<Tread>& treads) {
     constexpr std::size_t kMostNear = 256;  // treads that are looked at for each
     const TreadGrid grid(treads);

@@ -61,15 +61,7 @@ bool is_person_name(std::string_view name) {
     return has_word(name, kWords);
 }
 
-Bounds bounds_of(const std::vector<NodeReport>& nodes) {
-    Bounds bounds;
-    for (const NodeReport& node : nodes) {
-        bounds.extend(node.bounds);
-    }
-    return bounds;
-}
-
-/// Of each part that is named so, with what is below it.
+/// The size of each part that is named so, with what is below it.
 std::vector<Vector3d> named_sizes(const Model& model, const std::vector<NodeReport>& nodes,
                                   bool (*name_matches)(std::string_view)) {
     const std::vector<std::size_t> part = named_parts(model, name_matches);
@@ -90,12 +82,16 @@ void add_doors(const Model& model, const std::vector<NodeReport>& nodes, std::ve
         }
     }
     if (!heights.empty()) {
-        measures.push_back({MeasureKind::door, heights.size(), median(heights), 2.0});
+        // One may be a cathedral's or a cupboard's, but none is ten times as high as others.
+        const double usual = median(heights);
+        const double off = usual / usual_size(MeasureKind::door).typical;
+        const double weight = heights.size() > 1 || off >= 10.0 || off <= 0.1 ? 2.0 : 1.0;
+        measures.push_back({MeasureKind::door, heights.size(), usual, weight});
     }
 }
 
-/// By what is named so: the height, or for what is long the longer side. Parts of one, such as a chair's leg,
-/// may be named so, too, which is why nearly the largest counts.
+/// Measures what is named so by its height, or what is long by its longer side. Parts of one thing, such as a
+/// chair's leg, may be named so, too, which is why nearly the largest counts.
 void add_named(const Model& model, const std::vector<NodeReport>& nodes, MeasureKind kind,
                bool (*name_matches)(std::string_view), std::vector<Measure>& measures) {
     constexpr double kLargest = 0.9;
@@ -201,7 +197,7 @@ bool are_indoors(const std::vector<Bounds>& apart, const Bounds& all) {
 }
 
 /// Those that stand apart under the open sky, at least three, or one that is larger than any house.
-void add_houses(const Model& model, const Bounds& all_bounds, std::vector<Measure>& measures) {
+void add_houses(const Model& model, std::vector<Measure>& measures) {
     constexpr double kSmall = 0.2;  // of the widest's footprint
     const SplitModel split = split_nodes(model);
     ModelReport report;
@@ -227,7 +223,7 @@ void add_houses(const Model& model, const Bounds& all_bounds, std::vector<Measur
             widest = std::max(widest, side * side);
         }
     }
-    if (are_indoors(apart, all_bounds)) {
+    if (are_indoors(apart, world_bounds(model))) {
         return;
     }
     std::vector<double> heights;
@@ -256,7 +252,7 @@ const UsualSize& usual_size(MeasureKind kind) {
 
 std::vector<Vector3d> door_leaves(const Model& model, const std::vector<NodeReport>& nodes) {
     constexpr double kMost = 0.6;  // of the model's size
-    const Bounds bounds = bounds_of(nodes);
+    const Bounds bounds = world_bounds(model);
     std::vector<Vector3d> leaves;
     for (const Vector3d& size : named_sizes(model, nodes, is_door_name)) {
         std::array<double, 3> sides = {size.x(), size.y(), size.z()};
@@ -270,23 +266,17 @@ std::vector<Vector3d> door_leaves(const Model& model, const std::vector<NodeRepo
     return leaves;
 }
 
-std::vector<Measure> measure_usual(const Model& model, const std::vector<NodeReport>& nodes) {
-    constexpr double kWeld = 1e-6;  // of the model's size
-    const Bounds bounds = bounds_of(nodes);
+std::vector<Measure> measure_usual(const Model& model, const std::vector<NodeReport>& nodes,
+                                   const std::vector<LevelPatch>& patches) {
     std::vector<Measure> measures;
-    const double size = bounds.empty() ? 0.0 : (bounds.max - bounds.min).maxCoeff();
-    if (size == 0.0) {
-        return measures;
-    }
-    std::vector<LevelPatch> patches = level_patches(model, kWeld * size);
     add_risers(patches, measures);
-    add_storeys(std::move(patches), measures);
+    add_storeys(patches, measures);
     add_doors(model, nodes, measures);
     add_named(model, nodes, MeasureKind::chair, is_chair_name, measures);
     add_named(model, nodes, MeasureKind::table, is_table_name, measures);
     add_named(model, nodes, MeasureKind::car, is_car_name, measures);
     add_named(model, nodes, MeasureKind::person, is_person_name, measures);
-    add_houses(model, bounds, measures);
+    add_houses(model, measures);
     return measures;
 }
 

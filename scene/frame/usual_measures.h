@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "scene/lint/level_patches.h"
 #include "scene/lint/model_report.h"
 #include "scene/model/model.h"
 
@@ -39,12 +40,13 @@ struct Measure {
     }
 };
 
-/// The sizes of what is named as a door and has the shape of a leaf, whichever way it lies: thin, a little
-/// longer than wide, and small beside the model.
+/// Finds the sizes of what is named as a door and has the shape of a leaf, whichever way it lies: thin, a
+/// little longer than wide, and small beside the model.
 std::vector<Eigen::Vector3d> door_leaves(const Model& model, const std::vector<NodeReport>& nodes);
 
-/// Risers and storeys by geometry, doors, furniture, cars and people by their names, houses by what stands
-/// apart. +Y is up. `nodes` is report_nodes(model).
-std::vector<Measure> measure_usual(const Model& model, const std::vector<NodeReport>& nodes);
+/// Measures risers and storeys by geometry, doors, furniture, cars and people by their names, houses by what
+/// stands apart. +Y is up. `nodes` is report_nodes(model), `patches` its level_patches().
+std::vector<Measure> measure_usual(const Model& model, const std::vector<NodeReport>& nodes,
+                                   const std::vector<LevelPatch>& patches);
 
 }  // namespace campuswalk::scene

@@ -21,7 +21,7 @@ struct Leaf {
     UprightBoxFit fit;
 };
 
-/// The pieces of a node, those that touch as one.
+/// Adds each connected piece of a node.
 void add_pieces(const Model& model, const Node& node, std::vector<Leaf>& leaves) {
     const Eigen::Matrix3d linear = node.X_world_node.topLeftCorner<3, 3>();
     const Eigen::Vector3d offset = node.X_world_node.topRightCorner<3, 1>();
@@ -43,7 +43,7 @@ bool touch(const Bounds& a, const Bounds& b) {
     return ((a.min - b.max).array() <= kNear).all() && ((b.min - a.max).array() <= kNear).all();
 }
 
-/// The boxes of what is apart, of the pieces of one part.
+/// The boxes around those pieces of one part that touch.
 std::vector<UprightBox> boxes_apart(std::vector<Leaf> leaves) {
     constexpr std::size_t kMost = 1'000;  // pieces; more are one thing
     collision::DisjointSets sets(leaves.size());

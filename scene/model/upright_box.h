@@ -32,7 +32,7 @@ public:
     /// Points whose box is the same.
     std::vector<Eigen::Vector3d> vertices();
 
-    /// Of the convex hull of the plan, m².
+    /// The area of the plan's convex hull, m².
     double hull_area();
 
 private:

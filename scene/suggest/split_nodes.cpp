@@ -34,7 +34,7 @@ std::vector<Wall> walls_of_piece(const Model& model, const Node& node, const Pie
     return walls;
 }
 
-/// Of the walls' plan, m².
+/// What the walls enclose on the plan, m².
 double footprint_of(const Bounds& walls) {
     const Eigen::Vector3d size = walls.max - walls.min;
     return walls.empty() ? 0.0 : size.x() * size.z();
@@ -49,7 +49,7 @@ Bounds bounds_of(const std::vector<Wall>& walls) {
     return bounds;
 }
 
-/// Whether most of the walls aren't somebody's.
+/// Whether most of the walls look grown rather than built.
 bool is_rock(const std::vector<Wall>& walls) {
     double built = 0.0;
     double all = 0.0;

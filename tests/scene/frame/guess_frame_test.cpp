@@ -156,13 +156,44 @@ TEST(GuessFrame, TakesATowerForNoModelOnItsBack) {
     EXPECT_EQ(guess_frame(model).up, UpAxis::y);
 }
 
-TEST(GuessFrame, IsUnsureWhereStairsAndFacesDisagree) {
-    Model model = school();
-    for (int i = 0; i < 10; ++i) {  // louvres, which climb along Z as stairs do
-        test::add_box(model, "louvre", {30, 1 + 0.29 * i, 0}, {31.5, 1 + 0.29 * (i + 1), 0.17 * (i + 1)});
+TEST(GuessFrame, IsUnsureWhereDoorsAndStairsDisagree) {
+    Model model;
+    test::add_box(model, "door_west", {-10, 0, -5}, {-9, 2.1, -4.95});
+    test::add_box(model, "door_east", {9, 0, -5}, {10, 2.1, -4.95});
+    for (int i = 0; i < 10; ++i) {  // louvres, which climb along Z as stairs do in a model on its back
+        test::add_box(model, "louvre", {30, -0.29 * (i + 1), 0}, {31.5, -0.29 * i, 0.17 * (i + 1)});
     }
     const FrameGuess guess = guess_frame(model);
     EXPECT_EQ(guess.up, UpAxis::y);
+    EXPECT_EQ(guess.up_confidence, Confidence::unsure);
+    EXPECT_EQ(guess.votes.size(), 2U);
+}
+
+TEST(GuessFrame, IsNotSureThatALongHouseAloneLiesOnItsBack) {
+    Model model;
+    test::add_box(model, "slab", {-30, 0, -10}, {30, 45, 10});
+    EXPECT_NE(guess_frame(model).up_confidence, Confidence::sure);
+}
+
+TEST(GuessFrame, IsSureOfWhatIsFlat) {
+    Model model;
+    test::add_box(model, "town", {0, 0, 0}, {80, 60, 4});
+    const FrameGuess guess = guess_frame(model);
+    EXPECT_EQ(guess.up, UpAxis::z);
+    EXPECT_EQ(guess.up_confidence, Confidence::sure);
+}
+
+TEST(GuessFrame, AsksAboutOneGateThatIsAsHighAsADoorInFeet) {
+    Model model;
+    test::add_box(model, "church", {-20, 0, -40}, {20, 30, 0});
+    test::add_box(model, "west_door", {-2, 0, 0}, {2, 6.5, 0.2});
+    EXPECT_NE(guess_frame(model).scale_confidence, Confidence::sure);
+}
+
+TEST(GuessFrame, EndsForSizesBeyondAllScales) {
+    Model model = school();
+    transform(model, scaling(1e-30));
+    EXPECT_EQ(guess_frame(model).scale, 1.0);
 }
 
 TEST(StairRhythm, IsFoundInAnyUnitAndOnlyWhereRisesAreAlike) {

@@ -6,6 +6,7 @@
 
 namespace campuswalk::tools {
 
+using scene::Confidence;
 using scene::FrameGuess;
 using scene::Measure;
 using scene::UpVote;
@@ -29,6 +30,10 @@ std::string text_of(const UpVote& vote, scene::UpAxis up) {
             return counted(static_cast<std::size_t>(own), "doors are longest along ") + axis;
     }
     return "";
+}
+
+std::string name_of(scene::UpAxis up) {
+    return up == scene::UpAxis::z ? "z" : "y";
 }
 
 std::string joined(const std::vector<std::string>& parts) {
@@ -57,7 +62,7 @@ std::string text_of(const Measure& measure, double scale) {
            usual.does;
 }
 
-/// Of those that are usual at this scale, or of the others.
+/// The measures that are usual at this scale, or the others.
 std::vector<const Measure*> measures_that(const FrameGuess& frame, bool are_usual, double scale) {
     std::vector<const Measure*> chosen;
     for (const Measure& measure : frame.measures) {
@@ -76,7 +81,7 @@ std::string texts_of(const std::vector<const Measure*>& measures, double scale) 
     return joined(parts);
 }
 
-/// What would be usual if the model were scaled.
+/// Words what would be usual if the model were scaled.
 std::string as_scaled(const FrameGuess& frame) {
     return texts_of(measures_that(frame, true, frame.scale), frame.scale);
 }
@@ -89,9 +94,10 @@ const char* name_of(UpVote::Kind kind) {
             return "facing";
         case UpVote::Kind::risers:
             return "risers";
-        default:
+        case UpVote::Kind::doors:
             return "doors";
     }
+    return "";
 }
 
 const char* name_of(scene::Confidence confidence) {
@@ -100,23 +106,29 @@ const char* name_of(scene::Confidence confidence) {
             return "sure";
         case scene::Confidence::unsure:
             return "unsure";
-        default:
+        case scene::Confidence::none:
             return "none";
     }
+    return "";
 }
 
 std::vector<std::string> frame_lines(const UprightModel& upright) {
     const FrameGuess& frame = upright.frame;
+    const std::string scale = "`scale: " + scene::short_number(upright.file.scale) + "`";
     std::vector<std::string> lines;
     if (upright.is_turned) {
         lines.push_back("+Z is up, so it is read with `up: z`: " + votes_for(frame, scene::UpAxis::z));
-    } else if (frame.up == scene::UpAxis::y && frame.up_confidence == scene::Confidence::sure) {
+    } else if (frame.up_confidence == Confidence::none) {
+        lines.push_back("nothing tells which axis is up; it is read with `up: " + name_of(upright.file.up) +
+                        "`");
+    } else if (frame.up == scene::UpAxis::y && frame.up_confidence == Confidence::sure) {
         lines.push_back("+Y is up: " + votes_for(frame, scene::UpAxis::y));
     }
     if (upright.is_scaled) {
-        lines.push_back("it is read with `scale: " + scene::short_number(upright.file.scale) + "`, so that " +
-                        as_scaled(frame));
-    } else if (frame.scale == 1.0 && frame.scale_confidence != scene::Confidence::none) {
+        lines.push_back("it is read with " + scale + ", so that " + as_scaled(frame));
+    } else if (frame.scale_confidence == Confidence::none) {
+        lines.push_back("nothing tells its unit; it is read with " + scale);
+    } else if (frame.scale == 1.0) {
         lines.push_back("sizes are usual: " + texts_of(measures_that(frame, true, 1.0), 1.0));
     }
     return lines;
@@ -125,12 +137,15 @@ std::vector<std::string> frame_lines(const UprightModel& upright) {
 std::vector<scene::ModelLint> frame_lints(const UprightModel& upright) {
     const FrameGuess& frame = upright.frame;
     std::vector<scene::ModelLint> lints;
-    if (frame.up == scene::UpAxis::z && !upright.is_turned) {
-        const std::string against = votes_for(frame, scene::UpAxis::y);
-        const char* mend =
-            upright.file.up == scene::UpAxis::y ? "; `up: z` would turn it" : "; `up: y` would turn it back";
-        lints.push_back({"z-up", "it seems to lie on its back: " + votes_for(frame, scene::UpAxis::z) +
-                                     (against.empty() ? "" : ", but " + against) + mend});
+    const bool is_contradicted = frame.up == scene::UpAxis::z && !upright.is_turned;
+    if (is_contradicted || frame.up_confidence == Confidence::unsure) {
+        const std::string for_z = votes_for(frame, scene::UpAxis::z);
+        const std::string for_y = votes_for(frame, scene::UpAxis::y);
+        const char* other = upright.file.up == scene::UpAxis::y ? "`up: z`" : "`up: y`";
+        lints.push_back({"z-up", std::string(frame.up == scene::UpAxis::z ? "it seems to lie on its back: "
+                                                                          : "it may lie on its back: ") +
+                                     for_z + (for_y.empty() ? "" : ", but " + for_y) + "; " + other +
+                                     " would turn it"});
     }
     if (frame.scale != 1.0 && !upright.is_scaled) {
         const std::string scale = scene::short_number(upright.file.scale * frame.scale);

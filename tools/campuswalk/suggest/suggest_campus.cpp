@@ -286,10 +286,8 @@ int suggest_campus(const scene::SceneFile& model, const SuggestRequest& request)
     if (request.places) {
         print_outside(campus_file, request.places->path, "the file of places");
     }
-    if (upright.is_turned || upright.is_scaled) {
-        for (const std::string& line : frame_lines(upright)) {
-            print_line("%s", line.c_str());
-        }
+    for (const std::string& line : frame_lines(upright)) {
+        print_line("%s", line.c_str());
     }
     const RemainingLints left = remaining_lints(upright);
     if (left.opened > 0) {
