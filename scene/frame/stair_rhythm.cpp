@@ -53,15 +53,16 @@ public:
         }
     }
 
-    /// Visits the treads near this one whose depth is between half and twice as large.
+    /// Visits no more than `most` treads near this one whose depth is between half and twice as large.
     template <typename Visit>
-    void for_each_near(const Tread& tread, const Visit& visit) const {
+    void for_each_near(const Tread& tread, std::size_t most, const Visit& visit) const {
         for (int level = level_of(tread) - 1; level <= level_of(tread) + 1; ++level) {
             const auto [own_level, x, y, z] = key_of(level, tread.center);
             for (int i = 0; i < 27; ++i) {
                 const auto cell = cells_.find({level, x + i % 3 - 1, y + i / 3 % 3 - 1, z + i / 9 - 1});
-                if (cell != cells_.end()) {
-                    std::ranges::for_each(cell->second, visit);
+                for (std::size_t t = 0; cell != cells_.end() && most > 0 && t < cell->second.size();
+                     ++t, --most) {
+                    visit(cell->second[t]);
                 }
             }
         }
@@ -93,13 +94,10 @@ std::vector<std::optional<std::size_t>> link(const std::vector<Tread>& treads) {
     const TreadGrid grid(treads);
     std::vector<std::optional<std::size_t>> above(treads.size());
     for (std::size_t low = 0; low < treads.size(); ++low) {
-        std::size_t looked_at = 0;
-        grid.for_each_near(treads[low], [&](std::size_t high) {
-            if (++looked_at > kMostNear || !follows(treads[low], treads[high])) {
-                return;
-            }
-            if (!above[low] ||
-                going_between(treads[low], treads[high]) < going_between(treads[low], treads[*above[low]])) {
+        grid.for_each_near(treads[low], kMostNear, [&](std::size_t high) {
+            if (follows(treads[low], treads[high]) &&
+                (!above[low] || going_between(treads[low], treads[high]) <
+                                    going_between(treads[low], treads[*above[low]]))) {
                 above[low] = high;
             }
         });

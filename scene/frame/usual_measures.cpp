@@ -206,20 +206,15 @@ void add_houses(const Model& model, std::vector<Measure>& measures) {
     double widest = 0.0;
     double tallest = 0.0;
     for (const Structure& structure : find_structures(split.model, report)) {
-        Bounds bounds;
-        double built = 0.0;
-        double all = 0.0;
-        for (const Wall& wall : structure.walls) {
-            bounds.extend({wall.from.x(), wall.low, wall.from.y()});
-            bounds.extend({wall.to.x(), wall.high, wall.to.y()});
-            all += wall.area;
-            built += wall.is_built ? wall.area : 0.0;
+        const WallSum walls = sum_of(structure.walls);
+        if (walls.bounds.empty() || !walls.is_built()) {
+            continue;
         }
-        const Vector3d size = bounds.empty() ? Vector3d::Zero() : Vector3d(bounds.max - bounds.min);
+        const Vector3d size = walls.bounds.max - walls.bounds.min;
         const double side = std::sqrt(size.x() * size.z());
-        tallest = 2.0 * built >= all ? std::max(tallest, size.y()) : tallest;
-        if (side > 0.0 && 2.0 * built >= all && size.y() >= 0.15 * side && size.y() <= 6.0 * side) {
-            apart.push_back(bounds);
+        tallest = std::max(tallest, size.y());
+        if (side > 0.0 && size.y() >= 0.15 * side && size.y() <= 6.0 * side) {
+            apart.push_back(walls.bounds);
             widest = std::max(widest, side * side);
         }
     }

@@ -46,10 +46,11 @@ bool touch(const Bounds& a, const Bounds& b) {
 /// The boxes around those pieces of one part that touch.
 std::vector<UprightBox> boxes_apart(std::vector<Leaf> leaves) {
     constexpr std::size_t kMost = 1'000;  // pieces; more are one thing
+    const bool are_one = leaves.size() > kMost;
     collision::DisjointSets sets(leaves.size());
     for (std::size_t a = 0; a < leaves.size(); ++a) {
-        for (std::size_t b = a + 1; b < leaves.size(); ++b) {
-            if (leaves.size() > kMost || touch(leaves[a].bounds, leaves[b].bounds)) {
+        for (std::size_t b = 0; b < (are_one ? std::min<std::size_t>(a, 1) : a); ++b) {
+            if (are_one || touch(leaves[a].bounds, leaves[b].bounds)) {
                 sets.join(a, b);
             }
         }

@@ -40,26 +40,6 @@ double footprint_of(const Bounds& walls) {
     return walls.empty() ? 0.0 : size.x() * size.z();
 }
 
-Bounds bounds_of(const std::vector<Wall>& walls) {
-    Bounds bounds;
-    for (const Wall& wall : walls) {
-        bounds.extend({wall.from.x(), wall.low, wall.from.y()});
-        bounds.extend({wall.to.x(), wall.high, wall.to.y()});
-    }
-    return bounds;
-}
-
-/// Whether most of the walls look grown rather than built.
-bool is_rock(const std::vector<Wall>& walls) {
-    double built = 0.0;
-    double all = 0.0;
-    for (const Wall& wall : walls) {
-        all += wall.area;
-        built += wall.is_built ? wall.area : 0.0;
-    }
-    return 2.0 * built < all;
-}
-
 /// Whether the walls are the rim of a floor or of the ground.
 bool is_slab(const Bounds& walls) {
     constexpr double kFlat = 0.04;  // of its side
@@ -85,7 +65,8 @@ std::vector<Piece> joined_by_walls(const Model& model, const Node& node, const s
     structures.reserve(pieces.size());
     for (const Piece& piece : pieces) {
         std::vector<Wall> walls = walls_of_piece(model, node, piece);
-        const bool has_walls = !is_rock(walls) && !is_slab(bounds_of(walls));
+        const WallSum sum = sum_of(walls);
+        const bool has_walls = sum.is_built() && !is_slab(sum.bounds);
         structures.push_back({0, has_walls ? std::move(walls) : std::vector<Wall>()});
     }
     collision::DisjointSets sets(pieces.size());
@@ -97,7 +78,7 @@ std::vector<Piece> joined_by_walls(const Model& model, const Node& node, const s
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         const std::size_t root = structures[i].walls.empty() ? pieces.size() : sets.root(i);
         joined[root].insert(joined[root].end(), pieces[i].begin(), pieces[i].end());
-        walls[sets.root(i)].extend(bounds_of(structures[i].walls));
+        walls[sets.root(i)].extend(sum_of(structures[i].walls).bounds);
     }
     std::erase_if(joined, [](const Piece& piece) { return piece.empty(); });
     return are_dense(walls) ? std::vector<Piece>() : joined;

@@ -17,9 +17,10 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kVertical = 0.2;   // the largest |y| of a wall's unit normal
-constexpr double kUpright = 0.005;  // that of one that somebody built
-constexpr double kCell = 0.5;       // metres
+constexpr double kVertical = 0.2;    // the largest |y| of a wall's unit normal
+constexpr double kUpright = 0.005;   // that of one that somebody built
+constexpr double kCell = 0.5;        // metres
+constexpr double kLongest = 5000.0;  // metres; nothing longer is a wall of a building
 
 Vector2d on_plan(const Vector3d& p) {
     return {p.x(), p.z()};
@@ -61,6 +62,17 @@ std::optional<Wall> wall_of(const std::array<Vector3d, 3>& vertices) {
     return wall;
 }
 
+WallSum sum_of(const std::vector<Wall>& walls) {
+    WallSum sum;
+    for (const Wall& wall : walls) {
+        sum.bounds.extend({wall.from.x(), wall.low, wall.from.y()});
+        sum.bounds.extend({wall.to.x(), wall.high, wall.to.y()});
+        sum.area += wall.area;
+        sum.built += wall.is_built ? wall.area : 0.0;
+    }
+    return sum;
+}
+
 namespace {
 
 std::vector<Wall> walls_of(const Model& model, const Node& node) {
@@ -78,22 +90,33 @@ using Cell = std::pair<std::int32_t, std::int32_t>;
 /// Each cell with those who have a wall in it; ascending.
 using CellUsers = std::map<Cell, std::vector<std::size_t>>;
 
-std::int32_t cell_number(double coordinate) {
+std::int32_t cell_number(double coordinate, double cell) {
     constexpr double kMost = 1e9;
-    return static_cast<std::int32_t>(std::clamp(std::floor(coordinate / kCell), -kMost, kMost));
+    return static_cast<std::int32_t>(std::clamp(std::floor(coordinate / cell), -kMost, kMost));
 }
 
-void add_walls(const Structure& structure, std::size_t index, CellUsers& users) {
-    constexpr double kLongest = 5000.0;  // metres; nothing longer is a building's
+/// So large that ten million cells are enough for all walls, whatever their unit.
+double cell_for(const std::vector<Structure>& structures) {
+    constexpr double kMostCells = 5e6;
+    double length = 0.0;
+    for (const Structure& structure : structures) {
+        for (const Wall& wall : structure.walls) {
+            length += std::min((wall.to - wall.from).norm(), kLongest);
+        }
+    }
+    return std::max(kCell, length / kMostCells);
+}
+
+void add_walls(const Structure& structure, std::size_t index, double cell, CellUsers& users) {
     for (const Wall& wall : structure.walls) {
         const double length = (wall.to - wall.from).norm();
         if (!(length < kLongest)) {
             continue;
         }
-        const int parts = 1 + static_cast<int>(length / (0.5 * kCell));
+        const int parts = 1 + static_cast<int>(length / (0.5 * cell));
         for (int i = 0; i <= parts; ++i) {
             const Vector2d p = wall.from + (static_cast<double>(i) / parts) * (wall.to - wall.from);
-            std::vector<std::size_t>& here = users[{cell_number(p.x()), cell_number(p.y())}];
+            std::vector<std::size_t>& here = users[{cell_number(p.x(), cell), cell_number(p.y(), cell)}];
             if (here.empty() || here.back() != index) {
                 here.push_back(index);
             }
@@ -128,9 +151,10 @@ std::vector<Structure> find_structures(const Model& model, const ModelReport& re
 std::vector<std::pair<std::size_t, std::size_t>> touching(const std::vector<Structure>& structures) {
     constexpr std::size_t kMostPairs = 8;
     constexpr std::array<Cell, 4> kNeighbours = {{{1, 0}, {0, 1}, {1, 1}, {1, -1}}};
+    const double cell = cell_for(structures);
     CellUsers users;
     for (std::size_t i = 0; i < structures.size(); ++i) {
-        add_walls(structures[i], i, users);
+        add_walls(structures[i], i, cell, users);
     }
     std::vector<std::pair<std::size_t, std::size_t>> pairs;
     const auto add = [&](std::size_t a, std::size_t b) {
@@ -138,7 +162,7 @@ std::vector<std::pair<std::size_t, std::size_t>> touching(const std::vector<Stru
             pairs.push_back(std::minmax(a, b));
         }
     };
-    for (const auto& [cell, here] : users) {
+    for (const auto& [at, here] : users) {
         for (std::size_t i = 0; i < here.size(); ++i) {
             const std::size_t last = here.size() <= kMostPairs ? here.size() : std::min(i + 2, here.size());
             for (std::size_t j = i + 1; j < last; ++j) {
@@ -146,7 +170,7 @@ std::vector<std::pair<std::size_t, std::size_t>> touching(const std::vector<Stru
             }
         }
         for (const Cell& step : kNeighbours) {
-            const auto there = users.find({cell.first + step.first, cell.second + step.second});
+            const auto there = users.find({at.first + step.first, at.second + step.second});
             if (there == users.end()) {
                 continue;
             }

@@ -23,6 +23,18 @@ struct Wall {
     bool is_built = false;  ///< upright and with a level edge, as those of rocks hardly are
 };
 
+/// What walls are together.
+struct WallSum {
+    Bounds bounds;
+    double area = 0.0;   ///< m²
+    double built = 0.0;  ///< m² of those that are
+
+    /// Whether most of them look built rather than grown.
+    bool is_built() const { return 2.0 * built >= area; }
+};
+
+WallSum sum_of(const std::vector<Wall>& walls);
+
 /// None if the triangle isn't nearly vertical, or has no area.
 std::optional<Wall> wall_of(const std::array<Eigen::Vector3d, 3>& vertices);
 
@@ -37,7 +49,8 @@ struct Structure {
 std::vector<Structure> find_structures(const Model& model, const ModelReport& report);
 
 /// The pairs of structures whose walls come closer than about a metre on the plan, as indices, the smaller
-/// first; ascending, unique. Where more than eight share a square metre, only enough to connect them all.
+/// first; ascending, unique. Where more than eight share a square metre, only enough to connect them all. If
+/// the walls are longer than 2,500 km in all, they may be farther apart by as much.
 std::vector<std::pair<std::size_t, std::size_t>> touching(const std::vector<Structure>& structures);
 
 }  // namespace campuswalk::scene
