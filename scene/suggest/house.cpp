@@ -106,6 +106,11 @@ std::optional<UprightBox> house_of(const Model& model, const std::vector<const S
 double shared_plan(const UprightBox& a, const UprightBox& b) {
     const UprightBox& small = a.footprint() <= b.footprint() ? a : b;
     const UprightBox& large = a.footprint() <= b.footprint() ? b : a;
+    const Vector3d off = a.center - b.center;
+    const double reach = 0.5 * (a.size.x() + a.size.z() + b.size.x() + b.size.z());
+    if (std::abs(off.x()) > reach || std::abs(off.z()) > reach) {
+        return 0.0;
+    }
     int inside = 0;
     for (int i = -1; i <= 1; ++i) {
         for (int j = -1; j <= 1; ++j) {
