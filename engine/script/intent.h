@@ -50,14 +50,14 @@ struct StepEnd {
     }
     /// `step` is a walk_to or a follow to `target`.
     template <typename Travel>
-    static StepEnd blocked(const Travel& step, const Target& target, std::string message) {
+    static StepEnd blocked(const Travel& step, const Target& target, const std::string& message) {
         return {.kind = EventKind::avatar_blocked,
                 .mark = &step.mark,
                 .target = &target,
                 .within = step.within,
                 .fatal = step.if_blocked == IfBlocked::fail,
                 .code = std::string(kBlockedCode),
-                .message = std::move(message)};
+                .message = message};
     }
     static StepEnd failed(const SourceMark& mark, std::string_view code, std::string message,
                           std::optional<Reason> reason = {}) {

@@ -63,6 +63,7 @@ std::vector<UprightBox> boxes_apart(std::vector<Leaf> leaves) {
         }
     }
     std::vector<UprightBox> boxes;
+    boxes.reserve(fits.size());
     for (auto& [root, fit] : fits) {
         boxes.push_back(fit.box());
     }

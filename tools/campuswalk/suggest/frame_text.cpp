@@ -75,6 +75,7 @@ std::vector<const Measure*> measures_that(const FrameGuess& frame, bool are_usua
 
 std::string texts_of(const std::vector<const Measure*>& measures, double scale) {
     std::vector<std::string> parts;
+    parts.reserve(measures.size());
     for (const Measure* measure : measures) {
         parts.push_back(text_of(*measure, scale));
     }
