@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "collision/hybrid/hybrid_tree.h"
+#include "collision/hybrid/hybrid_tree_contacts.h"
 #include "collision/mesh/mesh_collider.h"
 #include "collision/mesh/mesh_contacts.h"
 #include "tools/campuswalk_bench/engines/node_tests.h"
@@ -21,7 +22,28 @@ using collision::TrianglePair;
 
 namespace {
 
+using collision::HybridMesh;
+
+/// The program's own queries.
+struct LibraryQueries {
+    static void all_pairs(const HybridMesh& a, const HybridMesh& b, const Pose& X_a_b,
+                          std::vector<TrianglePair>& out, HybridContactStatistics& work) {
+        collision::all_contacts(a, b, X_a_b, out, work);
+    }
+    static std::optional<TrianglePair> first_pair(const HybridMesh& a, const HybridMesh& b, const Pose& X_a_b,
+                                                  HybridContactStatistics& work) {
+        return collision::first_contact(a, b, X_a_b, work);
+    }
+};
+
+/// The same with another test of nodes.
 template <typename NodeTest>
+struct QueriesWith {
+    static constexpr auto all_pairs = collision::all_contacts_by<NodeTest>;
+    static constexpr auto first_pair = collision::first_contact_by<NodeTest>;
+};
+
+template <typename Queries>
 class HybridEngine final : public Engine {
 public:
     HybridEngine(const TriangleMesh& a, const TriangleMesh& b)
@@ -31,12 +53,12 @@ public:
 
     void all_pairs(std::vector<TrianglePair>& out) override {
         work_ = {};
-        collision::all_contacts_by<NodeTest>(a_, b_, X_a_b_, out, work_);
+        Queries::all_pairs(a_, b_, X_a_b_, out, work_);
     }
 
     std::optional<TrianglePair> first_pair() override {
         work_ = {};
-        return collision::first_contact_by<NodeTest>(a_, b_, X_a_b_, work_);
+        return Queries::first_pair(a_, b_, X_a_b_, work_);
     }
 
     std::optional<HybridContactStatistics> work() const override { return work_; }
@@ -79,16 +101,16 @@ private:
     HybridContactStatistics work_;
 };
 
-template <typename NodeTest>
+template <typename Queries>
 std::unique_ptr<Engine> make_hybrid(const TriangleMesh& a, const TriangleMesh& b) {
-    return std::make_unique<HybridEngine<NodeTest>>(a, b);
+    return std::make_unique<HybridEngine<Queries>>(a, b);
 }
 
 const std::map<std::string, std::unique_ptr<Engine> (*)(const TriangleMesh&, const TriangleMesh&)>
-    kHybridEngines = {{"paper", make_hybrid<collision::HybridNodeTest>},
-                      {"obb", make_hybrid<BoxNodeTest>},
-                      {"sphere", make_hybrid<SphereNodeTest>},
-                      {"mixed", make_hybrid<MixedNodeTest>}};
+    kHybridEngines = {{"paper", make_hybrid<LibraryQueries>},
+                      {"obb", make_hybrid<QueriesWith<BoxNodeTest>>},
+                      {"sphere", make_hybrid<QueriesWith<SphereNodeTest>>},
+                      {"mixed", make_hybrid<QueriesWith<MixedNodeTest>>}};
 const std::map<std::string, SimdTarget> kBvh8Engines = {
     {"wide_sse42", SimdTarget::sse42}, {"wide_avx2", SimdTarget::avx2}, {"wide_avx512", SimdTarget::avx512}};
 
