@@ -164,7 +164,7 @@ private:
     Plan summarized(const RunSettings& settings) const {
         PlanOptions selection = plan_options(options_);
         selection.summary_only = true;
-        return make_plan(settings, std::move(selection));
+        return make_plan(settings, selection);
     }
 
     engine::RunPlan summary(int shards) const {

@@ -292,7 +292,7 @@ int run_once(const RunOptions& options, const RunSettings& settings) {
     if (options.last_failed) {
         selection.ids = failed_ids(*earlier);
     }
-    Plan plan = make_plan(settings, std::move(selection));
+    Plan plan = make_plan(settings, selection);
     note_shard(settings.shard);
     require_walks(plan, settings.min_cases);
     if (plan.summary.all_cases == 0) {

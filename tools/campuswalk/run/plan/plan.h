@@ -2,7 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <optional>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -10,8 +10,8 @@
 #include "engine/report/run_plan.h"
 #include "engine/report/walk_result.h"
 #include "tools/campuswalk/loading/walk_loader.h"
+#include "tools/campuswalk/run/plan/plan_options.h"
 #include "tools/campuswalk/run/plan/run_settings.h"
-#include "tools/campuswalk/run/plan/selector.h"
 
 namespace campuswalk::tools {
 
@@ -43,25 +43,9 @@ struct Plan {
     std::vector<Inputs> inputs;
 };
 
-struct PlanOptions {
-    Selector selector;
-    std::optional<std::set<std::string>> ids;  ///< only these cases
-    int repeat_each = 1;
-    std::optional<collision::TreeKind> tree;
-    std::optional<double> max_timeout;  ///< seconds; limits the walks' own timeouts, too
-    bool images = false;                ///< images will be drawn
-    bool summary_only = false;          ///< no cases, so that no campus is loaded
-};
-
-/// All but what depends on the machine and on an earlier run. Throws scene::InputError (bad-regex).
-PlanOptions plan_options(const RunOptions& options);
-
-/// Which walks a project plays. Throws scene::InputError (bad-regex).
-Selector selector_of(const config::ProjectConfig& project);
-
 /// Reads and checks every selected walk. Prints the errors of walks, which become cases with these errors.
 /// Throws scene::InputError for errors of the run as a whole.
-Plan make_plan(const RunSettings& settings, PlanOptions options);
+Plan make_plan(const RunSettings& settings, const PlanOptions& options);
 
 /// Throws scene::InputError (too-few-cases) if there are fewer walks.
 void require_walks(const Plan& plan, int at_least);

@@ -55,4 +55,16 @@ bool Selector::may_take(const std::string& file, const std::string& name) const 
     return matches_expressions(file + " " + name);
 }
 
+Selector selector_of(const config::ProjectConfig& project) {
+    Selector selector;
+    if (project.grep) {
+        selector.require(project.grep->text, project.grep->mark);
+    }
+    if (project.grep_invert) {
+        selector.refuse(project.grep_invert->text, project.grep_invert->mark);
+    }
+    selector.require_tag(project.tags);
+    return selector;
+}
+
 }  // namespace campuswalk::tools

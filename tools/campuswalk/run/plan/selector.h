@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "config/loader/walks_config.h"
 #include "scene/base/diagnostic.h"
 
 namespace re2 {
@@ -34,5 +35,8 @@ private:
     std::vector<std::shared_ptr<const re2::RE2>> refused_;
     std::vector<std::vector<std::string>> tags_;
 };
+
+/// Which walks a project plays. Throws scene::InputError (bad-regex).
+Selector selector_of(const config::ProjectConfig& project);
 
 }  // namespace campuswalk::tools
