@@ -153,7 +153,9 @@ class Again(ManyWalks):
         self.assertEqual(outcome.lines, ["c.walk.yaml"])
         self.write("c.walk.yaml", WALK)
         self.assertEqual(self.run_walks("--last-failed").code, 0)
-        self.assertEqual(self.run_walks("--last-failed").code, 5)
+        outcome = self.run_walks("--last-failed")
+        self.assertEqual(outcome.code, 5)
+        self.assertIn("no walk failed in the last run", outcome.err)
 
     def test_without_a_last_run_nothing_can_be_repeated(self):
         for option in ("--last-failed", "--resume"):

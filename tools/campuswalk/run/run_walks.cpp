@@ -123,9 +123,13 @@ void note_shard(const std::optional<Shard>& shard) {
     }
 }
 
-int nothing_selected(const RunOptions& options, const Plan& plan) {
+int nothing_selected(const RunOptions& options, const PlanOptions& selection, const Plan& plan) {
     if (options.pass_with_no_tests) {
         return kPass;
+    }
+    if (selection.ids && selection.ids->empty()) {
+        print_error_line("no walk failed in the last run, so that --last-failed has nothing to run");
+        return kNothingSelected;
     }
     print_error_line(plan.files == 0 ? "no *.walk.yaml was found here; name files or folders"
                                      : scene::plural(plan.files, "walk") +
@@ -296,7 +300,7 @@ int run_once(const RunOptions& options, const RunSettings& settings) {
     note_shard(settings.shard);
     require_walks(plan, settings.min_cases);
     if (plan.summary.all_cases == 0) {
-        return nothing_selected(options, plan);
+        return nothing_selected(options, selection, plan);
     }
     if (options.list) {
         print_cases(plan);
