@@ -77,11 +77,17 @@ double footprint(const collision::World& world, const collision::QueryFilter& so
     return area;
 }
 
+/// Without what faces down: a block of terrain has a bottom as large as its top.
 double share_of_area_below(const collision::World& world, double height) {
+    constexpr double kDown = -0.7;  // of the normal
     double below = 0.0;
     double all = 0.0;
     visit_triangles(world, [&](const Vec3& a, const Vec3& b, const Vec3& c) {
-        const double area = (b - a).cross(c - a).norm();
+        const Vec3 normal = (b - a).cross(c - a);
+        const double area = normal.norm();
+        if (normal.y() < kDown * area) {
+            return;
+        }
         all += area;
         below += (a.y() + b.y() + c.y()) / 3.0 < height ? area : 0.0;
     });
@@ -185,8 +191,9 @@ private:
             cover.is_cut_short = true;
             cover.share = std::clamp(area / footprint_, cover.share, 1.0);
         }
+        cover.seen = cover.is_cut_short ? std::max(area, cover.area) : cover.area;
         add(cover);
-        nodes_left_ -= static_cast<double>(space.node_count());
+        nodes_left_ -= is_roof(cover) ? 0.0 : static_cast<double>(space.node_count());
         work_left_ -= work_of(space);
         walked_.push_back(std::move(space));
         return !is_limited_;
@@ -246,6 +253,7 @@ private:
             ground_ = cover;
         } else {
             ground_.area += cover.area;
+            ground_.seen += cover.seen;
             ground_.share = std::min(1.0, ground_.share + cover.share);
             ground_.is_cut_short = ground_.is_cut_short || cover.is_cut_short;
         }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "collision/world/cast.h"
+#include "collision/world/obstacle.h"
 #include "engine/walkspace/explore/unreached_ground.h"
 
 namespace campuswalk::engine {
@@ -27,6 +28,7 @@ constexpr std::uint32_t kFarEnough = 16;
 constexpr double kGoesOn = 0.6;
 /// Ground in one cell so much higher is another floor, metres.
 constexpr double kNextFloor = 1.0;
+constexpr double kHigherThanRoofs = 15.0;  // metres above a floor
 
 class IslandGround {
 public:
@@ -111,6 +113,9 @@ public:
                        .value_or(std::vector<Island>());
         for (const Island& island : islands_) {
             for (const UnreachedSpot& spot : island.spots) {
+                if (is_buried(spot.at.foot)) {
+                    continue;
+                }
                 double& lowest = lowest_.try_emplace(grid_.cell_at(spot.at.foot), 1e300).first->second;
                 lowest = std::min(lowest, spot.at.foot.y());
             }
@@ -149,14 +154,15 @@ private:
 
     Score score_of(const Vec3& foot, std::uint32_t edge_distance) const {
         const bool inside = preference_.is_inside && preference_.is_inside(foot);
-        return {!is_upstairs(foot), is_under_the_sky(foot), !inside, std::min(edge_distance, kFarEnough),
-                -(foot - preference_.near).squaredNorm()};
+        return {!is_upstairs(foot) && !is_buried(foot), is_under_the_sky(foot), !inside,
+                std::min(edge_distance, kFarEnough), -(foot - preference_.near).squaredNorm()};
     }
 
     std::size_t weight_of(const Island& island) const {
         std::size_t weight = 0;
         for (const UnreachedSpot& spot : island.spots) {
-            weight += is_upstairs(spot.at.foot) ? 1U : is_under_the_sky(spot.at.foot) ? 16U : 4U;
+            const bool is_aside = is_upstairs(spot.at.foot) || is_buried(spot.at.foot);
+            weight += is_aside ? 1U : is_under_the_sky(spot.at.foot) ? 16U : 4U;
         }
         return weight;
     }
@@ -180,7 +186,26 @@ private:
     }
 
     bool is_upstairs(const Vec3& foot) const {
-        return foot.y() - lowest_.at(grid_.cell_at(foot)) > kNextFloor;
+        const auto lowest = lowest_.find(grid_.cell_at(foot));
+        return lowest != lowest_.end() && foot.y() - lowest->second > kNextFloor;
+    }
+
+    /// Within a block of terrain: below the back of what faces up, which is higher above than a roof.
+    bool is_buried(const Vec3& foot) const {
+        constexpr double kNear = 0.05;  // metres
+        constexpr double kUp = 0.3;     // of the normal
+        const Vec3 sky(foot.x(), std::max(world_.bounds().max.y(), foot.y()) + 1.0, foot.z());
+        const Vec3 start = foot + settings_.strides.body.height * Vec3::UnitY();
+        const auto hit = collision::cast(world_, settings_.solids, {start, sky}, collision::Detection::solid);
+        const Vec3 above = hit ? Vec3(start + hit->fraction * (sky - start)) : foot;
+        if (above.y() - foot.y() < kHigherThanRoofs) {
+            return false;
+        }
+        std::vector<collision::Obstacle> pieces;
+        collision::gather_obstacles(world_, settings_.solids, {above, above}, kNear, pieces);
+        return std::ranges::all_of(pieces, [](const collision::Obstacle& each) {
+            return each.solid == nullptr && each.normal.y() > kUp;
+        });
     }
 
     bool is_under_the_sky(const Vec3& foot) const {

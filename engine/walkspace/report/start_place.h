@@ -17,8 +17,8 @@ struct StartPreference {
 
 /// Where to put a visitor down on a campus that says nothing of it: on the connected walkable ground that
 /// there is most of (under the open sky it counts four times, above other ground a quarter) within
-/// `settings.within`. In this order: not above other ground, under the open sky, not inside, far from its
-/// edges (up to 8 m), near. Feet; none without walkable ground.
+/// `settings.within`. In this order: not above other ground nor within a block of terrain, under the open
+/// sky, not inside, far from its edges (up to 8 m), near. Feet; none without walkable ground.
 std::optional<collision::Vec3> best_start(const WorkerWorlds& worlds, const ExploreSettings& settings,
                                           const StartPreference& preference);
 

@@ -38,6 +38,34 @@ TEST(GroundCover, IsNotExploredFartherThanNeedBe) {
     EXPECT_FALSE(lacks_ground(cover));
 }
 
+TEST(GroundCover, TellsHowMuchLooksLikeIt) {
+    TriangleMesh mesh;
+    support::add_box(mesh, {-100, -0.2, -100}, {100, 0, 100});
+    EXPECT_NEAR(cover_of(mesh).seen, 200.0 * 200.0, 0.03 * 200.0 * 200.0);
+    TriangleMesh small;
+    support::add_box(small, {0, -0.2, 0}, {5, 0, 4});
+    EXPECT_EQ(cover_of(small).seen, cover_of(small).area);
+}
+
+TEST(GroundCover, IsTheTopOfABlockOfTerrain) {
+    TriangleMesh mesh;
+    support::add_box(mesh, {-50, -8, -50}, {50, 0, 50});
+    EXPECT_FALSE(is_roof(cover_of(mesh)));
+    EXPECT_NEAR(cover_of(mesh).height, 0.0, 0.01);
+}
+
+TEST(GroundCover, IsTheFloorOfAClosedHall) {
+    TriangleMesh mesh;
+    support::add_box(mesh, {-15, -0.2, -10}, {15, 0, 10});
+    support::add_box(mesh, {-15, 5, -10}, {15, 5.2, 10});
+    for (const double side : {-1.0, 1.0}) {
+        support::add_box(mesh, {-15, 0, 9.9 * side - 0.1}, {15, 5, 9.9 * side + 0.1});
+        support::add_box(mesh, {14.9 * side - 0.1, 0, -10}, {14.9 * side + 0.1, 5, 10});
+    }
+    EXPECT_NEAR(cover_of(mesh).height, 0.0, 0.01);
+    EXPECT_FALSE(lacks_ground(cover_of(mesh)));
+}
+
 TEST(GroundCover, IsTheLargestOfSeveralRegions) {
     TriangleMesh mesh;
     support::add_box(mesh, {8, -0.2, 0}, {10, 0, 5});
@@ -123,8 +151,9 @@ TEST(GroundCover, IsLackingOnARoof) {
     support::add_box(mesh, {0, 0, 0}, {10, 20, 10});
     const GroundCover tower = cover_of(mesh);
     EXPECT_GT(tower.share, 0.25);
-    // 900 of 1,000 m2, all but the roof: the centroids of the walls' triangles are at 1/3 and 2/3.
-    EXPECT_NEAR(tower.share_below, 0.9, 1e-6);
+    // 800 of 900 m2, all but the roof and what faces down: the centroids of the walls' triangles are at 1/3
+    // and 2/3.
+    EXPECT_NEAR(tower.share_below, 8.0 / 9.0, 1e-6);
     EXPECT_TRUE(is_roof(tower));
     support::add_box(mesh, {-20, -0.1, -20}, {30, 0, 30});
     EXPECT_FALSE(lacks_ground(cover_of(mesh)));

@@ -2,12 +2,15 @@
 #include "engine/walkspace/explore/campus_settings.h"
 
 #include <algorithm>
+#include <memory>
 
 #include <gtest/gtest.h>
 
+#include "collision/mesh/mesh_collider.h"
 #include "engine/walkspace/report/walk_report.h"
 #include "scene/model/upright_box.h"
 #include "tests/engine/small_campus.h"
+#include "tests/support/mesh_pieces.h"
 
 namespace campuswalk::engine {
 namespace {
@@ -42,6 +45,17 @@ TEST(BestStart, IsUnderTheOpenSky) {
     ASSERT_TRUE(foot);
     EXPECT_NEAR(foot->y(), 0.0, 0.01);
     EXPECT_GT(foot->cwiseAbs().maxCoeff(), 8.0);
+}
+
+TEST(BestStart, IsOnABlockOfTerrainAndNotWithin) {
+    scene::Campus campus = empty_campus();
+    collision::TriangleMesh block;
+    support::add_box(block, {-20, -30, -20}, {20, 0, 20});
+    add_object(campus, "terrain", std::make_shared<const collision::MeshCollider>(std::move(block)),
+               Vec3::Zero());
+    const auto foot = start_on(campus);
+    ASSERT_TRUE(foot);
+    EXPECT_NEAR(foot->y(), 0.0, 0.01);
 }
 
 TEST(BestStart, IsNotOnAWall) {
