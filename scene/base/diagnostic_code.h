@@ -94,6 +94,7 @@ inline constexpr auto kDiagnosticCodes = std::to_array<std::string_view>({
     "not-a-point",
     "not-built",
     "not-empty",
+    "not-solid",
     "nothing-to-replay",
     "odd-levels",
     "odd-scale",

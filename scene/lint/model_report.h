@@ -46,6 +46,7 @@ struct TextureReport {
 ///   repeated-name    names shared by several nodes with triangles
 ///   duplicate-faces  triangles with the same vertices and winding as another
 ///   outlier          a few nodes stretch the bounds to four times the extent of the rest
+///   not-solid        what is drawn but nobody stands on: skies, water, boxes that openings were cut with
 ///   no-ground        nothing to walk on but fragments, tops of walls or a roof (by engine/walkspace)
 ///   solid-door       doors that block a doorway
 ///   door-size        doors of implausible height, or lying on the ground

@@ -71,6 +71,18 @@ constexpr std::array kSurroundings = {
     "дерево",     "дорога", "забор",   "земля"};
 constexpr std::array kSurroundingsCharacters = {"树", "樹", "道路", "地面", "草地", "나무", "도로", "지면"};
 
+constexpr std::array kWaters = {"water", "lake",  "river",    "pond",  "sea",   "ocean",   "wasser", "see",
+                                "teich", "fluss", "meer",     "eau",   "lac",   "rivière", "étang",  "agua",
+                                "lago",  "río",   "estanque", "acqua", "fiume", "вода",    "озеро",  "река"};
+constexpr std::array kWaterCharacters = {"水面", "湖", "河", "池塘", "海面", "水体", "호수", "강물"};
+
+constexpr std::array kSkies = {"sky",      "skybox", "skydome", "skysphere", "cloud", "clouds",
+                               "backdrop", "himmel", "wolken",  "ciel",      "cielo", "небо"};
+constexpr std::array kSkyCharacters = {"天空", "天球", "하늘"};
+
+constexpr std::array kOperands = {"cutter", "cutters", "boolean", "booleans",
+                                  "bool",   "hole",    "holes",   "cutout"};
+
 constexpr std::array kBuildings = {
     "building", "buildings", "house",    "houses",   "hall",    "library",   "school", "faculty", "institute",
     "lab",      "labs",      "gym",      "theatre",  "theater", "museum",    "church", "chapel",  "tower",
@@ -156,14 +168,37 @@ bool is_stairs_name(std::string_view name) {
            });
 }
 
-bool is_surroundings_name(std::string_view name) {
-    const std::vector<std::string> words = words_of(name);
-    const bool building = std::ranges::any_of(words, [](const std::string& w) {
+namespace {
+
+/// Whether a word of the name, or characters in it, are on the lists, and none means a building.
+template <std::size_t Words, std::size_t Characters>
+bool means_none_built(std::string_view name, const std::array<const char*, Words>& words,
+                      const std::array<const char*, Characters>& characters) {
+    const std::vector<std::string> own = words_of(name);
+    const bool building = std::ranges::any_of(own, [](const std::string& w) {
         return is_one_of(w, kBuildings) || ends_with_one_of(w, kBuildingsSuffixes);
     });
-    const bool surroundings =
-        std::ranges::any_of(words, [](const std::string& w) { return is_one_of(w, kSurroundings); });
-    return !building && (surroundings || has_one_of(name, kSurroundingsCharacters));
+    const bool meant = std::ranges::any_of(own, [&](const std::string& w) { return is_one_of(w, words); });
+    return !building && (meant || has_one_of(name, characters));
+}
+
+}  // namespace
+
+bool is_surroundings_name(std::string_view name) {
+    return means_none_built(name, kSurroundings, kSurroundingsCharacters);
+}
+
+bool is_water_name(std::string_view name) {
+    return means_none_built(name, kWaters, kWaterCharacters);
+}
+
+bool is_sky_name(std::string_view name) {
+    return means_none_built(name, kSkies, kSkyCharacters);
+}
+
+bool is_operand_name(std::string_view name) {
+    return std::ranges::any_of(words_of(name),
+                               [](const std::string& word) { return is_one_of(word, kOperands); });
 }
 
 bool is_building_part_name(std::string_view name) {

@@ -23,6 +23,15 @@ bool is_stairs_name(std::string_view name);
 /// markings, furniture. False if it also means a building: `Lake House`, `bus station`.
 bool is_surroundings_name(std::string_view name);
 
+/// Whether it means water, in the languages of is_door_name. False if it also means a building: `Lake House`.
+bool is_water_name(std::string_view name);
+
+/// Whether it means the sky or clouds: `skybox`, `sky_dome`. False if it also means a building.
+bool is_sky_name(std::string_view name);
+
+/// Whether it means what was cut out of something else, a boolean operand: `CUTTER.001`, `CTRL_Hole`.
+bool is_operand_name(std::string_view name);
+
 /// Whether it means a part of a building: walls, floors, storeys, rooms, roofs, windows, doors, columns.
 bool is_building_part_name(std::string_view name);
 

@@ -1,0 +1,147 @@
+#include "scene/lint/intangible_nodes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+
+#include <Eigen/Geometry>
+
+#include "scene/model/name_words.h"
+#include "scene/model/world_triangles.h"
+
+namespace campuswalk::scene {
+namespace {
+
+using Eigen::Vector3d;
+
+/// The name of the node, or of the nearest one above it that says more than how it was modelled.
+const std::string& telling_name(const Model& model, std::size_t node) {
+    for (std::size_t n = node;; n = static_cast<std::size_t>(model.nodes[n].parent)) {
+        const std::string& name = model.nodes[n].name;
+        if (model.nodes[n].parent < 0 ||
+            !(name.empty() || is_default_name(name) || is_generated_name(name))) {
+            return name;
+        }
+    }
+}
+
+std::vector<Bounds> bounds_of_nodes(const Model& model) {
+    std::vector<Bounds> bounds(model.nodes.size());
+    for (std::size_t n = 0; n < model.nodes.size(); ++n) {
+        for_each_vertex(model, model.nodes[n], [&](const Vector3d& p) { bounds[n].extend(p); });
+    }
+    return bounds;
+}
+
+/// The bounds of all nodes but those for which `is_left_out` is true.
+template <typename IsLeftOut>
+Bounds bounds_without(const std::vector<Bounds>& bounds, const IsLeftOut& is_left_out) {
+    Bounds all;
+    for (std::size_t n = 0; n < bounds.size(); ++n) {
+        if (!bounds[n].empty() && !is_left_out(n)) {
+            all.extend(bounds[n]);
+        }
+    }
+    return all;
+}
+
+/// Seen from above.
+bool surrounds(const Bounds& outer, const Bounds& inner) {
+    return !inner.empty() && outer.min.x() < inner.min.x() && outer.max.x() > inner.max.x() &&
+           outer.min.z() < inner.min.z() && outer.max.z() > inner.max.z();
+}
+
+/// Whether all vertices are about as far from a centre on the axis of the box as half its width.
+bool is_round(const Model& model, std::size_t node, const Bounds& bounds) {
+    constexpr double kUneven = 0.06;  // of the radius
+    constexpr std::size_t kFewest = 16;
+    const Vector3d size = bounds.max - bounds.min;
+    const double radius = 0.5 * std::max(size.x(), size.z());
+    Vector3d center = bounds.center();
+    center.y() = bounds.max.y() - radius;
+    bool is_even = std::min(size.x(), size.z()) > 2.0 * (1.0 - kUneven) * radius;
+    std::size_t vertices = 0;
+    for_each_vertex(model, model.nodes[node], [&](const Vector3d& p) {
+        is_even = is_even && std::abs((p - center).norm() - radius) < kUneven * radius;
+        ++vertices;
+    });
+    return is_even && vertices >= kFewest;
+}
+
+/// By node. First domes, balls and boxes around what isn't called a sky, then clouds above that.
+std::vector<bool> find_skies(const Model& model, const std::vector<Bounds>& bounds) {
+    std::vector<bool> is_named(bounds.size(), false);
+    for (std::size_t n = 0; n < bounds.size(); ++n) {
+        is_named[n] = is_sky_name(telling_name(model, n));
+    }
+    std::vector<bool> is_sky(bounds.size(), false);
+    const Bounds all = bounds_without(bounds, [](std::size_t) { return false; });
+    for (std::size_t n = 0; n < bounds.size(); ++n) {
+        const bool is_widest = bounds[n].max.x() - bounds[n].min.x() >= 0.9 * (all.max.x() - all.min.x());
+        if (is_widest || is_named[n]) {
+            const Bounds rest =
+                bounds_without(bounds, [&](std::size_t other) { return other == n || is_named[other]; });
+            is_sky[n] = surrounds(bounds[n], rest) && bounds[n].max.y() > rest.max.y() &&
+                        (is_named[n] || is_round(model, n, bounds[n]));
+        }
+    }
+    const Bounds rest = bounds_without(bounds, [&](std::size_t n) { return is_sky[n] || is_named[n]; });
+    for (std::size_t n = 0; n < bounds.size(); ++n) {
+        is_sky[n] = is_sky[n] || (is_named[n] && !bounds[n].empty() && bounds[n].min.y() > rest.max.y());
+    }
+    return is_sky;
+}
+
+/// Whether everything lies nearly in one level plane.
+bool is_level(const Bounds& bounds) {
+    constexpr double kFlat = 0.02;  // of its width
+    const Vector3d size = bounds.max - bounds.min;
+    return size.y() <= kFlat * std::max(size.x(), size.z());
+}
+
+/// Whether it is a box of twelve triangles.
+bool is_box(const Model& model, std::size_t node) {
+    std::size_t triangles = 0;
+    for (const MeshIndex mesh : model.nodes[node].meshes) {
+        triangles += model.meshes[index_of(mesh)].triangles.size();
+    }
+    return triangles == 12;
+}
+
+std::optional<IntangibleNode::Kind> kind_of(const Model& model, std::size_t node, const Bounds& bounds) {
+    const std::string& name = telling_name(model, node);
+    if (is_water_name(name) && is_level(bounds)) {
+        return IntangibleNode::Kind::water;
+    }
+    if (is_operand_name(name) && is_box(model, node)) {
+        return IntangibleNode::Kind::operand;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<IntangibleNode> intangible_nodes(const Model& model) {
+    const std::vector<Bounds> bounds = bounds_of_nodes(model);
+    const std::vector<bool> is_sky = find_skies(model, bounds);
+    std::map<std::string, std::size_t> uses;
+    for (const Node& node : model.nodes) {
+        ++uses[node.name];
+    }
+    std::vector<IntangibleNode> found;
+    for (std::size_t n = 0; n < model.nodes.size(); ++n) {
+        const std::string& name = model.nodes[n].name;
+        if (bounds[n].empty() || name.empty() || uses.at(name) > 1) {
+            continue;
+        }
+        if (const auto kind =
+                is_sky[n] ? std::optional(IntangibleNode::Kind::sky) : kind_of(model, n, bounds[n])) {
+            found.push_back({n, *kind});
+        }
+    }
+    return found;
+}
+
+}  // namespace campuswalk::scene
