@@ -27,20 +27,22 @@ void turn(Model& model, const Eigen::Matrix4d& by) {
     }
 }
 
-/// Area by the axis that it faces, within 26 degrees.
-Vector3d facing_areas(const Model& model) {
+/// The share of the faces' area by the axis that they face, within 26 degrees.
+Vector3d facing_shares(const Model& model) {
     constexpr double kFacing = 0.9;
     Vector3d areas = Vector3d::Zero();
+    double all = 0.0;
     for (const Node& node : model.nodes) {
         for_each_triangle(model, node, [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
             const Vector3d normal = (b - a).cross(c - a);
             const double length = normal.norm();
+            all += length;
             for (Eigen::Index axis = 0; axis < 3; ++axis) {
-                areas[axis] += std::abs(normal[axis]) > kFacing * length ? 0.5 * length : 0.0;
+                areas[axis] += std::abs(normal[axis]) > kFacing * length ? length : 0.0;
             }
         });
     }
-    return areas;
+    return all > 0.0 ? (areas / all).eval() : areas;
 }
 
 /// Floors, roofs and ground face up and down, and most places are wider than high. A long house alone may
@@ -48,14 +50,14 @@ Vector3d facing_areas(const Model& model) {
 UpVote vote_by_faces(const Model& model, const Vector3d& size) {
     constexpr double kMore = 1.6;
     constexpr double kMuchMore = 6.0;
-    const Vector3d areas = facing_areas(model);
+    const Vector3d shares = facing_shares(model);
     const auto wins = [&](Eigen::Index axis, Eigen::Index other, double more, double flat) {
-        return areas[axis] > more * std::max(areas[other], areas[0]) &&
+        return shares[axis] > more * std::max(shares[other], shares[0]) &&
                size[axis] <= flat * std::max(size[other], size[0]);
     };
     const bool is_flat = wins(1, 2, kMuchMore, 0.3) || wins(2, 1, kMuchMore, 0.3);
-    return {UpVote::Kind::facing, wins(1, 2, kMore, 0.8) ? areas[1] : 0.0,
-            wins(2, 1, kMore, 0.8) ? areas[2] : 0.0, is_flat ? 2.0 : 1.0};
+    return {UpVote::Kind::facing, wins(1, 2, kMore, 0.8) ? shares[1] : 0.0,
+            wins(2, 1, kMore, 0.8) ? shares[2] : 0.0, is_flat ? 2.0 : 1.0};
 }
 
 double count_risers(const std::vector<LevelPatch>& patches) {

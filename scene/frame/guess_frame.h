@@ -13,7 +13,7 @@ enum class Confidence { none, unsure, sure };
 /// What tells of the axis that is up: how much speaks for +Y, as the model is read, and how much for +Z.
 struct UpVote {
     enum class Kind { facing, risers, doors } kind;
-    double y = 0.0;  ///< of `facing`: m² of faces that face that axis; of others: how many
+    double y = 0.0;  ///< of `facing`: the share of the faces' area that faces that axis; of others: how many
     double z = 0.0;
     double weight = 1.0;  ///< 2 is enough by itself
 };

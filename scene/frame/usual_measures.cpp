@@ -52,11 +52,12 @@ bool is_table_name(std::string_view name) {
 bool is_car_name(std::string_view name) {
     constexpr std::array<std::string_view, 9> kWords = {"car",     "cars",    "auto", "coche", "carro",
                                                         "voiture", "vehicle", "汽车", "자동차"};
-    return has_word(name, kWords);
+    constexpr std::array<std::string_view, 5> kPlaces = {"park", "parking", "port", "wash", "lot"};
+    return has_word(name, kWords) && !has_word(name, kPlaces);
 }
 
 bool is_person_name(std::string_view name) {
-    constexpr std::array<std::string_view, 9> kWords = {"person",  "people", "human",    "man", "woman",
+    constexpr std::array<std::string_view, 8> kWords = {"person",  "people", "man",      "woman",
                                                         "persona", "mensch", "personne", "人"};
     return has_word(name, kWords);
 }

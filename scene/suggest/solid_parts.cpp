@@ -11,6 +11,14 @@ namespace {
 
 constexpr std::size_t kMostParts = 300;
 
+/// Whether one of its triangles has an area: without one, nothing of it is solid.
+bool has_area(const Mesh& mesh) {
+    return std::ranges::any_of(mesh.triangles, [&](const auto& t) {
+        const auto at = [&](std::size_t i) { return mesh.positions[t[i]].template cast<double>().eval(); };
+        return !(at(1) - at(0)).cross(at(2) - at(0)).isZero(0.0);
+    });
+}
+
 class PartSearch {
 public:
     PartSearch(const Model& model, const std::vector<SuggestedBuilding>& buildings,
@@ -31,7 +39,7 @@ public:
             const Node& node = model.nodes[n];
             ++uses_[node.name];
             for (const MeshIndex mesh : node.meshes) {
-                has_triangles_[n] = has_triangles_[n] || !model.meshes[index_of(mesh)].triangles.empty();
+                has_triangles_[n] = has_triangles_[n] || has_area(model.meshes[index_of(mesh)]);
             }
             if (std::ranges::find(doors, node.name) != doors.end()) {
                 has_triangles_[n] = false;  // that are solid

@@ -69,7 +69,7 @@ class FirstContact(ProgramCase):
     def suggested(self, name):
         model = os.path.join(MODELS, name)
         self.passes("info", model, "--suggest", "new.campus.yaml", "--overwrite")
-        log = self.passes("run", "new.walk.yaml", "--root", MODELS).out
+        log = self.passes("run", "new.walk.yaml", "--root", os.path.dirname(MODELS)).out
         spawn = re.search(r"start: \{at: \[([^\]]*)\]", self.read("new.campus.yaml").decode())[1]
         return [float(number) for number in spawn.split(",")], log
 
@@ -96,7 +96,36 @@ class FirstContact(ProgramCase):
         codes = [warning["code"] for warning in self.info("11-zero-area-in-100.obj")["warnings"]]
         self.assertNotIn("outlier", codes)
 
+    def test_skies_waters_and_cutters_are_left_out(self):
+        for name, kind, node in (("09-lake-only-ground.obj", "water node", "Lake_Long"),
+                                 ("14b-hall-with-door-and-cutter.obj", "box node", "CUTTER.001")):
+            with self.subTest(name=name):
+                lint, = [warning for warning in self.info(name)["warnings"] if warning["code"] == "not-solid"]
+                self.assertIn("1 " + kind, lint["message"])
+                self.assertEqual([place["node"] for place in lint["places"]], [node])
+        spawn, _ = self.suggested("14b-hall-with-door-and-cutter.obj")
+        self.assertRegex(self.read("new.walk.yaml").decode(), r"trigger\.enter [^\"]*/inside")
+        self.assertIn("if it is closed, no way leads there", self.read("new.walk.yaml").decode())
+        spawn, _ = self.suggested("09-lake-only-ground.obj")
+        self.assertLess(spawn[1], 1.0)  # on no roof
+        self.assertIn("the model has no ground", self.read("new.walk.yaml").decode())
+        domes = os.path.join(MODELS, "..", "wild", "13-skydome")
+        for name in sorted(os.listdir(domes)):
+            if name.endswith(".obj"):
+                with self.subTest(name=name):
+                    spawn, _ = self.suggested(os.path.join("..", "wild", "13-skydome", name))
+                    self.assertAlmostEqual(spawn[1], 0.0, delta=0.2)
+                    self.assertTrue(max(abs(spawn[0]), abs(spawn[2])) < 6.2, spawn)
+
     def test_spawns(self):
+        spawn, _ = self.suggested("21-hollow-terrain-block.obj")
+        self.assertGreater(spawn[1], -10.0)  # the top undulates; the bottom is at -56
+        roofs = os.path.join(MODELS, "..", "wild", "15-roof-spawn")
+        for name in sorted(os.listdir(roofs)):
+            if name.endswith(".obj"):
+                with self.subTest(name=name):
+                    spawn, log = self.suggested(os.path.join("..", "wild", "15-roof-spawn", name))
+                    self.assertLess(spawn[1], 1.0)
         spawn, log = self.suggested("04-high-walls.obj")
         self.assertLess(spawn[1], 1.0)
         self.assertNotIn("avatar.fell", log)

@@ -133,8 +133,10 @@ class Info(ProgramCase):
         found = self.info("floor.obj")
         self.assertAlmostEqual(0, found["ground"]["height"], delta=0.001)
         self.assertEqual([], found["warnings"])
-        self.assertIn("ground     %s%.1f m² at 0.00 m\n" % ("more than " * (not found["ground"]["complete"]), found["ground"]["area"]),
+        self.assertIn("ground     %s%.1f m² at 0.00 m\n" % ("about " * (not found["ground"]["complete"]), found["ground"]["seen"]),
                       self.passes("info", "floor.obj").out)
+        self.write("field.obj", box("field", 1, 0, -0.2, 0, 300, 0, 200))
+        self.assertIn("ground     about 6.0 ha at 0.00 m\n", self.passes("info", "field.obj").out)
         self.write("tower.obj", box("tower", 1, 0, 0, 0, 6, 20, 6))
         warning, = self.info("tower.obj")["warnings"]
         self.assertEqual("no-ground", warning["code"])
@@ -215,7 +217,7 @@ class Info(ProgramCase):
         if turned.code == 3 or "no OpenGL" in turned.err:
             self.skipTest("no pictures here")
         self.assertEqual(turned.code, 0, turned.err)
-        self.assertRegex(turned.out, r"\nframe      \+Z is up, so it is read with `up: z`: 9600 m² of it face Z")
+        self.assertRegex(turned.out, r"\nframe      \+Z is up, so it is read with `up: z`: 90 % of its faces, by area, face Z")
         upright = self.passes("info", "town.obj", "--up", "z", "--map", "upright.png")
         self.assertEqual(upright.err, "")
         self.assertEqual(self.read("turned.png"), self.read("upright.png"))

@@ -4,12 +4,14 @@
 import hashlib
 import os
 import re
+import shutil
 import subprocess
 
 import yaml
 
 from poisoned_cache import PoisonedCache
 from program import ProgramCase, main
+from suggest_test import boxes_obj
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 TEMPLATES = ("minimal", "stairs", "campus")
@@ -56,6 +58,34 @@ class Init(ProgramCase):
 
     def test_unwritable_folders_are_refused(self):
         self.refused(["room.obj/new"], "room.obj/new: error output-unwritable: ", "'room.obj'")
+
+    def test_a_model_becomes_a_project(self):
+        self.write("school/hall.obj", boxes_obj([
+            ("meadow", -30, -1, -30, 30, 0, 30), ("Hall_w", -6, 0, -12, -5.8, 3, -4), ("Hall_e", 5.8, 0, -12, 6, 3, -4),
+            ("Hall_s1", -6, 0, -4.2, 3, 3, -4), ("Hall_s2", 4, 0, -4.2, 6, 3, -4), ("Hall_n", -6, 0, -12, 6, 3, -11.8)]))
+        self.write("school/.gitignore", "mine\n")
+        shutil.rmtree(self.path("avatars"))  # the program's own adult, as that is beside no project's
+        made = self.passes("init", "--from", "school/hall.obj", "school")
+        self.assertIn("school/walks/hall.walk.yaml: 1 visit, played\n", made.out)
+        self.assertIn("it fails if the doorway at ", made.out)
+        self.assertEqual(self.read("school/.gitignore"), b"mine\n")
+        for name, schema in (("hall.campus.yaml", "schema/campus"), ("walks/hall.walk.yaml", "../schema/walk")):
+            self.assertTrue(self.read("school/" + name).decode().startswith(
+                "# yaml-language-server: $schema=" + schema + ".schema.json\n"), name)
+        self.passes("validate", ".", cwd=self.path("school"))
+        self.passes("run", "--strict", "--forbid-only", "--min-cases", "1", "--rendering-backend", "none", cwd=self.path("school"))
+        self.refused(["--from", "school/hall.obj", "school"], "school/walks.config.yaml: error file-exists: ")
+        # Without CI, where the model is the current folder's.
+        self.write("plain/hall.obj", self.read("school/hall.obj"))
+        self.passes("init", "--from", "hall.obj", "--ci", "none", cwd=self.path("plain"))
+        self.assertFalse(os.path.exists(self.path("plain/.github")))
+
+    def test_a_model_that_cannot_become_a_project_leaves_nothing(self):
+        self.write("dot/dot.obj", "v 0 0 0\nv 0.05 0 0\nv 0 0.05 0.03\nf 1 2 3\n")
+        self.refused(["--from", "dot/dot.obj", "dot"], "dot/dot.obj: error no-ground: ")
+        self.refused(["--from", "room.obj", "dot"], "room.obj: error outside-project: ", "'dot'")
+        self.refused(["--from", "room.obj", "--template", "campus"], "--template: error bad-value: ")
+        self.refused(["new", "--scale", "2"], "--scale: error bad-value: ", "--from")
 
     def test_a_project_that_is_there_gets_the_file_of_its_ci_and_nothing_else(self):
         for service, name in (("github", ".github/workflows/walks.yml"), ("gitlab", ".gitlab-ci.yml")):

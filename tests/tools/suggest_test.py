@@ -174,6 +174,51 @@ class Suggest(ProgramCase):
         self.assertEqual(closed.code, 1, closed.out)
         self.assertIn("leaf stands in the way", closed.out)
 
+    def house_with(self, *walls):
+        """A house of 12 m x 8 m with a front that has a doorway of 1 m, and a back that is `walls`."""
+        self.write("house.obj", boxes_obj([
+            ("meadow", -30, -1, -30, 30, 0, 30), ("House_w", -6, 0, -12, -5.8, 3, -4), ("House_e", 5.8, 0, -12, 6, 3, -4),
+            ("House_s1", -6, 0, -4.2, 3, 3, -4), ("House_s2", 4, 0, -4.2, 6, 3, -4), ("House_roof", -6, 3, -12, 6, 3.2, -4),
+            *walls]))
+
+    def test_the_walk_says_what_a_closed_doorway_does_to_it(self):
+        self.house_with(("House_n", -6, 0, -12, 6, 3, -11.8))
+        self.suggest("house.obj")
+        walk = self.read("new.walk.yaml").decode()
+        self.assertRegex(walk, r"(?m)^  # Through the doorway at \[3\.[3-6]\d\d, 0\.000, -4\.\d+\], 1\.0\d m wide: "
+                               r"if it is closed, no way leads there\.\n  - go_to: ")
+        self.assertIn("it fails if the doorway at ", self.passes("info", "house.obj", "--suggest", "b.campus.yaml").out)
+        # With a second doorway, the walk takes that one, which is a detour.
+        self.house_with(("House_n1", -6, 0, -12, 3, 3, -11.8), ("House_n2", 4, 0, -12, 6, 3, -11.8))
+        campus, _ = self.suggest("house.obj", "--overwrite")
+        x, z = re.search(r"Through the doorway at \[(\S+), \S+, (\S+)\], .*: if it is closed, another way leads there\.\n",
+                         self.read("new.walk.yaml").decode()).groups()
+        self.write("new.campus.yaml", campus.replace(
+            "colliders:\n", "colliders:\n  - {id: leaf, shape: box, center: [%s, 1, %s], size: [1.2, 3, 0.3], mode: solid}\n" % (x, z)))
+        closed = self.run_program("run", "new.walk.yaml")
+        self.assertEqual(closed.code, 1, closed.out)
+        self.assertIn("duration", closed.out)
+
+    def test_a_closed_room_is_walked_about_in_and_not_on_top_of(self):
+        self.write("hall.obj", boxes_obj([
+            ("floor", -15, -0.2, -10, 15, 0, 10), ("ceiling", -15, 5, -10, 15, 5.2, 10), ("north", -15, 0, -10, 15, 5, -9.8),
+            ("south", -15, 0, 9.8, 15, 5, 10), ("west", -15, 0, -10, -14.8, 5, 10), ("east", 14.8, 0, -10, 15, 5, 10)]))
+        campus, log = self.suggest("hall.obj")
+        self.assertNotIn("id: ground", campus)
+        self.assertRegex(campus, r"start: \{at: \[-?[0-9.]+, 0\.000, ")
+        self.assertIn("avatar.arrive", log)
+
+    def test_what_has_no_area_is_not_solid(self):
+        self.write("hut.obj", HUT + "o path\nv 5 0 5\nv 6 0 5\nv 7 0 5\nf -1 -2 -3\n")
+        self.suggest("hut.obj")
+
+    def test_what_nobody_can_walk_about_in_is_said_with_its_size(self):
+        self.write("toy.obj", boxes_obj([("floor", -0.1, -0.1, -0.1, 0.1, 0, 0.1)]))
+        refused = self.run_program("info", "toy.obj", "--suggest", "toy.campus.yaml")
+        self.assertIn("it is 0.200 x 0.100 x 0.200 m large", refused.err)
+        self.assertIn("too small to walk about in, and nothing tells its unit", refused.err)
+        self.assertEqual(self.run_program("info", "toy.obj", "--strict").code, 1)
+
     def test_without_doors_the_walk_goes_to_far_corners(self):
         # Two halves with 3 m between them are one room, and there is no ground outside.
         self.write("flat.obj", boxes_obj([
@@ -202,11 +247,26 @@ class Suggest(ProgramCase):
         self.write("new.walk.yaml", "mine")
         self.suggest("hut.obj", "--overwrite")
 
-    def test_nothing_else_is_written_with_a_suggestion(self):
-        for flag, *value in (["--map", "map.png"], ["--json"]):
-            outcome = self.run_program("info", "hut.obj", "--suggest", "new.campus.yaml", flag, *value)
-            self.assert_refused(outcome, flag + ": error bad-value: nothing but the campus and its walk")
+    def test_a_suggestion_is_not_printed_as_json(self):
+        outcome = self.run_program("info", "hut.obj", "--suggest", "new.campus.yaml", "--json")
+        self.assert_refused(outcome, "--json: error bad-value: the campus and its walk are written")
         self.assertNotIn("new.campus.yaml", self.contents())
+
+    def test_a_map_of_a_suggestion_shows_more_than_one_of_the_model(self):
+        if self.run_program("info", "hut.obj", "--map", "plain.png").code == 2:
+            self.skipTest("this build draws nothing")
+        self.suggest("hut.obj", "--map", "map.png")
+        plain, marked = self.read("plain.png"), self.read("map.png")
+        self.assertTrue(marked.startswith(b"\x89PNG"))
+        self.assertNotEqual(plain, marked)
+
+    def test_what_is_unsure_fails_a_strict_suggestion_too(self):
+        tall = [("meadow", -200, -1, -200, 200, 0, 200)]
+        tall += [("step", 0, 0, 3 * i, 10, 1.7 * (i + 1), 3 * (i + 1)) for i in range(10)]
+        self.write("tall.obj", boxes_obj(tall))
+        outcome = self.run_program("info", "tall.obj", "--suggest", "new.campus.yaml", "--strict")
+        self.assertEqual(outcome.code, 1, outcome.out)
+        self.assertIn("odd-scale: 9 risers are 1.7 m high", outcome.out)
 
     def test_a_campus_must_be_named_as_one(self):
         outcome = self.run_program("info", "hut.obj", "--suggest", "new.yaml")

@@ -85,7 +85,7 @@ PROJECT = {
     "tools/campuswalk/logs": ["tools/campuswalk/base"] + _CORE,
     "tools/campuswalk/images": ["tools/campuswalk/logs", "tools/campuswalk/base"] + _CORE,
     "tools/campuswalk/run/workers": ["tools/campuswalk/base"] + _CORE,
-    "tools/campuswalk/run/plan": ["tools/campuswalk/images", "tools/campuswalk/loading", "tools/campuswalk/logs",
+    "tools/campuswalk/run/plan": ["tools/campuswalk/suggest", "tools/campuswalk/images", "tools/campuswalk/loading", "tools/campuswalk/logs",
                                   "tools/campuswalk/base"] + _CORE,
     "tools/campuswalk/run/results": ["tools/campuswalk/run/plan", "tools/campuswalk/base"] + _CORE,
     "tools/campuswalk/run/cases": ["tools/campuswalk/run/plan", "tools/campuswalk/run/workers", "tools/campuswalk/images",

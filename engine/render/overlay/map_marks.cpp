@@ -174,6 +174,26 @@ void draw_path(const Canvas& canvas, const Viewpoint& view, std::span<const Eige
     stroke_outlined(canvas, kPathColor, 2.6 * canvas.scale(), 2.2 * canvas.scale());
 }
 
+void draw_outline(const Canvas& canvas, const Viewpoint& view, std::span<const Eigen::Vector3d> vertices) {
+    for (const Eigen::Vector3d& vertex : vertices) {
+        if (const auto pixel = pixel_of(view, canvas.width(), canvas.height(), vertex)) {
+            cairo_line_to(canvas.cairo(), pixel->x(), pixel->y());
+        }
+    }
+    cairo_close_path(canvas.cairo());
+    stroke_outlined(canvas, kForeground, 1.6 * canvas.scale(), 2.2 * canvas.scale());
+}
+
+void draw_dot(const Canvas& canvas, const Eigen::Vector2d& at, double width) {
+    cairo_t* cr = canvas.cairo();
+    cairo_arc(cr, at.x(), at.y(), 0.5 * width, 0.0, 2.0 * std::numbers::pi);
+    canvas.set_color(kPathColor);
+    cairo_fill_preserve(cr);
+    canvas.set_color(kOutline);
+    cairo_set_line_width(cr, 0.2 * width);
+    cairo_stroke(cr);
+}
+
 void draw_ring(const Canvas& canvas, double x, double y) {
     const double s = canvas.scale();
     cairo_arc(canvas.cairo(), x, y, 15.0 * s, 0.0, 2.0 * std::numbers::pi);

@@ -43,6 +43,10 @@ void draw_labels(const Canvas& canvas, std::span<const PixelLabel> labels,
 void draw_compass(const Canvas& canvas, double yaw, std::span<const PixelRect> windows = {});
 /// `path` is in the world frame.
 void draw_path(const Canvas& canvas, const Viewpoint& view, std::span<const Eigen::Vector3d> path);
+/// The outline of an area; `vertices` are in the world frame.
+void draw_outline(const Canvas& canvas, const Viewpoint& view, std::span<const Eigen::Vector3d> vertices);
+/// A dot at a point of the image, as wide as so many pixels.
+void draw_dot(const Canvas& canvas, const Eigen::Vector2d& at, double width);
 /// A ring around a point of the image.
 void draw_ring(const Canvas& canvas, double x, double y);
 /// An arrow of `size` pixels along the heading `yaw` on a north-up map.

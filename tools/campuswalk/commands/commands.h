@@ -39,6 +39,8 @@ void add_help(Command program, CommandAction& chosen);
 /// `--up` and `--scale`: how to read model files that no campus file describes. `whose` ends the help texts,
 /// as in "the file".
 void add_file_frame(Command command, scene::SceneFile& file, const std::string& whose);
+/// Whether the user has typed the option.
+bool is_typed(const Command& command, const std::string& option);
 /// `--rendering-backend`, for a command that draws.
 void add_rendering_backend(Command command, Backend& backend);
 /// `--tree`: the kind of trees of the walks' campuses.

@@ -18,6 +18,7 @@
 #include "scene/base/atomic_file.h"
 #include "tools/campuswalk/base/exit_codes.h"
 #include "tools/campuswalk/base/print.h"
+#include "tools/campuswalk/base/schema_line.h"
 #include "tools/campuswalk/base/status_line.h"
 #include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/commands/commands.h"
@@ -325,7 +326,8 @@ void write_walks(const ExploreOptions& options, const Visit& visit, const engine
     const explore::DraftPlayer usual_player(walked, body, options.disable);
     const explore::DraftPlayer wide_player(walked, wide, options.disable);
     engine::Strider strider(walked.world, settings.strides, settings.solids);
-    const explore::WalkHeader header{campus.generic_string(), text_of(body), text_of(wide)};
+    const explore::WalkHeader header{campus.generic_string(), text_of(body), text_of(wide),
+                                     schema_line(*options.walks / "any", kWalkSchema)};
     std::set<std::string> written;
     for (const explore::MinimalWalk& walk : explore::minimal_walks(explored.report, explored.findings, header,
                                                                    {usual_player, wide_player, strider})) {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -24,6 +25,7 @@
 #include "tools/campuswalk/suggest/ground_lint.h"
 #include "tools/campuswalk/suggest/read_places.h"
 #include "tools/campuswalk/suggest/suggest_campus.h"
+#include "tools/campuswalk/suggest/suggestion_text.h"
 #include "tools/campuswalk/suggest/upright_model.h"
 
 namespace campuswalk::tools {
@@ -43,33 +45,43 @@ struct InfoOptions {
     Backend backend = engine::render::RenderingBackend::automatic;  ///< draws it
 };
 
-void draw_map(const InfoOptions& options, scene::Model model) {
-    if (model.meshes.empty()) {
-        throw scene::InputError(options.scene.mark, "empty-mesh",
-                                "'" + options.scene.file + "' has no triangle, so there is no map of it");
-    }
-    scene::Campus campus{{}, {}, {}, collision::World(std::make_unique<collision::LinearBroadPhase>())};
-    campus.models.push_back(std::move(model));
+CampusImage plan_image(const InfoOptions& options) {
     CampusImage image;
     image.plan = true;
     image.overlays.grid = true;
     image.file = *options.map;
     image.backend = options.backend;
-    draw_campus(campus, image);
+    return image;
+}
+
+/// A campus that has nothing but the model.
+scene::Campus campus_of(scene::Model model) {
+    scene::Campus campus{{}, {}, {}, collision::World(std::make_unique<collision::LinearBroadPhase>())};
+    campus.models.push_back(std::move(model));
+    return campus;
+}
+
+void draw_map(const InfoOptions& options, scene::Model model) {
+    if (model.meshes.empty()) {
+        throw scene::InputError(options.scene.mark, "empty-mesh",
+                                "'" + options.scene.file + "' has no triangle, so there is no map of it");
+    }
+    draw_campus(campus_of(std::move(model)), plan_image(options));
 }
 
 ModelInfo info_of(UprightModel upright) {
     ModelInfo info;
-    info.ground = ground_of(upright.model, upright.report);
+    info.ground = ground_of(upright);
     lint_ground(info.ground, upright.report);
     info.buildings = scene::suggest_buildings(upright.model, upright.report);
     info.upright = std::move(upright);
     return info;
 }
 
-/// Whether something about the frame has to be asked for.
-bool is_unsure(const scene::ModelReport& report) {
-    return has_lint(report, "z-up") || has_lint(report, "odd-scale");
+/// Whether something about the frame has to be asked for, if that matters.
+int exit_code(const InfoOptions& options, const scene::ModelReport& report) {
+    const bool is_unsure = has_lint(report, "z-up") || has_lint(report, "odd-scale");
+    return options.strict && is_unsure ? kUnsure : kPass;
 }
 
 scene::GeographicPlace origin_in(const std::string& text) {
@@ -102,12 +114,57 @@ PlaceCount count_places(const config::PlaceFile& file, const std::optional<scene
     return count;
 }
 
+/// Throws unless the picture can be drawn, if one is asked for.
+void require_drawable(const InfoOptions& options) {
+    if (options.map) {
+        require_images(options.backend);
+        require_writable_png(*options.map, "the picture can't be written here");
+    }
+}
+
+/// Draws what is suggested from above: the buildings numbered as in the file, the spawn, the doorways and the
+/// walk.
+void draw_suggestion(const InfoOptions& options, const Suggestion& suggestion) {
+    PlanMarks marks;
+    for (const scene::SuggestedBuilding& building : suggestion.campus.buildings) {
+        const scene::UprightBox& box = building.box;
+        const Eigen::Vector3d top = box.center + 0.5 * box.size.y() * Eigen::Vector3d::UnitY();
+        const Eigen::Vector3d along = 0.5 * box.size.x() * box.along;
+        const Eigen::Vector3d across = 0.5 * box.size.z() * box.across();
+        marks.areas.push_back(
+            {{top - along - across, top + along - across, top + along + across, top - along + across},
+             std::to_string(marks.areas.size() + 1) + " " + building.title});
+    }
+    for (const SuggestedDoorway& doorway : suggestion.campus.doorways) {
+        marks.doorways.push_back(doorway.at);
+    }
+    for (const std::vector<Eigen::Vector3d>& path : suggestion.walk.paths) {
+        marks.path.insert(marks.path.end(), path.begin(), path.end());
+    }
+    marks.visitor.position = suggestion.campus.spawn;
+    marks.visitor.yaw = suggestion.campus.yaw_deg * std::numbers::pi / 180.0;
+    CampusImage image = plan_image(options);
+    image.marks = std::move(marks);
+    draw_campus(campus_of(suggestion.model.model), image);
+}
+
+/// Writes and prints a suggestion. Returns the exit code.
+int print_suggested(const InfoOptions& options, const SuggestRequest& request) {
+    require_drawable(options);
+    const Suggestion suggestion = suggest_campus(options.scene, request);
+    print_suggestion(suggestion);
+    if (options.map) {
+        require_no_input(*options.map, suggestion.model.files, "the model is read from");
+        draw_suggestion(options, suggestion);
+    }
+    return exit_code(options, suggestion.model.report);
+}
+
 /// Prints what is in a model file and what looks wrong with it. Returns the exit code.
 int print_info(const InfoOptions& options) {
-    if (options.suggest && (options.map || options.json)) {
-        throw error_about(
-            options.map ? "--map" : "--json", "bad-value",
-            "with --suggest, nothing but the campus and its walk is written; run info without it");
+    if (options.suggest && options.json) {
+        throw error_about("--json", "bad-value",
+                          "with --suggest, the campus and its walk are written; run info without it");
     }
     if (options.place_name && !options.places) {
         throw error_about("--places-name", "bad-value", "it is about --places; pass that, too");
@@ -119,16 +176,13 @@ int print_info(const InfoOptions& options) {
         request.campus_file = *options.suggest;
         request.places = place_file(options);
         request.on_earth = origin;
-        return suggest_campus(options.scene, request);
+        return print_suggested(options, request);
     }
     if (origin && !options.places) {
         throw error_about("--origin", "bad-value",
                           "it is about --places or --suggest; pass one of them, too");
     }
-    if (options.map) {
-        require_images(options.backend);
-        require_writable_png(*options.map, "the picture can't be written here");
-    }
+    require_drawable(options);
     UprightModel upright = load_upright(options.scene, options.suggestion.typed, scene::EmptyModel::accept);
     if (options.map) {
         require_no_input(*options.map, upright.files, "the model is read from");
@@ -146,7 +200,7 @@ int print_info(const InfoOptions& options) {
     if (options.map) {
         draw_map(options, std::move(info.upright.model));
     }
-    return options.strict && is_unsure(report) ? kUnsure : kPass;
+    return exit_code(options, report);
 }
 
 }  // namespace
@@ -194,7 +248,10 @@ void add_info(Command program, CommandAction& chosen) {
          .value = "LAT,LON"},
         options->origin);
     command.option(
-        {.names = "--map", .help = "Draw it from above, with a grid of its coordinates", .value = "FILE.png"},
+        {.names = "--map",
+         .help = "Draw it from above, with a grid of its coordinates; with --suggest also the numbered "
+                 "buildings, the doorways, the spawn and the walk",
+         .value = "FILE.png"},
         options->map);
     add_rendering_backend(command, options->backend);
     add_import_options(command);
@@ -202,11 +259,7 @@ void add_info(Command program, CommandAction& chosen) {
         "Exit code: 0 read, whatever its warnings; 1 with --strict, if its frame is unsure; 2 bad usage or "
         "input.");
     command.choose(chosen, [options, command] {
-        const auto is_typed = [&](const std::string& option) {
-            return std::ranges::any_of(command.given_except({}),
-                                       [&](const std::string& word) { return word.starts_with(option); });
-        };
-        options->suggestion.typed = {is_typed("--up"), is_typed("--scale")};
+        options->suggestion.typed = {is_typed(command, "--up"), is_typed(command, "--scale")};
         return print_info(*options);
     });
 }

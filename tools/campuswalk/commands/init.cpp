@@ -17,6 +17,8 @@
 #include "tools/campuswalk/init/ci_files.h"
 #include "tools/campuswalk/init/templates.h"
 #include "tools/campuswalk/run/plan/find_walks.h"
+#include "tools/campuswalk/suggest/suggest_campus.h"
+#include "tools/campuswalk/suggest/suggestion_text.h"
 
 namespace campuswalk::tools {
 
@@ -26,6 +28,8 @@ namespace {
 
 struct InitOptions {
     fs::path folder = ".";
+    scene::SceneFile model;  ///< to make a project around; no path: none
+    TypedFrame typed;        ///< of the model
     init::Template which = init::Template::minimal;
     init::Service service = init::Service::github;
 };
@@ -100,6 +104,27 @@ void print_written(const fs::path& folder, const init::NewFile& file) {
     print_line("%s", (folder / file.path).lexically_normal().generic_string().c_str());
 }
 
+/// Throws if the file is there, or can't be written.
+void require_new(const fs::path& folder, const init::NewFile& file) {
+    std::error_code ignored;
+    const fs::path path = folder / file.path;
+    if (fs::exists(fs::symlink_status(path, ignored))) {
+        throw error_about(path, "file-exists",
+                          "it is there already, and init overwrites nothing; let `campuswalk init NEW` write "
+                          "into a new folder, with the same --ci, and take over what you need");
+    }
+    require_writable_file(path, "the file can't be written here", folder);
+}
+
+/// Says what to do with a new project.
+void print_next(const InitOptions& options) {
+    const std::string folder = options.folder.lexically_normal().generic_string();
+    print_error_line("now: " + (folder == "." ? "" : "cd " + folder + " && ") + "campuswalk run");
+    if (const auto service = init::ci_file(options.service, init::publication(), 1)) {
+        print_error_line("before you commit: fill in the empty lines of " + service->path);
+    }
+}
+
 /// Adds the service's file, for the walks that are there, to a project. Returns the exit code.
 int add_ci_file(const InitOptions& options) {
     std::error_code ignored;
@@ -113,15 +138,9 @@ int add_ci_file(const InitOptions& options) {
     if (!file) {
         throw error_about("--template", "bad-value", "with --ci none, there is nothing to write");
     }
-    const fs::path path = options.folder / file->path;
-    if (fs::exists(fs::symlink_status(path, ignored))) {
-        throw error_about(path, "file-exists",
-                          "it is there already, and init overwrites nothing; let `campuswalk init NEW` write "
-                          "into a new folder, with the same --ci, and take over what you need");
-    }
-    require_writable_file(path, "the file can't be written here", options.folder);
+    require_new(options.folder, *file);
     Undo undo;
-    write(path, file->text, undo);
+    write(options.folder / file->path, file->text, undo);
     undo.finish();
     print_written(options.folder, *file);
     print_error_line("now: fill in its empty lines, and commit it");
@@ -146,11 +165,65 @@ int make_project(const InitOptions& options) {
     for (const init::NewFile& file : files) {
         print_written(options.folder, file);
     }
-    const std::string folder = options.folder.lexically_normal().generic_string();
-    print_error_line("now: " + (folder == "." ? "" : "cd " + folder + " && ") + "campuswalk run");
-    if (service) {
-        print_error_line("before you commit: fill in the empty lines of " + service->path);
+    print_next(options);
+    return kPass;
+}
+
+/// Whether a project may have it already: then it stays as it is.
+bool may_be_there(const init::NewFile& file) {
+    return file.path == init::kGitIgnore || file.path.starts_with(init::kSchemaFolder);
+}
+
+/// What a project around a model needs besides its campus and walk, as far as it isn't there.
+std::vector<init::NewFile> missing_files(const InitOptions& options) {
+    std::vector<init::NewFile> files = init::settings_files();
+    if (std::optional<init::NewFile> service = init::ci_file(options.service, init::publication(), 1)) {
+        files.push_back(std::move(*service));
     }
+    std::error_code ignored;
+    std::erase_if(files, [&](const init::NewFile& file) {
+        return may_be_there(file) && fs::exists(fs::symlink_status(options.folder / file.path, ignored));
+    });
+    for (const init::NewFile& file : files) {
+        require_new(options.folder, file);
+    }
+    return files;
+}
+
+/// Throws unless the model is in the folder: its walks couldn't read it elsewhere.
+void require_inside(const fs::path& folder, const scene::SceneFile& model) {
+    std::error_code ignored;
+    const fs::path relative =
+        fs::weakly_canonical(model.path, ignored).lexically_relative(fs::weakly_canonical(folder, ignored));
+    if (relative.empty() || *relative.begin() == "..") {
+        throw scene::InputError(model.mark, "outside-project",
+                                "the model isn't in the folder '" + folder.generic_string() +
+                                    "', which becomes the project; copy it there, or name another folder");
+    }
+}
+
+/// Makes the folder of a model a project: a campus, a walk on it that has been played, settings and the
+/// service's file. Overwrites nothing. Returns the exit code.
+int make_project_around(const InitOptions& options) {
+    const scene::SceneFile& model = options.model;
+    require_inside(options.folder, model);
+    const std::vector<init::NewFile> files = missing_files(options);
+    const std::string name = model.path.stem().string();
+    SuggestRequest request;
+    request.typed = options.typed;
+    request.campus_file = options.folder / (name + ".campus.yaml");
+    request.walk_file = options.folder / "walks" / (name + std::string(config::kWalkSuffix));
+    Undo undo;
+    for (const init::NewFile& file : files) {
+        write(options.folder / file.path, file.text, undo);
+    }
+    make_folders(request.walk_file.parent_path(), undo);
+    print_suggestion(suggest_campus(model, request));
+    undo.finish();
+    for (const init::NewFile& file : files) {
+        print_written(options.folder, file);
+    }
+    print_next(options);
     return kPass;
 }
 
@@ -178,10 +251,33 @@ void add_init(Command program, CommandAction& chosen) {
         {"github", init::Service::github}, {"gitlab", init::Service::gitlab}, {"none", init::Service::none}};
     command.choice({.names = "--ci", .help = "Whose CI runs the walks: github (default), gitlab or none"},
                    services, options->service);
+    command.option(
+        {.names = "--from",
+         .help = "A model in the folder, which becomes a project: with a campus of it, a walk that "
+                 "has been played, settings and the file of --ci",
+         .value = "MODEL"},
+        [&model = options->model](const std::string& file) {
+            model.file = file;
+            model.path = file;
+            model.mark.file = file;
+        });
+    add_file_frame(command, options->model, "the model of --from");
     command.footer(
         "Nothing is overwritten: a folder with files in it is refused, and by --template none a file that is "
-        "there.");
-    command.choose(chosen, [options] {
+        "there. By --from, too, and what may be there already (schema/, .gitignore) stays as it is.");
+    command.choose(chosen, [options, command] {
+        options->typed = {is_typed(command, "--up"), is_typed(command, "--scale")};
+        if (!options->model.path.empty()) {
+            if (is_typed(command, "--template")) {
+                throw error_about("--template", "bad-value",
+                                  "with --from, the campus is the model's; pass one of them");
+            }
+            return make_project_around(*options);
+        }
+        if (options->typed.up || options->typed.scale) {
+            throw error_about(options->typed.up ? "--up" : "--scale", "bad-value",
+                              "it is about --from; pass that, too");
+        }
         return options->which == init::Template::none ? add_ci_file(*options) : make_project(*options);
     });
 }

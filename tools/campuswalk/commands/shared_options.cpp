@@ -52,6 +52,11 @@ void add_file_frame(Command command, scene::SceneFile& file, const std::string& 
                    file.scale, {1e-9, 1e9});
 }
 
+bool is_typed(const Command& command, const std::string& option) {
+    return std::ranges::any_of(command.given_except({}),
+                               [&](const std::string& word) { return word.starts_with(option); });
+}
+
 void add_rendering_backend(Command command, Backend& backend) {
     using engine::render::RenderingBackend;
     const std::map<std::string, Backend> backends = {{"auto", RenderingBackend::automatic},

@@ -22,6 +22,7 @@
 #include "tools/campuswalk/commands/commands.h"
 #include "tools/campuswalk/loading/model_importer.h"
 #include "tools/campuswalk/loading/walk_loader.h"
+#include "tools/campuswalk/suggest/frame_hints.h"
 #include "tools/campuswalk/validate/check_config.h"
 #include "tools/campuswalk/validate/findings.h"
 
@@ -143,6 +144,7 @@ public:
     void add(const fs::path& file) {
         CheckedFile checked{file.string(), false, ""};
         try {
+            hint_at_frame(file);
             checked.summary = check(loader_, file, warn_);
             checked.valid = true;
             if (prints_) {
@@ -168,7 +170,20 @@ public:
     const Findings& findings() const { return findings_; }
 
 private:
+    /// Before anything else: a walk may fail to start because its campus has another unit or upper axis.
+    void hint_at_frame(const fs::path& file) {
+        const std::optional<FileKind> kind = kind_of(file);
+        if (kind != FileKind::campus && kind != FileKind::walk) {
+            return;
+        }
+        const fs::path campus_file = kind == FileKind::campus ? file : loader_.read(file).walk.campus;
+        if (hinted_.insert(campus_file).second) {
+            report(frame_hints(*loader_.load_campus(campus_file)));
+        }
+    }
+
     bool prints_;
+    std::set<fs::path> hinted_;  ///< campus files
     Findings findings_;
     std::set<std::string> reported_;
     const WalkLoader::Warn warn_ = [this](const std::vector<Diagnostic>& warnings) { report(warnings); };

@@ -297,7 +297,8 @@ std::vector<MinimalWalk> minimal_walks(const WalkReport& report, const std::vect
         if (const auto steps = drafts.yaml_of(finding)) {
             walks.push_back({file_name(i + 1, finding),
                              "# Finding " + std::to_string(i + 1) + kWalkHeading + "Once it is mended, " +
-                                 "take away `status`.\ncampus: " + json_text(header.campus) + "\navatar: " +
+                                 "take away `status`.\n" + header.schema_line +
+                                 "campus: " + json_text(header.campus) + "\navatar: " +
                                  (finding.kind == FindingKind::narrow ? header.wide_avatar : header.avatar) +
                                  "\n" + *steps});
         }

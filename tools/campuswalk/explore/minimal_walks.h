@@ -20,6 +20,7 @@ struct WalkHeader {
     std::string campus;       ///< the campus file, from the walks' folder
     std::string avatar;       ///< as written after `avatar:`
     std::string wide_avatar;  ///< of the visitor for whom passages are too narrow, likewise
+    std::string schema_line;  ///< see tools/campuswalk/base/schema_line.h
 };
 
 /// Who walks them, on the campus that the report is about.

@@ -1,13 +1,17 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "engine/expect/failure.h"
 #include "engine/record/observer.h"
@@ -100,6 +104,18 @@ void draw_walked_path(const scene::Campus& campus, const engine::AvatarProfile& 
                       std::span<const Eigen::Vector3d> path, const std::string& caption,
                       const std::filesystem::path& file, Backend backend);
 
+/// What is drawn over a plan of a campus, metres.
+struct PlanMarks {
+    struct Area {
+        std::array<Eigen::Vector3d, 4> vertices;
+        std::string name;
+    };
+    std::vector<Area> areas;
+    std::vector<Eigen::Vector3d> doorways;
+    std::vector<Eigen::Vector3d> path;
+    engine::AvatarState visitor;  ///< where the path begins
+};
+
 /// An image of a campus without a visitor.
 struct CampusImage {
     bool plan = false;              ///< all of it from above; only the size of `camera` counts
@@ -108,6 +124,7 @@ struct CampusImage {
     engine::LightSettings light;
     engine::ImageChannels channels;  ///< written beside `file`
     engine::ImageOverlays overlays;  ///< on a plan only its grid
+    std::optional<PlanMarks> marks;  ///< on a plan, instead of the buildings' names
     std::filesystem::path file;
     Backend backend = engine::render::RenderingBackend::automatic;
 };

@@ -6,6 +6,8 @@
 #include "collision/world/cast.h"
 #include "collision/world/obstacle.h"
 #include "engine/render/image/png.h"
+#include "engine/render/overlay/canvas.h"
+#include "engine/render/overlay/map_marks.h"
 #include "engine/render/passes/light.h"
 #include "engine/render/plan/plan_image.h"
 #include "engine/render/snapshot/channel_files.h"
@@ -39,6 +41,34 @@ SnapshotSettings settings_for(const scene::Campus& campus, Backend backend) {
         return most;
     };
     return settings;
+}
+
+/// Draws the marks over a plan of everything.
+engine::render::Image with_marks(const engine::render::Image& drawn, const scene::Bounds& bounds,
+                                 const PlanMarks& marks) {
+    namespace render = engine::render;
+    const render::Viewpoint view = render::plan(bounds, static_cast<double>(drawn.width) / drawn.height);
+    const render::Fonts fonts;
+    const render::Canvas canvas(drawn, fonts);
+    const auto pixel_at = [&](const Eigen::Vector3d& point) {
+        return render::pixel_of(view, canvas.width(), canvas.height(), point);
+    };
+    std::vector<render::MapLabel> names;
+    for (const PlanMarks::Area& area : marks.areas) {
+        render::draw_outline(canvas, view, area.vertices);
+        names.push_back({area.name, 0.5 * (area.vertices[0] + area.vertices[2])});
+    }
+    render::draw_path(canvas, view, marks.path);
+    for (const Eigen::Vector3d& doorway : marks.doorways) {
+        if (const auto at = pixel_at(doorway)) {
+            render::draw_dot(canvas, *at, 8.0 * canvas.scale());
+        }
+    }
+    if (const auto at = pixel_at(marks.visitor.position)) {
+        render::draw_heading_arrow(canvas, *at, marks.visitor.yaw, 12.0 * canvas.scale());
+    }
+    render::draw_map_labels(canvas, view, names);
+    return canvas.image();
 }
 
 }  // namespace
@@ -91,6 +121,7 @@ void draw_campus(const scene::Campus& campus, const CampusImage& image) {
     namespace render = engine::render;
     SnapshotSettings settings = settings_for(campus, image.backend);
     settings.light = render::apply_light(settings.light, image.light);
+    settings.labels = settings.labels && !image.marks;
     render::SnapshotRenderer snapshot_renderer(campus, settings);
     render::SnapshotRequest request;
     request.camera = image.camera;
@@ -99,8 +130,9 @@ void draw_campus(const scene::Campus& campus, const CampusImage& image) {
     request.overlays = image.overlays;
     const int width = image.camera.width;
     const int height = image.camera.height;
-    render::write_png(image.plan ? snapshot_renderer.draw_plan(width, height, image.overlays.grid)
-                                 : snapshot_renderer.draw(request),
+    const render::Image drawn = image.plan ? snapshot_renderer.draw_plan(width, height, image.overlays.grid)
+                                           : snapshot_renderer.draw(request);
+    render::write_png(image.marks ? with_marks(drawn, snapshot_renderer.bounds(), *image.marks) : drawn,
                       image.file);
     if (image.channels.any()) {
         const render::ChannelChoice choice = render::choice_of(image.channels);

@@ -13,6 +13,7 @@
 #include "scene/base/atomic_file.h"
 #include "tools/campuswalk/base/json_text.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
+#include "tools/campuswalk/base/schema_line.h"
 #include "tools/campuswalk/base/yaml_text.h"
 #include "tools/campuswalk/import/draft_text.h"
 #include "tools/campuswalk/loading/walk_loader.h"
@@ -167,7 +168,8 @@ CampusFiles campus_files_in(const fs::path& folder, const std::string& name) {
 
 WrittenWalk write_campus_files(const MapFiles& contents, const CampusFiles& files, const fs::path& map) {
     const std::string map_name = map.filename().string();
-    const std::string campus_yaml = draft_yaml(contents.draft, map_name);
+    const std::string campus_yaml =
+        schema_line(files.campus, kCampusSchema) + draft_yaml(contents.draft, map_name);
     if (campus_yaml.size() > config::kMaxSourceBytes) {
         throw error_about(map, "too-large",
                           "its names and doors make a campus file of " + std::to_string(campus_yaml.size()) +
@@ -188,7 +190,8 @@ WrittenWalk write_campus_files(const MapFiles& contents, const CampusFiles& file
     try {
         const Visits visits = playable_visits(contents, drafts, loader);
         scene::write_file_atomically(
-            drafts.walk, visit_yaml(contents.draft, visits.places, files.campus.filename().string()));
+            drafts.walk, schema_line(files.walk, kWalkSchema) +
+                             visit_yaml(contents.draft, visits.places, files.campus.filename().string()));
         if (!failure_of(drafts.walk, loader).empty()) {
             throw std::runtime_error("the walk of the imported campus doesn't pass; please report this map");
         }

@@ -25,9 +25,11 @@ Json json_of(const std::optional<scene::GeographicPlace>& place) {
 }
 
 Json json_of(const std::optional<engine::GroundCover>& ground) {
-    return ground
-               ? Json{{"area", ground->area}, {"complete", !ground->is_cut_short}, {"height", ground->height}}
-               : Json();
+    return ground ? Json{{"area", ground->area},
+                         {"complete", !ground->is_cut_short},
+                         {"seen", ground->seen},
+                         {"height", ground->height}}
+                  : Json();
 }
 
 Json json_of(const std::optional<PlaceCount>& places) {

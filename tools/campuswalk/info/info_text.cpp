@@ -175,10 +175,6 @@ NodeList list_nodes(const std::vector<NodeReport>& nodes, std::size_t max_lines)
 constexpr std::size_t kMaxLines = 50;       // of a list: nobody reads more, and the warnings come below
 constexpr std::size_t kMaxNodeLines = 200;  // of the tree
 
-std::string size_text(const Eigen::Vector3d& size, int digits) {
-    return fixed(size.x(), digits) + " x " + fixed(size.y(), digits) + " x " + fixed(size.z(), digits) + " m";
-}
-
 std::string place_text(const scene::GeographicPlace& place) {
     constexpr int kDigits = 8;  // a millimetre
     return "latitude " + fixed(place.latitude_deg, kDigits) + ", longitude " +

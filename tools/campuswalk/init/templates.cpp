@@ -1,5 +1,7 @@
 #include "tools/campuswalk/init/templates.h"
 
+#include <utility>
+
 #include "tools/campuswalk/base/schemas.h"
 
 namespace campuswalk::tools::init {
@@ -167,9 +169,7 @@ std::vector<NewFile> files_of(Template which) {
                                   {"school.campus.yaml", campus_yaml(which)},
                                   {"avatars/adult.avatar.yaml", kAdult},
                                   {"walks/visit.walk.yaml", kVisit},
-                                  {"walks/wall.walk.yaml", kWall},
-                                  {"walks.config.yaml", kConfig},
-                                  {".gitignore", "out/\nreport.html\n.campuswalk/\n"}};
+                                  {"walks/wall.walk.yaml", kWall}};
     if (which != Template::minimal) {
         files.push_back({"avatars/robot.avatar.yaml", kRobot});
         files.push_back({"walks/upstairs.walk.yaml", kUpstairs});
@@ -178,8 +178,17 @@ std::vector<NewFile> files_of(Template which) {
     if (which == Template::campus) {
         files.push_back({"walks/round.walk.yaml", kRound});
     }
+    for (NewFile& file : settings_files()) {
+        files.push_back(std::move(file));
+    }
+    return files;
+}
+
+std::vector<NewFile> settings_files() {
+    std::vector<NewFile> files = {{"walks.config.yaml", kConfig},
+                                  {kGitIgnore, "out/\nreport.html\n.campuswalk/\n"}};
     for (const EmbeddedSchema& schema : embedded_schemas()) {
-        files.push_back({"schema/" + std::string(schema.name), std::string(schema.text)});
+        files.push_back({kSchemaFolder + std::string(schema.name), std::string(schema.text)});
     }
     return files;
 }

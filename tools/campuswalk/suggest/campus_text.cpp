@@ -50,38 +50,29 @@ std::string box_yaml(const scene::UprightBox& box) {
            (box.along.z() == 0.0 ? "" : ", yaw_deg: " + fixed(yaw_deg, 2));
 }
 
-std::vector<std::string> patterns_of(const std::vector<scene::NodeGlob>& doors) {
-    std::vector<std::string> patterns;
-    patterns.reserve(doors.size());
-    for (const scene::NodeGlob& door : doors) {
-        patterns.push_back(door.pattern);
-    }
-    return patterns;
-}
-
 std::string except_yaml(const std::vector<std::string>& globs) {
     return globs.empty() ? "" : ", except: " + globs_yaml(globs);
 }
 
 /// What stops the visitor: each building and each other part by itself, so that the log names it.
 std::string solids_yaml(const SuggestedCampus& campus) {
-    const std::vector<std::string> doors = patterns_of(campus.doors);
     std::string text;
-    std::vector<std::string> told = doors;
+    std::vector<std::string> told = campus.left_out;
     for (std::size_t b = 0; b < campus.buildings.size(); ++b) {
         const scene::SuggestedBuilding& building = campus.buildings[b];
         if (!building.globs.empty()) {
             text += "  - {id: " + yaml_string(building.id) + ", building: " + yaml_string(building.id) +
-                    except_yaml(campus.doors_of[b]) + (building.is_one_node ? "" : ", each: true") +
+                    except_yaml(campus.left_out_of[b]) + (building.is_one_node ? "" : ", each: true") +
                     ", shape: mesh, mode: solid, popup: false}\n";
             told.insert(told.end(), building.globs.begin(), building.globs.end());
         }
     }
     if (!campus.solids.globs.empty()) {
-        text += "  - {id: part, nodes: " +
-                (campus.solids.are_the_rest ? yaml_string("*") + except_yaml(told)
-                                            : globs_yaml(campus.solids.globs) + except_yaml(doors)) +
-                ", each: true, shape: mesh, mode: solid}\n";
+        text +=
+            "  - {id: part, nodes: " +
+            (campus.solids.are_the_rest ? yaml_string("*") + except_yaml(told)
+                                        : globs_yaml(campus.solids.globs) + except_yaml(campus.left_out)) +
+            ", each: true, shape: mesh, mode: solid}\n";
         told.insert(told.end(), campus.solids.globs.begin(), campus.solids.globs.end());
     }
     if (!campus.solids.is_all) {
@@ -149,8 +140,11 @@ std::string campus_yaml(const SuggestedCampus& campus) {
                 (building.globs.empty() ? "" : ", nodes: " + globs_yaml(building.globs)) +
                 ", title: " + yaml_string(title_of(building)) + "}\n";
     }
-    text += campus.doors.empty() ? "colliders:\n"
-                                 : "colliders:\n  # Closed doors are left out: nobody could pass them.\n";
+    text += "colliders:\n";
+    text += campus.closed_doors > 0 ? "  # Closed doors are left out: nobody could pass them.\n" : "";
+    text += campus.left_out.size() > campus.closed_doors
+                ? "  # Left out, too: skies, water, and what openings were cut with.\n"
+                : "";
     text += solids_yaml(campus);
     if (campus.ground) {
         const scene::UprightBox box{campus.ground->center(), campus.ground->max - campus.ground->min,
@@ -171,7 +165,7 @@ std::string campus_yaml(const SuggestedCampus& campus) {
         add_trigger(kAroundTrigger, trigger_about(building), "");
         const std::optional<scene::UprightBox> inside = trigger_inside(building);
         if (inside && campus.interiors[b].can_be_entered) {
-            add_trigger("/inside", *inside, ", popup: false");
+            add_trigger(kInsideTrigger, *inside, ", popup: false");
         }
         for (std::size_t r = 0; r < campus.interiors[b].rooms.size(); ++r) {
             add_trigger(room_trigger(r), campus.interiors[b].rooms[r], ", popup: false");
@@ -189,17 +183,28 @@ bool enters_something(const SuggestedCampus& campus, std::size_t visits) {
     });
 }
 
+std::string doorway_text(const SuggestedDoorway& doorway) {
+    return "the doorway at " + list_of(doorway.at) + ", " + fixed(doorway.width, 2) + " m wide";
+}
+
 std::string walk_yaml(const SuggestedCampus& campus, const std::string& campus_file, std::size_t visits) {
     std::string steps = "  - spawn: start\n";
     std::string expect = "  - never: \"avatar.fell *\"\n";
     for (std::size_t v = 0; v < visits; ++v) {
         const SuggestedVisit& visit = campus.visits[v];
+        const auto doorway = std::ranges::find(campus.doorways, v, &SuggestedDoorway::visit);
+        if (doorway != campus.doorways.end()) {
+            steps += "  # Through " + doorway_text(*doorway) +
+                     (doorway->is_only_path ? ": if it is closed, no way leads there.\n"
+                                            : ": if it is closed, another way leads there.\n");
+        }
         steps += "  - go_to: " + (visit.place.empty() ? list_of(visit.to) : yaml_string(visit.place)) + "\n";
         if (!visit.trigger.empty()) {
             expect += "  - sequence: [" + yaml_string("trigger.enter " + visit.trigger) + "]\n";
         }
         expect += visit.place.empty() ? "" : "  - reaches: " + yaml_string(visit.place) + "\n";
     }
+    expect += campus.at_most ? "  - duration: {at_most: " + std::to_string(*campus.at_most) + "}\n" : "";
     return "# Beside " + campus_file + ", by `campuswalk info --suggest`.\n" +
            (enters_something(campus, visits)
                 ? ""

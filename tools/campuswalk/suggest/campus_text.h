@@ -21,6 +21,14 @@ struct SuggestedVisit {
     std::string place = {};  ///< its name; empty: the way leads to no place
 };
 
+/// A doorway on the way to a visit.
+struct SuggestedDoorway {
+    std::size_t visit = 0;                         ///< index into the visits
+    Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< feet of who passes it
+    double width = 0.0;                            ///< metres
+    bool is_only_path = false;  ///< no other way was found, so that the walk fails if it is closed
+};
+
 /// What becomes of the inside of a building.
 struct SuggestedInterior {
     bool can_be_entered = false;
@@ -29,6 +37,8 @@ struct SuggestedInterior {
 
 /// The part of the id of a building's trigger behind the building's: of the one about it from outside.
 inline constexpr const char* kAroundTrigger = "/around";
+/// Of the one in its inside.
+inline constexpr const char* kInsideTrigger = "/inside";
 /// Of a room's; `room` counts from 0.
 std::string room_trigger(std::size_t room);
 
@@ -40,14 +50,18 @@ struct SuggestedCampus {
     std::optional<scene::GeographicPlace> on_earth;  ///< of [0, 0, 0]; none if nothing needs it
     std::optional<config::PlaceFile> places;         ///< its path is likewise relative
     std::vector<scene::SuggestedBuilding> buildings;
-    std::vector<SuggestedInterior> interiors;        ///< by building
-    std::vector<std::vector<std::string>> doors_of;  ///< by building: globs of its closed doors
-    scene::SolidParts solids;                        ///< besides the buildings
-    std::vector<scene::NodeGlob> doors;              ///< closed ones, which must not be solid
-    std::optional<scene::Bounds> ground;             ///< a box to stand on if the model has no ground
+    std::vector<SuggestedInterior> interiors;  ///< by building
+    std::vector<std::vector<std::string>>
+        left_out_of;                      ///< by building: those of `left_out` that are its nodes
+    scene::SolidParts solids;             ///< besides the buildings
+    std::vector<std::string> left_out;    ///< globs of what must not be solid: closed doors, then the rest
+    std::size_t closed_doors = 0;         ///< how many of these are doors
+    std::optional<scene::Bounds> ground;  ///< a box to stand on if the model has no ground
     Eigen::Vector3d spawn = Eigen::Vector3d::Zero();
     double yaw_deg = 0.0;
     std::vector<SuggestedVisit> visits;
+    std::vector<SuggestedDoorway> doorways = {};  ///< once the walk has been played
+    std::optional<int> at_most = {};              ///< seconds that the walk may take; likewise
 };
 
 /// The box around a building in which its pop-up opens.
@@ -65,7 +79,11 @@ std::string campus_yaml(const SuggestedCampus& campus);
 /// Whether one of the first `visits` visits leads into a building or to one of its rooms.
 bool enters_something(const SuggestedCampus& campus, std::size_t visits);
 
-/// A walk that makes the first `visits` visits; `campus_file` is the name of the campus file.
+/// "the doorway at [1.200, 0.000, -3.000], 0.92 m wide".
+std::string doorway_text(const SuggestedDoorway& doorway);
+
+/// A walk that makes the first `visits` visits; `campus_file` is the campus file as seen from the walk's
+/// folder.
 std::string walk_yaml(const SuggestedCampus& campus, const std::string& campus_file, std::size_t visits);
 
 }  // namespace campuswalk::tools

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/events/decimals.h"
 #include "scene/lint/wording.h"
 
 namespace campuswalk::tools {
@@ -17,17 +18,19 @@ std::string counted(std::size_t count, const char* things) {
     return std::to_string(count) + " " + things;
 }
 
-/// "6050 m² of its faces face Z, most of all", "54 risers climb along Z"
+/// "62 % of its faces, by area, face Z", "54 risers of stairs climb along Z", "1 door is longest along Z"
 std::string text_of(const UpVote& vote, scene::UpAxis up) {
     const double own = up == scene::UpAxis::z ? vote.z : vote.y;
     const std::string axis = up == scene::UpAxis::z ? "Z" : "Y";
     switch (vote.kind) {
         case UpVote::Kind::facing:
-            return scene::short_number(own) + " m² of it face " + axis + ", more than any other axis";
+            return engine::fixed(100.0 * own, 0) + " % of its faces, by area, face " + axis;
         case UpVote::Kind::risers:
             return counted(static_cast<std::size_t>(own), "risers of stairs climb along ") + axis;
         case UpVote::Kind::doors:
-            return counted(static_cast<std::size_t>(own), "doors are longest along ") + axis;
+            return counted(static_cast<std::size_t>(own),
+                           own == 1.0 ? "door is longest along " : "doors are longest along ") +
+                   axis;
     }
     return "";
 }
@@ -87,7 +90,20 @@ std::string as_scaled(const FrameGuess& frame) {
     return texts_of(measures_that(frame, true, frame.scale), frame.scale);
 }
 
+/// Whether it is no larger than a cupboard, and nothing tells whether it is one.
+bool is_too_small(const UprightModel& upright) {
+    constexpr double kLeast = 3.0;  // metres
+    const scene::Bounds& bounds = upright.report.bounds;
+    return !bounds.empty() && upright.frame.scale_confidence == Confidence::none &&
+           (bounds.max - bounds.min).maxCoeff() < kLeast;
+}
+
 }  // namespace
+
+std::string size_text(const Eigen::Vector3d& size, int digits) {
+    return engine::fixed(size.x(), digits) + " x " + engine::fixed(size.y(), digits) + " x " +
+           engine::fixed(size.z(), digits) + " m";
+}
 
 const char* name_of(UpVote::Kind kind) {
     switch (kind) {
@@ -147,6 +163,13 @@ std::vector<scene::ModelLint> frame_lints(const UprightModel& upright) {
                                                                           : "it may lie on its back: ") +
                                      for_z + (for_y.empty() ? "" : ", but " + for_y) + "; " + other +
                                      " would turn it"});
+    }
+    if (is_too_small(upright)) {
+        lints.push_back(
+            {"odd-scale", "it is " + size_text(upright.report.bounds.max - upright.report.bounds.min, 3) +
+                              " large, too small to walk about in, and nothing tells its unit; it is "
+                              "read with " +
+                              scene::short_number(upright.file.scale)});
     }
     if (frame.scale != 1.0 && !upright.is_scaled) {
         const std::string scale = scene::short_number(upright.file.scale * frame.scale);

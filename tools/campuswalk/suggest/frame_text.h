@@ -16,6 +16,9 @@ std::vector<std::string> frame_lines(const UprightModel& upright);
 ///   odd-scale  what people build alike has another size in it
 std::vector<scene::ModelLint> frame_lints(const UprightModel& upright);
 
+/// "50.000 x 4.000 x 40.000 m".
+std::string size_text(const Eigen::Vector3d& size, int digits);
+
 /// A name of the kind in JSON: "facing", "risers", "doors".
 const char* name_of(scene::UpVote::Kind kind);
 const char* name_of(scene::Confidence confidence);

@@ -17,15 +17,19 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// All of the model as one solid mesh about this origin; empty without triangles that have an area.
-collision::World world_of(const scene::Model& model, const Vector3d& origin) {
+/// What is solid of the model, as one mesh about this origin; empty without triangles that have an area.
+collision::World world_of(const UprightModel& upright, const Vector3d& origin) {
     scene::WorldGeometry geometry;
-    for (const scene::Node& node : model.nodes) {
-        scene::for_each_triangle(model, node, [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
-            const auto first = static_cast<std::uint32_t>(geometry.positions.size());
-            geometry.positions.insert(geometry.positions.end(), {a, b, c});
-            geometry.triangles.push_back({first, first + 1, first + 2});
-        });
+    for (std::size_t n = 0; n < upright.model.nodes.size(); ++n) {
+        if (is_intangible(upright, n)) {
+            continue;
+        }
+        scene::for_each_triangle(upright.model, upright.model.nodes[n],
+                                 [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+                                     const auto first = static_cast<std::uint32_t>(geometry.positions.size());
+                                     geometry.positions.insert(geometry.positions.end(), {a, b, c});
+                                     geometry.triangles.push_back({first, first + 1, first + 2});
+                                 });
     }
     scene::BakedMesh baked = scene::bake_mesh(geometry);
     collision::World world(std::make_unique<collision::LinearBroadPhase>());
@@ -38,16 +42,24 @@ collision::World world_of(const scene::Model& model, const Vector3d& origin) {
     return world;
 }
 
+std::string area_text(double square_metres) {
+    constexpr double kHectare = 1e4;
+    constexpr double kSmall = 100.0;
+    return square_metres >= kHectare ? engine::fixed(square_metres / kHectare, 1) + " ha"
+                                     : engine::fixed(square_metres, square_metres < kSmall ? 1 : 0) + " m²";
+}
+
 }  // namespace
 
-std::optional<engine::GroundCover> ground_of(const scene::Model& model, const scene::ModelReport& report) {
+std::optional<engine::GroundCover> ground_of(const UprightModel& upright) {
     constexpr double kRoom = 3.0;  // metres; smaller models are furniture
-    const Vector3d size = report.bounds.max - report.bounds.min;
-    if (report.bounds.empty() || std::min(size.x(), size.z()) < kRoom) {
+    const scene::Bounds& bounds = upright.report.bounds;
+    const Vector3d size = bounds.max - bounds.min;
+    if (bounds.empty() || std::min(size.x(), size.z()) < kRoom) {
         return std::nullopt;
     }
-    const Vector3d middle = report.bounds.center().array().round();  // cells are numbered from the origin on
-    const collision::World world = world_of(model, middle);
+    const Vector3d middle = bounds.center().array().round();  // cells are numbered from the origin on
+    const collision::World world = world_of(upright, middle);
     if (world.size() == 0) {
         return std::nullopt;
     }
@@ -72,7 +84,7 @@ void lint_ground(const std::optional<engine::GroundCover>& ground, scene::ModelR
 }
 
 std::string ground_text(const engine::GroundCover& ground) {
-    return (ground.is_cut_short ? "more than " : "") + engine::fixed(ground.area, 1) + " m² at " +
+    return (ground.is_cut_short ? "about " : "") + area_text(ground.seen) + " at " +
            engine::fixed(ground.height, 2) + " m";
 }
 

@@ -66,7 +66,8 @@ SuggestedInterior as_written(const Interior& interior) {
 
 }  // namespace
 
-bool place_visitor(const scene::ModelReport& report, const scene::Campus& solid, SuggestedCampus& campus) {
+std::optional<engine::ExploreSettings> place_visitor(const scene::ModelReport& report,
+                                                     const scene::Campus& solid, SuggestedCampus& campus) {
     Vector3d middle = report.bounds.center();
     if (const auto* building = nearest_building(campus.buildings, middle)) {
         middle = building->box.center;
@@ -81,7 +82,7 @@ bool place_visitor(const scene::ModelReport& report, const scene::Campus& solid,
     };
     const auto spawn = engine::best_start(worlds, settings, {middle, is_inside});
     if (!spawn) {
-        return false;
+        return std::nullopt;
     }
     settings.starts = {*spawn};
     settings.steer_falls = false;  // visitors don't jump off roofs
@@ -91,8 +92,9 @@ bool place_visitor(const scene::ModelReport& report, const scene::Campus& solid,
         static_cast<std::uint32_t>(far / settings.strides.walk_speed / settings.strides.seconds);
     const engine::WalkSpace reached = engine::explore(worlds, settings);
     if (reached.area() < kMinGround) {
-        return false;
+        return std::nullopt;
     }
+    settings.grid = reached.grid;
     campus.spawn = *spawn;
     engine::Strider strider(worlds[0], settings.strides, settings.solids);
     const auto interiors = find_interiors(solid, reached, campus.buildings, doors_in(report));
@@ -104,7 +106,7 @@ bool place_visitor(const scene::ModelReport& report, const scene::Campus& solid,
     const auto* target = nearest_building(campus.buildings, campus.spawn);
     campus.yaw_deg = engine::degrees(
         scene::first_view(solid.world, campus.spawn, target == nullptr ? middle : target->box.center));
-    return true;
+    return settings;
 }
 
 }  // namespace campuswalk::tools

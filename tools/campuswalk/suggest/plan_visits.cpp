@@ -96,7 +96,8 @@ public:
 
     /// Enters the nearest building that can be, and two of its rooms. False if there is none.
     bool enter_nearest() {
-        const auto building = visit_nearest([this](std::size_t b) { return place_inside(b); }, "/inside");
+        const auto building =
+            visit_nearest([this](std::size_t b) { return place_inside(b); }, kInsideTrigger);
         if (building) {
             visit_rooms(*building);
         }

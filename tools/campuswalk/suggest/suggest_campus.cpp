@@ -1,31 +1,24 @@
 #include "tools/campuswalk/suggest/suggest_campus.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "config/loader/search_paths.h"
-#include "engine/simulation/run_walk.h"
 #include "scene/base/atomic_file.h"
 #include "scene/base/glob.h"
-#include "scene/lint/model_report.h"
-#include "scene/lint/wording.h"
 #include "scene/model/projection.h"
 #include "scene/suggest/suggested_buildings.h"
-#include "tools/campuswalk/base/exit_codes.h"
-#include "tools/campuswalk/base/print.h"
 #include "tools/campuswalk/base/report_diagnostics.h"
+#include "tools/campuswalk/base/schema_line.h"
 #include "tools/campuswalk/base/text.h"
 #include "tools/campuswalk/base/writable_path.h"
 #include "tools/campuswalk/loading/walk_loader.h"
-#include "tools/campuswalk/suggest/campus_text.h"
 #include "tools/campuswalk/suggest/frame_text.h"
 #include "tools/campuswalk/suggest/ground_lint.h"
-#include "tools/campuswalk/suggest/lint_text.h"
 #include "tools/campuswalk/suggest/place_visitor.h"
 #include "tools/campuswalk/suggest/read_places.h"
-#include "tools/campuswalk/suggest/upright_model.h"
 
 namespace campuswalk::tools {
 
@@ -33,6 +26,9 @@ namespace fs = std::filesystem;
 using Eigen::Vector3d;
 
 namespace {
+
+/// The walk may take so much longer than it does: what is farther is a detour round something that is shut.
+constexpr double kDetour = 1.25;
 
 /// The height of the lowest of a building's doors, or of its bottom if it has none.
 double threshold_of(const scene::SuggestedBuilding& building, const std::vector<scene::Door>& doors) {
@@ -67,8 +63,8 @@ scene::Bounds substitute_ground(const scene::ModelReport& report,
     return ground;
 }
 
-/// The walk file beside a campus file. Throws if one of them must not be written.
-fs::path walk_beside(const fs::path& campus_file, bool overwrite) {
+/// NAME.walk.yaml beside NAME.campus.yaml.
+fs::path walk_beside(const fs::path& campus_file) {
     const std::string file_name = campus_file.filename().string();
     const std::string name = without_ending(file_name, ".campus.yaml");
     if (name == file_name) {
@@ -76,36 +72,37 @@ fs::path walk_beside(const fs::path& campus_file, bool overwrite) {
     }
     fs::path walk = campus_file;
     walk.replace_filename(name + ".walk.yaml");
-    for (const fs::path& file : {campus_file, walk}) {
-        if (!overwrite && fs::exists(file)) {
-            throw error_about(file, "file-exists", "the file exists; name another, or pass --overwrite");
-        }
-    }
     return walk;
 }
 
-/// Globs of the doors that are nodes of the building.
-std::vector<std::string> doors_of(const scene::Model& model, const scene::SuggestedBuilding& building,
-                                  const std::vector<std::string>& doors) {
+void require_new(const fs::path& file, bool overwrite) {
+    if (!overwrite && fs::exists(file)) {
+        throw error_about(file, "file-exists", "the file exists; name another, or pass --overwrite");
+    }
+}
+
+/// Globs of those of the nodes `left_out` that are the building's.
+std::vector<std::string> left_out_of(const scene::Model& model, const scene::SuggestedBuilding& building,
+                                     const std::vector<std::string>& left_out) {
     std::vector<std::string> globs;
     for (const std::string& glob : building.globs) {
         for (const std::size_t node : scene::match_nodes(model, glob)) {
             const std::string& name = model.nodes[node].name;
-            const std::string door = scene::glob_for(name);
-            if (std::ranges::find(doors, name) != doors.end() &&
-                std::ranges::find(globs, door) == globs.end()) {
-                globs.push_back(door);
+            const std::string glob_of_name = scene::glob_for(name);
+            if (std::ranges::find(left_out, name) != left_out.end() &&
+                std::ranges::find(globs, glob_of_name) == globs.end()) {
+                globs.push_back(glob_of_name);
             }
         }
     }
     return globs;
 }
 
-/// The file as a campus refers to it.
-std::string seen_from(const fs::path& campus_file, const fs::path& file) {
+/// How a file refers to another.
+std::string seen_from(const fs::path& from, const fs::path& file) {
     return fs::absolute(file)
         .lexically_normal()
-        .lexically_relative(fs::absolute(campus_file).lexically_normal().parent_path())
+        .lexically_relative(fs::absolute(from).lexically_normal().parent_path())
         .generic_string();
 }
 
@@ -135,14 +132,18 @@ SuggestedCampus without_visitor(const UprightModel& model, const Vector3d& origi
     }
     campus.buildings = scene::suggest_buildings(model.model, model.report);
     campus.interiors.assign(campus.buildings.size(), SuggestedInterior{true, {}});  // as far as is known
-    const std::vector<std::string> doors = closed_door_names(model.report);
+    std::vector<std::string> left_out = closed_door_names(model.report);
+    campus.closed_doors = left_out.size();
+    for (const scene::IntangibleNode& each : model.intangible) {
+        left_out.push_back(model.model.nodes[each.node].name);
+    }
+    for (const std::string& name : left_out) {
+        campus.left_out.push_back(scene::glob_for(name));
+    }
     for (const scene::SuggestedBuilding& building : campus.buildings) {
-        campus.doors_of.push_back(doors_of(model.model, building, doors));
+        campus.left_out_of.push_back(left_out_of(model.model, building, left_out));
     }
-    campus.solids = scene::solid_parts(model.model, campus.buildings, doors);
-    for (const std::string& name : doors) {
-        campus.doors.emplace_back().pattern = scene::glob_for(name);
-    }
+    campus.solids = scene::solid_parts(model.model, campus.buildings, left_out);
     return campus;
 }
 
@@ -156,12 +157,25 @@ WalkLoader quiet_loader(const UprightModel& model, const SuggestRequest& request
     return WalkLoader([](const std::vector<scene::Diagnostic>&) {}, std::move(search));
 }
 
+/// That there is no place to stand, with what is unsure about the model's frame.
+scene::InputError no_place_in(const UprightModel& model) {
+    std::string message = "there is no place to stand near its middle; it is " +
+                          size_text(model.report.bounds.max - model.report.bounds.min, 3) + " large";
+    for (const scene::ModelLint& lint : frame_lints(model)) {
+        message += "; " + lint.message;
+    }
+    return error_about(model.file.file, "no-ground",
+                       message + "; pass --scale or --up, and see `campuswalk info`");
+}
+
 /// Places the visitor and writes the campus. As a large model's tree takes seconds to build, the visitor is
-/// placed on the campus in `loader`, which the walk then uses unless triggers of rooms were found.
-void write_campus(const UprightModel& model, const SuggestRequest& request, const fs::path& campus_file,
-                  SuggestedCampus& campus, WalkLoader& loader) {
+/// placed on the campus in `loader`, which the walk then uses unless triggers of rooms were found. Returns
+/// how what is reached from the spawn was explored.
+engine::ExploreSettings write_campus(const UprightModel& model, const SuggestRequest& request,
+                                     const fs::path& campus_file, SuggestedCampus& campus,
+                                     WalkLoader& loader) {
     const bool tiny = (model.report.bounds.max - model.report.bounds.min).maxCoeff() < 1.0;
-    bool placed = false;
+    std::optional<engine::ExploreSettings> placed;
     if (!tiny && !has_lint(model.report, "no-ground")) {
         scene::write_file_atomically(campus_file, campus_yaml(campus));  // its spawn isn't known yet
         placed = place_visitor(model.report, *loader.load_campus(campus_file), campus);
@@ -173,56 +187,13 @@ void write_campus(const UprightModel& model, const SuggestRequest& request, cons
         placed = place_visitor(model.report, *loader.load_campus(campus_file), campus);
     }
     if (!placed) {
-        throw error_about(
-            model.file.file, "no-ground",
-            "there is no place to stand near its middle; check its size and axes with `campuswalk info`, "
-            "then pass --scale or --up");
+        throw no_place_in(model);
     }
     scene::write_file_atomically(campus_file, campus_yaml(campus));
     if (std::ranges::any_of(campus.interiors, [](const SuggestedInterior& i) { return !i.rooms.empty(); })) {
         loader = quiet_loader(model, request);
     }
-}
-
-/// Writes a walk with as many of the planned visits as pass.
-std::size_t write_walk(const SuggestedCampus& campus, const fs::path& campus_file, const fs::path& walk_file,
-                       WalkLoader& loader) {
-    for (std::size_t visits = campus.visits.size();; --visits) {
-        scene::write_file_atomically(walk_file, walk_yaml(campus, campus_file.filename().string(), visits));
-        const LoadedWalk loaded = loader.load_walk(walk_file);
-        if (engine::run_walk(*loaded.campus, loaded.walk, {}).passed) {
-            return visits;
-        }
-        if (visits == 0) {
-            throw error_about(campus.scene.file, "no-ground",
-                              "no place was found where a visitor stays standing");
-        }
-    }
-}
-
-/// The lints of the model that still hold for the campus.
-struct RemainingLints {
-    std::vector<scene::ModelLint> lints;
-    std::size_t opened = 0;  ///< doors that the campus leaves out, so that they close nothing
-};
-
-RemainingLints remaining_lints(const UprightModel& model) {
-    const std::vector<std::string> open = closed_door_names(model.report);
-    RemainingLints left;
-    for (const scene::ModelLint& lint : model.report.warnings) {
-        if (lint.code != "solid-door") {
-            left.lints.push_back(lint);
-            continue;
-        }
-        std::vector<scene::ModelLint::Place> closed = lint.places;
-        left.opened += std::erase_if(closed, [&](const scene::ModelLint::Place& place) {
-            return std::ranges::find(open, place.node) != open.end();
-        });
-        if (!closed.empty()) {
-            left.lints.push_back(scene::solid_doors(std::move(closed)));
-        }
-    }
-    return left;
+    return std::move(*placed);
 }
 
 /// Files in which a campus and its walk are tried, so that existing files aren't touched until there is
@@ -251,51 +222,37 @@ private:
     }
 };
 
-/// That walks on the campus must be allowed to read the file, if so.
-void print_outside(const fs::path& campus_file, const fs::path& file, const char* what) {
-    if (!config::read_roots(campus_file, search_paths()).why_unreadable(file).empty()) {
-        print_line("%s isn't in the project: run the walk with --root %s", what,
-                   file.parent_path().string().c_str());
-    }
-}
-
 }  // namespace
 
-int suggest_campus(const scene::SceneFile& model, const SuggestRequest& request) {
+Suggestion suggest_campus(const scene::SceneFile& model, const SuggestRequest& request) {
     const fs::path& campus_file = request.campus_file;
-    const fs::path walk_file = walk_beside(campus_file, request.overwrite);
-    for (const fs::path& file : {campus_file, walk_file}) {
+    const fs::path beside = walk_beside(campus_file);
+    Suggestion suggestion{.campus_file = campus_file,
+                          .walk_file = request.walk_file.empty() ? beside : request.walk_file};
+    for (const fs::path& file : {campus_file, suggestion.walk_file}) {
+        require_new(file, request.overwrite);
         require_writable_file(file, "the suggestion can't be written here");
     }
-    UprightModel upright = load_upright(model, request.typed, scene::EmptyModel::refuse);
+    suggestion.model = load_upright(model, request.typed, scene::EmptyModel::refuse);
+    UprightModel& upright = suggestion.model;
     const Vector3d origin = move_near(upright);
-    lint_ground(ground_of(upright.model, upright.report), upright.report);
-    SuggestedCampus campus = without_visitor(upright, origin, request);
+    lint_ground(ground_of(upright), upright.report);
+    suggestion.campus = without_visitor(upright, origin, request);
+    SuggestedCampus& campus = suggestion.campus;
     WalkLoader loader = quiet_loader(upright, request);
     const Drafts drafts(campus_file);
-    write_campus(upright, request, drafts.campus, campus, loader);
-    const std::size_t visits = write_walk(campus, drafts.campus, drafts.walk, loader);
-    scene::write_file_atomically(campus_file, campus_yaml(campus));
-    scene::write_file_atomically(walk_file, walk_yaml(campus, campus_file.filename().string(), visits));
-    print_line("%s: %s", campus_file.string().c_str(),
-               scene::plural(campus.buildings.size(), "building").c_str());
-    print_line("%s: %s, played%s%s", walk_file.string().c_str(), scene::plural(visits, "visit").c_str(),
-               campus.ground ? ", on a box: the model has no ground" : "",
-               enters_something(campus, visits) ? "" : "; it goes through no door");
-    print_outside(campus_file, model.path, "the model");
-    if (request.places) {
-        print_outside(campus_file, request.places->path, "the file of places");
+    const engine::ExploreSettings explored = write_campus(upright, request, drafts.campus, campus, loader);
+    suggestion.walk = play_visits(campus, drafts.campus, drafts.walk, loader);
+    if (suggestion.walk.visits > 0) {
+        campus.doorways = try_doorways(suggestion.walk, campus, explored);
+        campus.at_most = static_cast<int>(std::ceil(kDetour * suggestion.walk.seconds));
     }
-    for (const std::string& line : frame_lines(upright)) {
-        print_line("%s", line.c_str());
-    }
-    const RemainingLints left = remaining_lints(upright);
-    if (left.opened > 0) {
-        print_line("%s left out of what is solid", scene::plural(left.opened, "closed door").c_str());
-    }
-    print_line("%s about the model", scene::plural(left.lints.size(), "warning").c_str());
-    print_lints(left.lints);
-    return kPass;
+    scene::write_file_atomically(campus_file, schema_line(campus_file, kCampusSchema) + campus_yaml(campus));
+    scene::write_file_atomically(
+        suggestion.walk_file,
+        schema_line(suggestion.walk_file, kWalkSchema) +
+            walk_yaml(campus, seen_from(suggestion.walk_file, campus_file), suggestion.walk.visits));
+    return suggestion;
 }
 
 }  // namespace campuswalk::tools

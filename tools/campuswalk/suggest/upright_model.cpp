@@ -1,11 +1,13 @@
 #include "tools/campuswalk/suggest/upright_model.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "scene/model/name_words.h"
 #include "tools/campuswalk/loading/model_importer.h"
 #include "tools/campuswalk/suggest/frame_text.h"
+#include "tools/campuswalk/suggest/lint_text.h"
 
 namespace campuswalk::tools {
 
@@ -18,9 +20,21 @@ bool has_lint(const scene::ModelReport& report, scene::DiagnosticCode code) {
 
 namespace {
 
+/// Takes skies and operands out of the model: they would hide the rest on maps, and close doorways.
+std::vector<scene::IntangibleNode> take_intangible(scene::Model& model) {
+    std::vector<scene::IntangibleNode> intangible = scene::intangible_nodes(model);
+    for (const scene::IntangibleNode& each : intangible) {
+        if (each.kind != scene::IntangibleNode::Kind::water) {
+            model.nodes[each.node].meshes.clear();
+        }
+    }
+    return intangible;
+}
+
 void report_on(UprightModel& upright) {
     upright.report = scene::report(upright.model);
-    const std::vector<scene::ModelLint> lints = frame_lints(upright);
+    std::vector<scene::ModelLint> lints = frame_lints(upright);
+    std::ranges::move(intangible_lints(upright), std::back_inserter(lints));
     upright.report.warnings.insert(upright.report.warnings.begin(), lints.begin(), lints.end());
     scene::add_repairs(upright.repairs, upright.report);
 }
@@ -31,6 +45,7 @@ UprightModel load_upright(const scene::SceneFile& file, const TypedFrame& typed,
     UprightModel upright;
     upright.file = file;
     scene::LoadedModel loaded = read_model(file, if_empty);
+    upright.intangible = take_intangible(loaded.imported.model);
     upright.frame = scene::guess_frame(loaded.imported.model);
     const scene::FrameGuess& frame = upright.frame;
     upright.is_turned = !typed.up && file.up == scene::UpAxis::y && frame.up == scene::UpAxis::z &&
@@ -41,6 +56,7 @@ UprightModel load_upright(const scene::SceneFile& file, const TypedFrame& typed,
         upright.file.up = upright.is_turned ? scene::UpAxis::z : file.up;
         upright.file.scale *= upright.is_scaled ? frame.scale : 1.0;
         loaded = read_model(upright.file, if_empty);
+        upright.intangible = take_intangible(loaded.imported.model);
     }
     upright.model = std::move(loaded.imported.model);
     upright.files = std::move(loaded.files);
@@ -60,6 +76,11 @@ Vector3d move_near(UprightModel& upright) {
     scene::move_origin(upright.model, origin);
     report_on(upright);
     return origin;
+}
+
+bool is_intangible(const UprightModel& upright, std::size_t node) {
+    return std::ranges::find(upright.intangible, node, &scene::IntangibleNode::node) !=
+           upright.intangible.end();
 }
 
 std::vector<std::string> closed_door_names(const scene::ModelReport& report) {

@@ -15,6 +15,7 @@
 #include "tools/campuswalk/run/plan/planned_walks.h"
 #include "tools/campuswalk/run/plan/reference_files.h"
 #include "tools/campuswalk/run/plan/strict_rules.h"
+#include "tools/campuswalk/suggest/frame_hints.h"
 
 namespace campuswalk::tools {
 
@@ -25,6 +26,9 @@ using engine::WalkResult;
 using scene::InputError;
 
 namespace {
+
+/// Where a spawn is in the air, the campus may have another unit or upper axis.
+constexpr scene::DiagnosticCode kSpawnInAir("spawn-in-air");
 
 /// What a walk is read from, kept for those of other shards as well.
 struct Sources {
@@ -123,6 +127,7 @@ std::shared_ptr<const LoadedWalk> made_ready(PlannedWalk& walk, bool strict, boo
     if (!walk.is_playable()) {
         return nullptr;
     }
+    const fs::path campus_file = walk.run->walk.campus;
     try {
         LoadedWalk loaded = loader.ready(std::move(*walk.run));
         refuse(texture_errors(loaded, strict, images));
@@ -132,6 +137,11 @@ std::shared_ptr<const LoadedWalk> made_ready(PlannedWalk& walk, bool strict, boo
         return std::make_shared<LoadedWalk>(std::move(loaded));
     } catch (const InputError& error) {
         note_errors(walk.result, error);
+        if (std::ranges::find(error.diagnostics(), kSpawnInAir, &scene::Diagnostic::code) !=
+            error.diagnostics().end()) {
+            std::ranges::move(frame_hints(*loader.load_campus(campus_file)),
+                              std::back_inserter(walk.result.diagnostics));
+        }
         return nullptr;
     }
 }
