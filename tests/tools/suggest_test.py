@@ -215,8 +215,7 @@ class Suggest(ProgramCase):
     def test_what_nobody_can_walk_about_in_is_said_with_its_size(self):
         self.write("toy.obj", boxes_obj([("floor", -0.1, -0.1, -0.1, 0.1, 0, 0.1)]))
         refused = self.run_program("info", "toy.obj", "--suggest", "toy.campus.yaml")
-        self.assertIn("it is 0.200 x 0.100 x 0.200 m large", refused.err)
-        self.assertIn("too small to walk about in, and nothing tells its unit", refused.err)
+        self.assertIn("it is 0.200 x 0.100 x 0.200 m large, too small to walk about in, and nothing tells its unit", refused.err)
         self.assertEqual(self.run_program("info", "toy.obj", "--strict").code, 1)
 
     def test_without_doors_the_walk_goes_to_far_corners(self):

@@ -115,8 +115,7 @@ std::vector<double> inner_heights(const WalkSpace& space) {
 
 /// Of ground all of which is an edge, `height` is the height.
 GroundCover cover_of(const collision::World& world, const WalkSpace& space, double footprint, double height) {
-    constexpr double kDrop =
-        1.05;  // metres: a metre below the ground, on which the feet rest a little higher
+    constexpr double kDrop = 2.05;  // metres: as far below as a floor is, for feet that rest a little higher
     std::vector<double> heights = inner_heights(space);
     GroundCover cover;
     cover.height = height;

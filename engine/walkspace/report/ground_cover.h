@@ -11,7 +11,7 @@ struct GroundCover {
     double seen = 0.0;          ///< m²: `area`, or if that was cut short what looks like ground from above
     double share = 0.0;         ///< of the world's footprint, at most 1; partly estimated if it was cut short
     double height = 0.0;        ///< the 5th percentile of its heights, of the largest piece
-    double share_below = 0.0;   ///< of the area of triangles that don't face down: over 1 m below that
+    double share_below = 0.0;   ///< of the area of triangles that don't face down: over 2 m below that
 };
 
 /// The ground of the world, from the largest piece on. Where that may be is found by looking at the middles

@@ -113,58 +113,86 @@ public:
                        .value_or(std::vector<Island>());
         for (const Island& island : islands_) {
             for (const UnreachedSpot& spot : island.spots) {
-                if (is_buried(spot.at.foot)) {
-                    continue;
+                if (!is_buried(spot.at.foot)) {
+                    double& lowest = lowest_.try_emplace(grid_.cell_at(spot.at.foot), 1e300).first->second;
+                    lowest = std::min(lowest, spot.at.foot.y());
                 }
-                double& lowest = lowest_.try_emplace(grid_.cell_at(spot.at.foot), 1e300).first->second;
-                lowest = std::min(lowest, spot.at.foot.y());
             }
         }
         spread_lowest();
+        for (const Island& island : islands_) {
+            is_aside_.push_back(find_aside(island));
+        }
     }
 
-    std::optional<Vec3> best() const {
-        const Island* most = nullptr;
+    std::optional<StartPlace> best() const {
+        std::optional<std::size_t> most;
         std::size_t most_weight = 0;
-        for (const Island& island : islands_) {
-            if (const std::size_t weight = weight_of(island); weight > most_weight) {
+        for (std::size_t i = 0; i < islands_.size(); ++i) {
+            if (const std::size_t weight = weight_of(i); weight > most_weight) {
                 most_weight = weight;
-                most = &island;
+                most = i;
             }
         }
-        if (most == nullptr) {
+        if (!most) {
             return std::nullopt;
         }
-        const IslandGround ground(*most, grid_);
+        const Island& island = islands_[*most];
+        const IslandGround ground(island, grid_);
         std::size_t best = 0;
         Score best_score;
-        for (std::size_t i = 0; i < most->spots.size(); ++i) {
-            const Score score = score_of(most->spots[i].at.foot, ground.edge_distance(i));
+        for (std::size_t i = 0; i < island.spots.size(); ++i) {
+            const Score score =
+                score_of(island.spots[i].at.foot, is_aside_[*most][i], ground.edge_distance(i));
             if (i == 0 || score > best_score) {
                 best = i;
                 best_score = score;
             }
         }
-        return most->spots[best].at.foot;
+        return StartPlace{island.spots[best].at.foot, is_aside_[*most][best]};
     }
 
 private:
     /// Compared from the first to the last.
     using Score = std::tuple<bool, bool, bool, std::uint32_t, double>;
 
-    Score score_of(const Vec3& foot, std::uint32_t edge_distance) const {
+    Score score_of(const Vec3& foot, bool is_aside, std::uint32_t edge_distance) const {
         const bool inside = preference_.is_inside && preference_.is_inside(foot);
-        return {!is_upstairs(foot) && !is_buried(foot), is_under_the_sky(foot), !inside,
-                std::min(edge_distance, kFarEnough), -(foot - preference_.near).squaredNorm()};
+        return {!is_aside, is_under_the_sky(foot), !inside, std::min(edge_distance, kFarEnough),
+                -(foot - preference_.near).squaredNorm()};
     }
 
-    std::size_t weight_of(const Island& island) const {
+    std::size_t weight_of(std::size_t island) const {
+        const std::vector<UnreachedSpot>& spots = islands_[island].spots;
         std::size_t weight = 0;
-        for (const UnreachedSpot& spot : island.spots) {
-            const bool is_aside = is_upstairs(spot.at.foot) || is_buried(spot.at.foot);
-            weight += is_aside ? 1U : is_under_the_sky(spot.at.foot) ? 16U : 4U;
+        for (std::size_t i = 0; i < spots.size(); ++i) {
+            weight += is_aside_[island][i] ? 1U : is_under_the_sky(spots[i].at.foot) ? 64U : 16U;
         }
         return weight;
+    }
+
+    /// By spot: whether it is above other ground, or as high as most of the island that is, such as the eaves
+    /// of a roof, or within a block of terrain.
+    std::vector<bool> find_aside(const Island& island) const {
+        struct Level {
+            std::size_t upstairs = 0;
+            std::size_t all = 0;
+        };
+        std::map<int, Level> levels;
+        const auto level_of = [&](const UnreachedSpot& spot) -> Level& {
+            return levels[static_cast<int>(std::floor(spot.at.foot.y() / kNextFloor))];
+        };
+        for (const UnreachedSpot& spot : island.spots) {
+            ++level_of(spot).all;
+            level_of(spot).upstairs += is_upstairs(spot.at.foot) ? 1U : 0U;
+        }
+        std::vector<bool> aside;
+        for (const UnreachedSpot& spot : island.spots) {
+            const Level& level = level_of(spot);
+            aside.push_back(2 * level.upstairs > level.all || is_upstairs(spot.at.foot) ||
+                            is_buried(spot.at.foot));
+        }
+        return aside;
     }
 
     /// Ground counts a little beside it, too, also where nobody has room, higher by as much as one walks up:
@@ -187,7 +215,30 @@ private:
 
     bool is_upstairs(const Vec3& foot) const {
         const auto lowest = lowest_.find(grid_.cell_at(foot));
-        return lowest != lowest_.end() && foot.y() - lowest->second > kNextFloor;
+        return (lowest != lowest_.end() && foot.y() - lowest->second > kNextFloor) || has_room_below(foot);
+    }
+
+    /// Whether there is a room's height between two surfaces below, as below a roof, whatever stands in the
+    /// room.
+    bool has_room_below(const Vec3& foot) const {
+        constexpr double kSkin = 0.05;    // metres
+        constexpr double kOn = 0.25;      // metres below a surface, where a ray goes on
+        constexpr int kMostSurfaces = 5;  // of a roof
+        const Vec3 bottom = foot - kHigherThanRoofs * Vec3::UnitY();
+        Vec3 from = foot - kSkin * Vec3::UnitY();
+        for (int i = 0; i < kMostSurfaces; ++i) {
+            const auto hit =
+                collision::cast(world_, settings_.solids, {from, bottom}, collision::Detection::solid);
+            if (!hit) {
+                return false;
+            }
+            const double gap = hit->fraction * (from.y() - bottom.y());
+            if (gap >= settings_.strides.body.height) {
+                return true;
+            }
+            from.y() -= gap + kOn;
+        }
+        return false;
     }
 
     /// Within a block of terrain: below the back of what faces up, which is higher above than a roof.
@@ -219,13 +270,14 @@ private:
     const StartPreference& preference_;
     const WalkGrid grid_;
     std::vector<Island> islands_;
-    std::map<GridCell, double> lowest_;  ///< by cell: the lowest ground there and near it
+    std::map<GridCell, double> lowest_;        ///< by cell: the lowest ground there and near it
+    std::vector<std::vector<bool>> is_aside_;  ///< by island and spot: see find_aside
 };
 
 }  // namespace
 
-std::optional<Vec3> best_start(const WorkerWorlds& worlds, const ExploreSettings& settings,
-                               const StartPreference& preference) {
+std::optional<StartPlace> best_start(const WorkerWorlds& worlds, const ExploreSettings& settings,
+                                     const StartPreference& preference) {
     return StartFinder(worlds, settings, preference).best();
 }
 

@@ -15,11 +15,17 @@ struct StartPreference {
     std::function<bool(const collision::Vec3& foot)> is_inside = {};
 };
 
+/// Where a visitor is put down.
+struct StartPlace {
+    collision::Vec3 foot = collision::Vec3::Zero();
+    bool is_aside = false;  ///< above other ground or rooms, such as on a roof, or within a block of terrain
+};
+
 /// Where to put a visitor down on a campus that says nothing of it: on the connected walkable ground that
-/// there is most of (under the open sky it counts four times, above other ground a quarter) within
+/// there is most of (under the open sky it counts four times, above other ground or rooms a sixteenth) within
 /// `settings.within`. In this order: not above other ground nor within a block of terrain, under the open
-/// sky, not inside, far from its edges (up to 8 m), near. Feet; none without walkable ground.
-std::optional<collision::Vec3> best_start(const WorkerWorlds& worlds, const ExploreSettings& settings,
-                                          const StartPreference& preference);
+/// sky, not inside, far from its edges (up to 8 m), near. None without walkable ground.
+std::optional<StartPlace> best_start(const WorkerWorlds& worlds, const ExploreSettings& settings,
+                                     const StartPreference& preference);
 
 }  // namespace campuswalk::engine

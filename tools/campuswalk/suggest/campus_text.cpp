@@ -211,6 +211,9 @@ std::string walk_yaml(const SuggestedCampus& campus, const std::string& campus_f
                 : "# It goes through no door: none was found that leads anywhere.\n") +
            (campus.ground ? "# The visitor walks on the box `ground` of that file: the model has no ground.\n"
                           : "") +
+           (campus.starts_aside
+                ? "# The visitor starts above rooms, perhaps on a roof: nothing else was found to stand on.\n"
+                : "") +
            "campus: " + yaml_string(campus_file) + "\navatar: adult\nsteps:\n" + steps +
            (visits == 0 ? "  - wait: 1\n" : "") + "expect:\n" + expect;
 }

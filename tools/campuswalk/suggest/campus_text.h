@@ -58,6 +58,7 @@ struct SuggestedCampus {
     std::size_t closed_doors = 0;         ///< how many of these are doors
     std::optional<scene::Bounds> ground;  ///< a box to stand on if the model has no ground
     Eigen::Vector3d spawn = Eigen::Vector3d::Zero();
+    bool starts_aside = false;  ///< the spawn is above rooms, such as on a roof: nothing else was found
     double yaw_deg = 0.0;
     std::vector<SuggestedVisit> visits;
     std::vector<SuggestedDoorway> doorways = {};  ///< once the walk has been played

@@ -84,7 +84,7 @@ std::optional<engine::ExploreSettings> place_visitor(const scene::ModelReport& r
     if (!spawn) {
         return std::nullopt;
     }
-    settings.starts = {*spawn};
+    settings.starts = {spawn->foot};
     settings.steer_falls = false;  // visitors don't jump off roofs
     const bool has_goals = !campus.buildings.empty() || campus.places.has_value();
     const double far = has_goals ? kFarthestVisit : kFarthestStroll;
@@ -95,7 +95,8 @@ std::optional<engine::ExploreSettings> place_visitor(const scene::ModelReport& r
         return std::nullopt;
     }
     settings.grid = reached.grid;
-    campus.spawn = *spawn;
+    campus.spawn = spawn->foot;
+    campus.starts_aside = spawn->is_aside;
     engine::Strider strider(worlds[0], settings.strides, settings.solids);
     const auto interiors = find_interiors(solid, reached, campus.buildings, doors_in(report));
     for (std::size_t b = 0; b < interiors.size(); ++b) {

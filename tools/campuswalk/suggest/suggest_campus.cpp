@@ -159,10 +159,13 @@ WalkLoader quiet_loader(const UprightModel& model, const SuggestRequest& request
 
 /// That there is no place to stand, with what is unsure about the model's frame.
 scene::InputError no_place_in(const UprightModel& model) {
-    std::string message = "there is no place to stand near its middle; it is " +
-                          size_text(model.report.bounds.max - model.report.bounds.min, 3) + " large";
-    for (const scene::ModelLint& lint : frame_lints(model)) {
+    const std::vector<scene::ModelLint> lints = frame_lints(model);
+    std::string message = "there is no place to stand near its middle";
+    for (const scene::ModelLint& lint : lints) {
         message += "; " + lint.message;
+    }
+    if (lints.empty()) {
+        message += "; it is " + size_text(model.report.bounds.max - model.report.bounds.min, 3) + " large";
     }
     return error_about(model.file.file, "no-ground",
                        message + "; pass --scale or --up, and see `campuswalk info`");

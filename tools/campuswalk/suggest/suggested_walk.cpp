@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "collision/world/bullet_broad_phase.h"
+#include "collision/world/cast.h"
 #include "engine/record/observer.h"
 #include "engine/simulation/run_walk.h"
 #include "engine/walkspace/route/route_facts.h"
@@ -54,20 +55,14 @@ std::vector<Vector3d> entry_of(const std::vector<Vector3d>& path, const scene::S
     return std::vector<Vector3d>(first, last + 1);
 }
 
-/// The narrowest place of a way, if that is narrow enough for a doorway.
-std::optional<engine::RouteFacts::Spot> doorway_on(const std::vector<Vector3d>& path,
-                                                   const scene::Campus& campus,
-                                                   const engine::ExploreSettings& settings) {
-    constexpr double kWidest = 2.5;  // metres: a double door
-    if (path.size() < 2) {
-        return std::nullopt;
-    }
-    engine::Route route;
-    route.path = path;
-    const auto narrowest =
-        engine::facts_of(route, campus.world, settings.strides.body, settings.solids).narrowest;
-    return narrowest && narrowest->value < kWidest ? narrowest : std::nullopt;
-}
+/// Where a visitor passes from one side to the other.
+struct Passage {
+    Vector3d foot;
+    double width = 0.0;  ///< metres
+    Vector3d ahead;      ///< level, of length 1
+};
+
+constexpr double kWidestDoorway = 2.5;  // metres: a double door
 
 /// The direction in which the way passes there, level.
 Vector3d direction_at(const std::vector<Vector3d>& path, const Vector3d& place) {
@@ -87,19 +82,69 @@ Vector3d direction_at(const std::vector<Vector3d>& path, const Vector3d& place) 
     return ahead.isZero(0.0) ? Vector3d::UnitZ().eval() : ahead.normalized();
 }
 
+/// The narrowest place of a way, if that is narrow enough for a doorway.
+std::optional<Passage> doorway_on(const std::vector<Vector3d>& path, const scene::Campus& campus,
+                                  const engine::ExploreSettings& settings) {
+    if (path.size() < 2) {
+        return std::nullopt;
+    }
+    engine::Route route;
+    route.path = path;
+    const auto narrowest =
+        engine::facts_of(route, campus.world, settings.strides.body, settings.solids).narrowest;
+    return narrowest && narrowest->value < kWidestDoorway
+               ? std::optional(Passage{narrowest->at, narrowest->value, direction_at(path, narrowest->at)})
+               : std::nullopt;
+}
+
+/// The opening of the wall where the entry passes it, by rays along the wall: an entry that passes obliquely
+/// has no jambs to its left and right.
+std::optional<Passage> opening_of(const std::vector<Vector3d>& entry,
+                                  const scene::SuggestedBuilding& building, const scene::Campus& campus) {
+    constexpr double kDeepest = 0.6;  // metres behind the wall's face
+    constexpr double kStep = 0.1;     // metres
+    const scene::UprightBox& box = building.box;
+    const auto passes = std::ranges::find_if(
+        entry, [&](const Vector3d& foot) { return box.depth_of(foot + kWaist * Vector3d::UnitY()) >= 0.0; });
+    if (passes == entry.end()) {
+        return std::nullopt;
+    }
+    const Vector3d from_center = *passes - box.center;
+    const double beside = 0.5 * box.size.x() - std::abs(from_center.dot(box.along));
+    const double before = 0.5 * box.size.z() - std::abs(from_center.dot(box.across()));
+    const Vector3d axis = beside < before ? box.along : box.across();
+    const Vector3d ahead = from_center.dot(axis) > 0.0 ? Vector3d(-axis) : axis;
+    const Vector3d sideways(ahead.z(), 0.0, -ahead.x());
+    std::optional<Passage> narrowest;
+    for (double deep = 0.0; deep <= kDeepest; deep += kStep) {
+        const Vector3d foot = *passes + deep * ahead;
+        const Vector3d waist = foot + kWaist * Vector3d::UnitY();
+        const auto free = [&](const Vector3d& side) {
+            const auto hit = collision::cast(campus.world, {}, {waist, waist + kWidestDoorway * side},
+                                             collision::Detection::solid);
+            return kWidestDoorway * (hit ? hit->fraction : 1.0);
+        };
+        const double left = free(sideways);
+        const double right = free(-sideways);
+        if (left + right < (narrowest ? narrowest->width : kWidestDoorway)) {
+            narrowest = Passage{foot + 0.5 * (left - right) * sideways, left + right, ahead};
+        }
+    }
+    return narrowest;
+}
+
 /// Whether a visitor gets there although nobody stands in the doorway.
 bool is_reached_otherwise(const engine::WorkerWorlds& worlds, engine::ExploreSettings settings,
-                          const Vector3d& goal, const engine::RouteFacts::Spot& doorway,
-                          const Vector3d& ahead) {
+                          const Vector3d& goal, const Passage& doorway) {
     constexpr double kHalfDepth = 0.45;  // metres: more than a stride of the exploration
     constexpr double kJambs = 0.3;       // metres on either side
     constexpr double kHeight = 2.0;      // metres, up and down
     constexpr double kNear = 0.6;        // metres from the goal
-    const Vector3d across(ahead.z(), 0.0, -ahead.x());
+    const Vector3d across(doorway.ahead.z(), 0.0, -doorway.ahead.x());
     settings.keep_out = [&](const Vector3d& foot) {
-        const Vector3d there = foot - doorway.at;
-        return std::abs(there.dot(ahead)) < kHalfDepth && std::abs(there.y()) < kHeight &&
-               std::abs(there.dot(across)) < doorway.value + kJambs;
+        const Vector3d there = foot - doorway.foot;
+        return std::abs(there.dot(doorway.ahead)) < kHalfDepth && std::abs(there.y()) < kHeight &&
+               std::abs(there.dot(across)) < doorway.width + kJambs;
     };
     const engine::WalkGrid grid = settings.grid.value();
     const engine::UntilCell there{[&](const engine::GridCell& cell, double y) {
@@ -151,12 +196,15 @@ std::vector<SuggestedDoorway> try_doorways(const PlayedWalk& walk, const Suggest
         if (building == nullptr) {
             continue;
         }
-        const std::vector<Vector3d> entry =
-            visit.trigger.ends_with(kInsideTrigger) ? entry_of(walk.paths[v], *building) : walk.paths[v];
-        if (const auto doorway = doorway_on(entry, *walk.campus, settings)) {
-            const bool otherwise =
-                is_reached_otherwise(worlds, settings, visit.to, *doorway, direction_at(entry, doorway->at));
-            doorways.push_back({v, doorway->at, doorway->value, !otherwise});
+        const bool enters = visit.trigger.ends_with(kInsideTrigger);
+        const std::vector<Vector3d> entry = enters ? entry_of(walk.paths[v], *building) : walk.paths[v];
+        std::optional<Passage> doorway = doorway_on(entry, *walk.campus, settings);
+        if (!doorway && enters) {
+            doorway = opening_of(entry, *building, *walk.campus);
+        }
+        if (doorway) {
+            const bool is_other = is_reached_otherwise(worlds, settings, visit.to, *doorway);
+            doorways.push_back({v, doorway->foot, doorway->width, !is_other});
         }
     }
     return doorways;

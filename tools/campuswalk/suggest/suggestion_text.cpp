@@ -59,6 +59,9 @@ void print_walk(const Suggestion& suggestion) {
                scene::plural(visits, "visit").c_str(),
                campus.ground ? ", on a box: the model has no ground" : "",
                enters_something(campus, visits) ? "" : "; it goes through no door");
+    if (campus.starts_aside) {
+        print_line("  it starts above rooms, perhaps on a roof: nothing else was found to stand on");
+    }
     for (const SuggestedDoorway& doorway : campus.doorways) {
         print_line("  %s if %s, is closed", doorway.is_only_path ? "it fails" : "it goes another way",
                    doorway_text(doorway).c_str());

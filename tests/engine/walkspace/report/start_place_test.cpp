@@ -21,7 +21,8 @@ std::optional<Vec3> start_on(const scene::Campus& campus, const StartPreference&
                              const collision::Aabb& within = {}) {
     ExploreSettings settings = explore_settings(campus, AvatarProfile(), 60);
     settings.within = within;
-    return best_start(WorkerWorlds(campus.world, 1, {}), settings, preference);
+    const auto start = best_start(WorkerWorlds(campus.world, 1, {}), settings, preference);
+    return start ? std::optional(start->foot) : std::nullopt;
 }
 
 scene::Campus lawn() {
@@ -56,6 +57,29 @@ TEST(BestStart, IsOnABlockOfTerrainAndNotWithin) {
     const auto foot = start_on(campus);
     ASSERT_TRUE(foot);
     EXPECT_NEAR(foot->y(), 0.0, 0.01);
+}
+
+TEST(BestStart, IsNotOnTheEavesOfARoof) {
+    scene::Campus campus = empty_campus();
+    add_box(campus, "floor", {-8, -0.2, -8}, {8, 0, 8});
+    add_box(campus, "roof", {-11, 5, -11}, {11, 5.2, 11});
+    const auto foot = start_on(campus);
+    ASSERT_TRUE(foot);
+    EXPECT_NEAR(foot->y(), 0.0, 0.01);
+}
+
+TEST(BestStart, TellsThatItIsAboveRooms) {
+    scene::Campus campus = empty_campus();
+    add_box(campus, "roof", {-11, 5, -11}, {11, 5.2, 11});
+    add_box(campus, "store", {-11, 0, -11}, {11, 2, 11});  // full of what leaves no room to stand
+    for (int x = -10; x <= 10; ++x) {
+        add_box(campus, "shelf" + std::to_string(x), {x - 0.2, 0, -11}, {x + 0.2, 4, 11});
+    }
+    const ExploreSettings settings = explore_settings(campus, AvatarProfile(), 60);
+    const auto start = best_start(WorkerWorlds(campus.world, 1, {}), settings, {});
+    ASSERT_TRUE(start);
+    EXPECT_NEAR(start->foot.y(), 5.2, 0.01);
+    EXPECT_TRUE(start->is_aside);
 }
 
 TEST(BestStart, IsNotOnAWall) {
