@@ -8,6 +8,7 @@ import re
 import jsonschema
 
 from program import CAMPUS, WALK, ProgramCase, main
+from suggest_test import boxes_obj
 
 # What the SARIF 2.1.0 standard requires of the parts that we write (sections 3.13 to 3.30), as a JSON Schema.
 SARIF = {
@@ -115,6 +116,26 @@ class Validate(ProgramCase):
         outcome = self.run_program("validate", "empty")
         self.assert_refused(outcome, "empty: error no-files: .walk.yaml .campus.yaml .avatar.yaml .light.yaml .steps.yaml "
                                      "walks.config.yaml")
+
+    def test_a_campus_of_another_unit_is_reported_where_its_scene_is_named(self):
+        self.write("school.obj", boxes_obj(
+            [("ground", -4000, -30, -3000, 4000, 0, 3000)] +
+            [("step", 0, 0, 29 * i, 150, 17 * (i + 1), 29 * (i + 1)) for i in range(10)]))
+        campus = ('scenes:\n  - {file: school.obj}\ncolliders: [{id: world, nodes: "*", shape: mesh, mode: solid}]\n'
+                  "spawns: {start: {at: [-20, 1.5, 0]}}\n")
+        self.write("school.campus.yaml", campus)
+        self.write("school.walk.yaml", "campus: school.campus.yaml\navatar: adult\nsteps: [{spawn: start}, {wait: 1}]\n"
+                   "expect: [{never: avatar.jump}]\n")
+        hint = "school.campus.yaml:2:12: warning odd-scale: 'school.obj': 9 risers are 17 m high"
+        self.assertIn(hint, self.passes("validate", "school.campus.yaml").err)
+        for command in ("validate", "run"):  # the visitor hangs in the air, which is the first thing that is wrong
+            outcome = self.run_program(command, "school.walk.yaml")
+            self.assertEqual(outcome.code, 2)
+            self.assertIn("error spawn-in-air", outcome.err)
+            self.assertIn(hint, outcome.err)
+            self.assertIn("with `scale: 0.01` 9 risers are 0.17 m high", outcome.err)
+        self.write("school.campus.yaml", campus.replace("school.obj}", "school.obj, scale: 0.01}"))
+        self.assertEqual(self.passes("validate", "school.campus.yaml").err, "")
 
     def test_steps_file(self):
         self.write("lap.steps.yaml", "steps:\n  - spawn: gate\n  - include: lap.steps.yaml\n")
