@@ -208,6 +208,15 @@ class Suggest(ProgramCase):
         self.assertRegex(campus, r"start: \{at: \[-?[0-9.]+, 0\.000, ")
         self.assertIn("avatar.arrive", log)
 
+    def test_nobody_starts_on_the_roof_of_what_is_full(self):
+        self.write("store.obj", boxes_obj(
+            [("Store_roof", -11, 5, -11, 11, 5.2, 11), ("Store_base", -11, 0, -11, 11, 2, 11)] +
+            [("Store_shelf", x - 0.2, 2, -11, x + 0.2, 4, 11) for x in range(-10, 11)]))
+        campus, log = self.suggest("store.obj")
+        self.assertIn("id: ground", campus)
+        self.assertRegex(campus, r"start: \{at: \[-?[0-9.]+, 0\.000, ")
+        self.assertIn("avatar.arrive", log)
+
     def test_what_has_no_area_is_not_solid(self):
         self.write("hut.obj", HUT + "o path\nv 5 0 5\nv 6 0 5\nv 7 0 5\nf -1 -2 -3\n")
         self.suggest("hut.obj")

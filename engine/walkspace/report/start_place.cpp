@@ -28,6 +28,8 @@ constexpr std::uint32_t kFarEnough = 16;
 constexpr double kGoesOn = 0.6;
 /// Ground in one cell so much higher is another floor, metres.
 constexpr double kNextFloor = 1.0;
+/// What is farther below isn't looked for, metres.
+constexpr double kHighestRoom = 15.0;
 constexpr double kHigherThanRoofs = 15.0;  // metres above a floor
 
 class IslandGround {
@@ -224,7 +226,7 @@ private:
         constexpr double kSkin = 0.05;    // metres
         constexpr double kOn = 0.25;      // metres below a surface, where a ray goes on
         constexpr int kMostSurfaces = 5;  // of a roof
-        const Vec3 bottom = foot - kHigherThanRoofs * Vec3::UnitY();
+        const Vec3 bottom = foot - kHighestRoom * Vec3::UnitY();
         Vec3 from = foot - kSkin * Vec3::UnitY();
         for (int i = 0; i < kMostSurfaces; ++i) {
             const auto hit =

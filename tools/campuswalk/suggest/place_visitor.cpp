@@ -56,6 +56,23 @@ std::vector<engine::KnownDoor> doors_in(const scene::ModelReport& report) {
     return doors;
 }
 
+/// Whether the place is on the roof of one of several buildings, which may have no bottom, and no ground
+/// below.
+bool is_on_top(const std::vector<scene::SuggestedBuilding>& buildings, const scene::Bounds& all,
+               const Vector3d& foot) {
+    constexpr double kMost = 0.5;    // of the plan: what is larger is the place itself
+    constexpr double kTop = 0.8;     // of its height
+    constexpr double kLowest = 2.0;  // metres: what is lower is a step or a stage
+    return std::ranges::any_of(buildings, [&](const scene::SuggestedBuilding& building) {
+        const scene::UprightBox& box = building.box;
+        const double height = foot.y() - (box.center.y() - 0.5 * box.size.y());
+        const Vector3d size = all.max - all.min;
+        return box.footprint() < kMost * size.x() * size.z() &&
+               height > std::max(kLowest, kTop * box.size.y()) &&
+               box.depth_of({foot.x(), box.center.y(), foot.z()}) >= 0.0;
+    });
+}
+
 SuggestedInterior as_written(const Interior& interior) {
     SuggestedInterior written{interior.place.has_value(), {}};
     for (const SuggestedRoom& room : interior.rooms) {
@@ -96,7 +113,7 @@ std::optional<engine::ExploreSettings> place_visitor(const scene::ModelReport& r
     }
     settings.grid = reached.grid;
     campus.spawn = spawn->foot;
-    campus.starts_aside = spawn->is_aside;
+    campus.starts_aside = spawn->is_aside || is_on_top(campus.buildings, report.bounds, spawn->foot);
     engine::Strider strider(worlds[0], settings.strides, settings.solids);
     const auto interiors = find_interiors(solid, reached, campus.buildings, doors_in(report));
     for (std::size_t b = 0; b < interiors.size(); ++b) {

@@ -30,6 +30,11 @@ namespace {
 /// The walk may take so much longer than it does: what is farther is a detour round something that is shut.
 constexpr double kDetour = 1.25;
 
+constexpr double kStorey = 2.0;  // metres, at least
+
+/// Until a visitor has been placed.
+const SuggestedInterior kUnknownInterior{.can_be_entered = true};
+
 /// The height of the lowest of a building's doors, or of its bottom if it has none.
 double threshold_of(const scene::SuggestedBuilding& building, const std::vector<scene::Door>& doors) {
     constexpr double kBeside = 0.5;    // metres from a door to the walls of its building
@@ -131,7 +136,7 @@ SuggestedCampus without_visitor(const UprightModel& model, const Vector3d& origi
                     campus.on_earth);  // an error in the file is about that, not about a draft
     }
     campus.buildings = scene::suggest_buildings(model.model, model.report);
-    campus.interiors.assign(campus.buildings.size(), SuggestedInterior{true, {}});  // as far as is known
+    campus.interiors.assign(campus.buildings.size(), kUnknownInterior);
     std::vector<std::string> left_out = closed_door_names(model.report);
     campus.closed_doors = left_out.size();
     for (const scene::IntangibleNode& each : model.intangible) {
@@ -183,9 +188,12 @@ engine::ExploreSettings write_campus(const UprightModel& model, const SuggestReq
         scene::write_file_atomically(campus_file, campus_yaml(campus));  // its spawn isn't known yet
         placed = place_visitor(model.report, *loader.load_campus(campus_file), campus);
     }
-    if (!placed && !tiny) {
+    const scene::Bounds ground = substitute_ground(model.report, campus.buildings);
+    const bool is_on_roof = campus.starts_aside && campus.spawn.y() > ground.max.y() + kStorey;
+    if ((!placed || is_on_roof) && !tiny) {
         loader = quiet_loader(model, request);  // without the campus that lacks the ground
-        campus.ground = substitute_ground(model.report, campus.buildings);
+        campus.interiors.assign(campus.buildings.size(), kUnknownInterior);
+        campus.ground = ground;
         scene::write_file_atomically(campus_file, campus_yaml(campus));
         placed = place_visitor(model.report, *loader.load_campus(campus_file), campus);
     }
