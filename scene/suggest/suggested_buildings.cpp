@@ -261,8 +261,8 @@ std::vector<std::vector<std::string>> globs_of(const Model& model,
     return globs;
 }
 
-/// Leaves out all but the largest of those without a name.
-void keep_largest_unnamed(std::vector<FoundBuilding>& buildings, std::vector<std::string>& names) {
+/// Leaves out all but the largest of those without a name, and returns how many.
+std::size_t keep_largest_unnamed(std::vector<FoundBuilding>& buildings, std::vector<std::string>& names) {
     constexpr std::size_t kMostUnnamed = 40;
     std::vector<std::size_t> unnamed;
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -279,11 +279,12 @@ void keep_largest_unnamed(std::vector<FoundBuilding>& buildings, std::vector<std
         buildings.erase(buildings.begin() + static_cast<std::ptrdiff_t>(i));
         names.erase(names.begin() + static_cast<std::ptrdiff_t>(i));
     }
+    return unnamed.size();
 }
 
 }  // namespace
 
-std::vector<SuggestedBuilding> suggest_buildings(const Model& model, const ModelReport& report) {
+SuggestedBuildings suggest_buildings(const Model& model, const ModelReport& report) {
     const SplitModel split = split_nodes(model);
     ModelReport pieces;
     pieces.bounds = report.bounds;
@@ -293,7 +294,7 @@ std::vector<SuggestedBuilding> suggest_buildings(const Model& model, const Model
     if (found.size() == 1 && names[0].empty()) {
         names[0] = std::filesystem::path(model.file).stem().string();
     }
-    keep_largest_unnamed(found, names);
+    const std::size_t left_out = keep_largest_unnamed(found, names);
     std::vector<std::string> words;
     words.reserve(names.size());
     std::size_t numbered = 0;
@@ -308,9 +309,9 @@ std::vector<SuggestedBuilding> suggest_buildings(const Model& model, const Model
     const std::vector<std::string> ids = distinct_words(words);
     found = by_whole_nodes(split, found, report);
     const std::vector<std::vector<std::string>> globs = globs_of(model, found);
-    std::vector<SuggestedBuilding> buildings;
+    SuggestedBuildings buildings{.list = {}, .left_out = left_out};
     for (std::size_t i = 0; i < found.size(); ++i) {
-        buildings.push_back({ids[i], names[i], globs[i], found[i].nodes.size() == 1, found[i].box});
+        buildings.list.push_back({ids[i], names[i], globs[i], found[i].nodes.size() == 1, found[i].box});
     }
     return buildings;
 }

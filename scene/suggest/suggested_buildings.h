@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -19,9 +20,14 @@ struct SuggestedBuilding {
     UprightBox box;           ///< world
 };
 
+struct SuggestedBuildings {
+    std::vector<SuggestedBuilding> list;
+    std::size_t left_out = 0;  ///< further ones without names
+};
+
 /// The buildings of find_buildings in the order of the file: all whose names say something, and of the others
 /// the forty with the largest footprint. A name is the node's own, that of a group which holds all of the
 /// building and no other, or the beginning that its nodes' names share; that of the file if there is but one.
-std::vector<SuggestedBuilding> suggest_buildings(const Model& model, const ModelReport& report);
+SuggestedBuildings suggest_buildings(const Model& model, const ModelReport& report);
 
 }  // namespace campuswalk::scene

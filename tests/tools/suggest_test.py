@@ -275,6 +275,15 @@ class Suggest(ProgramCase):
         outcome = self.run_program("info", "tall.obj", "--suggest", "new.campus.yaml", "--strict")
         self.assertEqual(outcome.code, 1, outcome.out)
         self.assertIn("odd-scale: 9 risers are 1.7 m high", outcome.out)
+        self.assertIn("  # To be decided: 9 risers are 1.7 m high", self.read("new.campus.yaml").decode())
+
+    def test_buildings_that_are_left_out_are_counted(self):
+        self.write("town.obj", boxes_obj([("meadow", -100, -1, -100, 200, 0, 200)] + [
+            ("%08d" % (10 * x + z), 15 * x, 0, 15 * z, 15 * x + 8, 6, 15 * z + 8) for x in range(9) for z in range(5)]))
+        self.assertIn("\nbuildings  40, and 5 smaller ones without names\n", self.passes("info", "town.obj").out)
+        said = self.passes("info", "town.obj", "--suggest", "new.campus.yaml").out
+        self.assertIn("new.campus.yaml: 40 buildings, and 5 smaller ones without names left out\n", said)
+        self.assertIn("buildings:\n  # And 5 smaller ones without names.\n", self.read("new.campus.yaml").decode())
 
     def test_a_campus_must_be_named_as_one(self):
         outcome = self.run_program("info", "hut.obj", "--suggest", "new.yaml")

@@ -35,7 +35,7 @@ protected:
 
     std::vector<std::string> titles() const {
         std::vector<std::string> all;
-        for (const SuggestedBuilding& building : suggest_buildings(model_, report(model_))) {
+        for (const SuggestedBuilding& building : suggest_buildings(model_, report(model_)).list) {
             all.push_back(building.title);
         }
         return all;
@@ -73,7 +73,7 @@ TEST_F(FoundBuildings, AreJoinedFromLooseParts) {
     add_panels("Library_wall", {0, 0, 0});
     add_panels("Gym_wall", {30, 0, 0});
     add_panels("Cube.", {60, 0, 0});
-    const auto found = suggest_buildings(model_, report(model_));
+    const auto found = suggest_buildings(model_, report(model_)).list;
     ASSERT_EQ(found.size(), 3U);
     EXPECT_EQ(titles(), (Titles{"Library_wall", "Gym_wall", "Building 1"}));
     EXPECT_EQ(found[0].globs, std::vector<std::string>{"Library_wall*"});
@@ -101,7 +101,7 @@ TEST_F(FoundBuildings, AreNotTheFenceAroundThem) {
                                     std::pair(Vector3d(59.8, 0, -29.8), Vector3d(60, 2.6, 40))}) {
         test::add_box(model_, "Cube." + std::to_string(100 + model_.nodes.size()), low, high);
     }
-    const auto found = suggest_buildings(model_, report(model_));
+    const auto found = suggest_buildings(model_, report(model_)).list;
     ASSERT_EQ(found.size(), 2U);
     EXPECT_NEAR(found[0].box.size.x(), 10, 1e-6);
 }

@@ -90,7 +90,7 @@ TEST(SplitNodes, LeavesWhatANameCallsSurroundings) {
 
 std::vector<std::string> titles_of(const Model& model) {
     std::vector<std::string> titles;
-    for (const SuggestedBuilding& building : suggest_buildings(model, report(model))) {
+    for (const SuggestedBuilding& building : suggest_buildings(model, report(model)).list) {
         titles.push_back(building.title);
     }
     return titles;
@@ -101,7 +101,7 @@ using Titles = std::vector<std::string>;
 TEST(SuggestedBuildings, AreFoundInOneMesh) {
     Model model;
     add_boxes(model, "Campus", six_houses_on_a_lawn());
-    const auto buildings = suggest_buildings(model, report(model));
+    const auto buildings = suggest_buildings(model, report(model)).list;
     ASSERT_EQ(buildings.size(), 6U);
     EXPECT_TRUE(buildings[0].box.center.isApprox(Vector3d(-50, 4.5, -50), 1e-6));
     EXPECT_TRUE(buildings[0].box.size.isApprox(Vector3d(20, 9, 16), 1e-6));

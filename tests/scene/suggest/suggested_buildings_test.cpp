@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector3d;
 
 std::vector<SuggestedBuilding> suggest(const Model& model) {
-    return suggest_buildings(model, report(model));
+    return suggest_buildings(model, report(model)).list;
 }
 
 std::vector<std::string> ids_of(const Model& model) {

@@ -218,9 +218,12 @@ void print_frame(const UprightModel& upright) {
     }
 }
 
-void print_buildings(const std::vector<scene::SuggestedBuilding>& buildings) {
-    print_line("buildings  %zu", buildings.size());
-    print_list(buildings, [](const scene::SuggestedBuilding& building) {
+void print_buildings(const scene::SuggestedBuildings& buildings) {
+    print_line("buildings  %zu%s", buildings.list.size(),
+               buildings.left_out == 0
+                   ? ""
+                   : (", and " + std::to_string(buildings.left_out) + " smaller ones without names").c_str());
+    print_list(buildings.list, [](const scene::SuggestedBuilding& building) {
         Eigen::Vector3d foot = building.box.center;
         foot.y() -= 0.5 * building.box.size.y();
         print_line("  %-28s %s x %s m, %s m high, at %s", building.title.c_str(),

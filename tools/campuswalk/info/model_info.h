@@ -21,7 +21,7 @@ struct PlaceCount {
 struct ModelInfo {
     UprightModel upright;
     std::optional<engine::GroundCover> ground;
-    std::vector<scene::SuggestedBuilding> buildings;
+    scene::SuggestedBuildings buildings;
     std::optional<PlaceCount> places = {};  ///< if a file of them was named
 };
 

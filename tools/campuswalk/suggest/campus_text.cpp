@@ -30,6 +30,15 @@ std::string origin_yaml(const SuggestedCampus& campus) {
     return keys.empty() ? "" : "origin: {" + keys.substr(2) + "}\n";
 }
 
+/// What has to be asked, as comments. Names of nodes in it stay in their line.
+std::string doubts_yaml(const SuggestedCampus& campus) {
+    std::string text;
+    for (const std::string& doubt : campus.doubts) {
+        text += "  # To be decided: " + doubt + ".\n";
+    }
+    return text;
+}
+
 /// Nothing without a file of places.
 std::string places_yaml(const SuggestedCampus& campus) {
     if (!campus.places) {
@@ -128,13 +137,16 @@ std::string room_trigger(std::size_t room) {
 std::string campus_yaml(const SuggestedCampus& campus) {
     std::string text =
         "# A first draft by `campuswalk info --suggest`: rename, describe, and split what is solid.\n"
-        "scenes:\n  - {file: " +
-        yaml_string(campus.model);
+        "scenes:\n" +
+        doubts_yaml(campus) + "  - {file: " + yaml_string(campus.model);
     text += campus.scene.up == scene::UpAxis::z ? ", up: z" : "";
     text += campus.scene.scale != 1.0 ? ", scale: " + json_text(campus.scene.scale) : "";
     text += "}\n";
     text += origin_yaml(campus);
     text += campus.buildings.empty() ? "" : "buildings:\n";
+    text += campus.more_buildings == 0
+                ? ""
+                : "  # And " + std::to_string(campus.more_buildings) + " smaller ones without names.\n";
     for (const scene::SuggestedBuilding& building : campus.buildings) {
         text += "  - {id: " + yaml_string(building.id) +
                 (building.globs.empty() ? "" : ", nodes: " + globs_yaml(building.globs)) +
@@ -208,7 +220,7 @@ std::string walk_yaml(const SuggestedCampus& campus, const std::string& campus_f
     return "# Beside " + campus_file + ", by `campuswalk info --suggest`.\n" +
            (enters_something(campus, visits)
                 ? ""
-                : "# It goes through no door: none was found that leads anywhere.\n") +
+                : "# It goes through no door: no building was found that can be entered from the spawn.\n") +
            (campus.ground ? "# The visitor walks on the box `ground` of that file: the model has no ground.\n"
                           : "") +
            (campus.starts_aside

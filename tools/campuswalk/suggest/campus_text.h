@@ -50,6 +50,8 @@ struct SuggestedCampus {
     std::optional<scene::GeographicPlace> on_earth;  ///< of [0, 0, 0]; none if nothing needs it
     std::optional<config::PlaceFile> places;         ///< its path is likewise relative
     std::vector<scene::SuggestedBuilding> buildings;
+    std::size_t more_buildings = 0;            ///< without names, smaller than these
+    std::vector<std::string> doubts;           ///< about the unit and the upper axis
     std::vector<SuggestedInterior> interiors;  ///< by building
     std::vector<std::vector<std::string>>
         left_out_of;                      ///< by building: those of `left_out` that are its nodes

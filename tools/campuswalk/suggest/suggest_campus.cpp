@@ -135,8 +135,13 @@ SuggestedCampus without_visitor(const UprightModel& model, const Vector3d& origi
         read_places(*request.places,
                     campus.on_earth);  // an error in the file is about that, not about a draft
     }
-    campus.buildings = scene::suggest_buildings(model.model, model.report);
+    scene::SuggestedBuildings buildings = scene::suggest_buildings(model.model, model.report);
+    campus.buildings = std::move(buildings.list);
+    campus.more_buildings = buildings.left_out;
     campus.interiors.assign(campus.buildings.size(), kUnknownInterior);
+    for (const scene::ModelLint& lint : frame_lints(model)) {
+        campus.doubts.push_back(lint.message);
+    }
     std::vector<std::string> left_out = closed_door_names(model.report);
     campus.closed_doors = left_out.size();
     for (const scene::IntangibleNode& each : model.intangible) {

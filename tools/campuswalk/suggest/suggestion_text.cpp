@@ -55,7 +55,7 @@ void print_outside(const fs::path& campus_file, const fs::path& file, const char
 void print_walk(const Suggestion& suggestion) {
     const SuggestedCampus& campus = suggestion.campus;
     const std::size_t visits = suggestion.walk.visits;
-    print_line("%s: %s, played%s%s", suggestion.walk_file.string().c_str(),
+    print_line("%s: %s, played%s%s", suggestion.walk_file.lexically_normal().string().c_str(),
                scene::plural(visits, "visit").c_str(),
                campus.ground ? ", on a box: the model has no ground" : "",
                enters_something(campus, visits) ? "" : "; it goes through no door");
@@ -72,8 +72,12 @@ void print_walk(const Suggestion& suggestion) {
 
 void print_suggestion(const Suggestion& suggestion) {
     const SuggestedCampus& campus = suggestion.campus;
-    print_line("%s: %s", suggestion.campus_file.string().c_str(),
-               scene::plural(campus.buildings.size(), "building").c_str());
+    print_line("%s: %s%s", suggestion.campus_file.lexically_normal().string().c_str(),
+               scene::plural(campus.buildings.size(), "building").c_str(),
+               campus.more_buildings == 0 ? ""
+                                          : (", and " + std::to_string(campus.more_buildings) +
+                                             " smaller ones without names left out")
+                                                .c_str());
     print_walk(suggestion);
     print_outside(suggestion.campus_file, suggestion.model.file.path, "the model");
     if (campus.places) {

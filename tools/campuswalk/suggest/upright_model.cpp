@@ -35,8 +35,8 @@ void report_on(UprightModel& upright) {
     upright.report = scene::report(upright.model);
     std::vector<scene::ModelLint> lints = frame_lints(upright);
     std::ranges::move(intangible_lints(upright), std::back_inserter(lints));
-    upright.report.warnings.insert(upright.report.warnings.begin(), lints.begin(), lints.end());
     scene::add_repairs(upright.repairs, upright.report);
+    upright.report.warnings.insert(upright.report.warnings.begin(), lints.begin(), lints.end());
 }
 
 }  // namespace
