@@ -160,7 +160,7 @@ std::string name_above(const Model& model, std::size_t node, const std::vector<s
         if (below[group] > 1 || is_file) {
             break;
         }
-        if (const std::string name = without_file_ending(model.nodes[group].name); says_something(name)) {
+        if (std::string name = without_file_ending(model.nodes[group].name); says_something(name)) {
             return name;
         }
     }

@@ -72,7 +72,7 @@ Vector3d move_near(UprightModel& upright) {
     const scene::Bounds& bounds = upright.report.bounds;
     Vector3d middle = bounds.center();
     middle.y() = bounds.min.y();
-    const Vector3d origin = middle.array().round();
+    Vector3d origin = middle.array().round();
     scene::move_origin(upright.model, origin);
     report_on(upright);
     return origin;
