@@ -77,7 +77,7 @@ class Init(ProgramCase):
         self.refused(["--from", "school/hall.obj", "school"], "school/walks.config.yaml: error file-exists: ")
         # Without CI, where the model is the current folder's.
         self.write("plain/hall.obj", self.read("school/hall.obj"))
-        self.passes("init", "--from", "hall.obj", "--ci", "none", cwd=self.path("plain"))
+        self.passes("init", "--from", "hall.obj", "--up", "y", "--ci", "none", cwd=self.path("plain"))
         self.assertFalse(os.path.exists(self.path("plain/.github")))
 
     def test_a_model_that_cannot_become_a_project_leaves_nothing(self):
