@@ -47,7 +47,7 @@ Bounds bounds_without(const std::vector<Bounds>& bounds, const IsLeftOut& is_lef
     return all;
 }
 
-/// Seen from above.
+/// Whether the plan of one lies within the other's.
 bool surrounds(const Bounds& outer, const Bounds& inner) {
     return !inner.empty() && outer.min.x() < inner.min.x() && outer.max.x() > inner.max.x() &&
            outer.min.z() < inner.min.z() && outer.max.z() > inner.max.z();
@@ -70,26 +70,30 @@ bool is_round(const Model& model, std::size_t node, const Bounds& bounds) {
     return is_even && vertices >= kFewest;
 }
 
-/// By node. First domes, balls and boxes around what isn't called a sky, then clouds above that.
+/// Tells of each node whether it is a sky: a dome, ball or box around what isn't called one, or clouds high
+/// above that.
 std::vector<bool> find_skies(const Model& model, const std::vector<Bounds>& bounds) {
     std::vector<bool> is_named(bounds.size(), false);
     for (std::size_t n = 0; n < bounds.size(); ++n) {
-        is_named[n] = is_sky_name(telling_name(model, n));
+        is_named[n] = !bounds[n].empty() && is_sky_name(telling_name(model, n));
     }
-    std::vector<bool> is_sky(bounds.size(), false);
     const Bounds all = bounds_without(bounds, [](std::size_t) { return false; });
+    const Bounds below = bounds_without(bounds, [&](std::size_t n) { return is_named[n]; });
+    const auto covers = [&](std::size_t n, const Bounds& rest) {
+        return surrounds(bounds[n], rest) && bounds[n].max.y() > rest.max.y();
+    };
+    const auto is_high = [&](const Bounds& clouds) {
+        return !below.empty() && clouds.min.y() > below.max.y() + 0.5 * (below.max.y() - below.min.y());
+    };
+    std::vector<bool> is_sky(bounds.size(), false);
     for (std::size_t n = 0; n < bounds.size(); ++n) {
-        const bool is_widest = bounds[n].max.x() - bounds[n].min.x() >= 0.9 * (all.max.x() - all.min.x());
-        if (is_widest || is_named[n]) {
-            const Bounds rest =
-                bounds_without(bounds, [&](std::size_t other) { return other == n || is_named[other]; });
-            is_sky[n] = surrounds(bounds[n], rest) && bounds[n].max.y() > rest.max.y() &&
-                        (is_named[n] || is_round(model, n, bounds[n]));
+        if (is_named[n]) {
+            is_sky[n] = covers(n, below) || is_high(bounds[n]);
+        } else if (bounds[n].max.x() - bounds[n].min.x() >= 0.9 * (all.max.x() - all.min.x()) &&
+                   is_round(model, n, bounds[n])) {
+            is_sky[n] = covers(
+                n, bounds_without(bounds, [&](std::size_t other) { return other == n || is_named[other]; }));
         }
-    }
-    const Bounds rest = bounds_without(bounds, [&](std::size_t n) { return is_sky[n] || is_named[n]; });
-    for (std::size_t n = 0; n < bounds.size(); ++n) {
-        is_sky[n] = is_sky[n] || (is_named[n] && !bounds[n].empty() && bounds[n].min.y() > rest.max.y());
     }
     return is_sky;
 }
@@ -127,13 +131,17 @@ std::vector<IntangibleNode> intangible_nodes(const Model& model) {
     const std::vector<Bounds> bounds = bounds_of_nodes(model);
     const std::vector<bool> is_sky = find_skies(model, bounds);
     std::map<std::string, std::size_t> uses;
+    std::vector<bool> has_children(model.nodes.size(), false);
     for (const Node& node : model.nodes) {
         ++uses[node.name];
+        if (node.parent >= 0) {
+            has_children[static_cast<std::size_t>(node.parent)] = true;
+        }
     }
     std::vector<IntangibleNode> found;
     for (std::size_t n = 0; n < model.nodes.size(); ++n) {
         const std::string& name = model.nodes[n].name;
-        if (bounds[n].empty() || name.empty() || uses.at(name) > 1) {
+        if (bounds[n].empty() || name.empty() || uses.at(name) > 1 || has_children[n]) {
             continue;
         }
         if (const auto kind =

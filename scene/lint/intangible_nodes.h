@@ -18,8 +18,9 @@ struct IntangibleNode {
     Kind kind = Kind::sky;
 };
 
-/// In order of nodes, those that have a name of their own, by which a campus can leave them out; +Y is up. A
-/// sky is recognized by its shape, if it surrounds everything else, or by a name and its place.
+/// Finds, in order of nodes, those that have a name of their own and nothing below them, so that a campus can
+/// leave them out by a glob; +Y is up. A sky is recognized by its shape, if it surrounds everything else, or
+/// by a name and its place.
 std::vector<IntangibleNode> intangible_nodes(const Model& model);
 
 }  // namespace campuswalk::scene

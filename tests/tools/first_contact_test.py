@@ -105,7 +105,7 @@ class FirstContact(ProgramCase):
                 self.assertEqual([place["node"] for place in lint["places"]], [node])
         spawn, _ = self.suggested("14b-hall-with-door-and-cutter.obj")
         self.assertRegex(self.read("new.walk.yaml").decode(), r"trigger\.enter [^\"]*/inside")
-        self.assertIn("if it is closed, no way leads there", self.read("new.walk.yaml").decode())
+        self.assertIn("leaves no path of up to 100 m", self.read("new.walk.yaml").decode())
         spawn, _ = self.suggested("09-lake-only-ground.obj")
         self.assertLess(spawn[1], 1.0)  # on no roof
         self.assertIn("the model has no ground", self.read("new.walk.yaml").decode())

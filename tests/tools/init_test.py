@@ -67,7 +67,7 @@ class Init(ProgramCase):
         shutil.rmtree(self.path("avatars"))  # the program's own adult, as that is beside no project's
         made = self.passes("init", "--from", "school/hall.obj", "school")
         self.assertIn("school/walks/hall.walk.yaml: 1 visit, played\n", made.out)
-        self.assertIn("it fails if the doorway at ", made.out)
+        self.assertIn("  closing the doorway at ", made.out)
         self.assertEqual(self.read("school/.gitignore"), b"mine\n")
         for name, schema in (("hall.campus.yaml", "schema/campus"), ("walks/hall.walk.yaml", "../schema/walk")):
             self.assertTrue(self.read("school/" + name).decode().startswith(

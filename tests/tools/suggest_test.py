@@ -185,13 +185,13 @@ class Suggest(ProgramCase):
         self.house_with(("House_n", -6, 0, -12, 6, 3, -11.8))
         self.suggest("house.obj")
         walk = self.read("new.walk.yaml").decode()
-        self.assertRegex(walk, r"(?m)^  # Through the doorway at \[3\.[3-6]\d\d, 0\.000, -4\.\d+\], 1\.0\d m wide: "
-                               r"if it is closed, no way leads there\.\n  - go_to: ")
-        self.assertIn("it fails if the doorway at ", self.passes("info", "house.obj", "--suggest", "b.campus.yaml").out)
+        self.assertRegex(walk, r"(?m)^  # Closing the doorway at \[3\.[3-6]\d\d, 0\.000, -4\.\d+\], 1\.0\d m wide, "
+                               r"leaves no path of up to 100 m\.\n  - go_to: ")
+        self.assertIn("  closing the doorway at ", self.passes("info", "house.obj", "--suggest", "b.campus.yaml").out)
         # With a second doorway, the walk takes that one, which is a detour.
         self.house_with(("House_n1", -6, 0, -12, 3, 3, -11.8), ("House_n2", 4, 0, -12, 6, 3, -11.8))
         campus, _ = self.suggest("house.obj", "--overwrite")
-        x, z = re.search(r"Through the doorway at \[(\S+), \S+, (\S+)\], .*: if it is closed, another way leads there\.\n",
+        x, z = re.search(r"Closing the doorway at \[(\S+), \S+, (\S+)\], .* leaves another path\.\n",
                          self.read("new.walk.yaml").decode()).groups()
         self.write("new.campus.yaml", campus.replace(
             "colliders:\n", "colliders:\n  - {id: leaf, shape: box, center: [%s, 1, %s], size: [1.2, 3, 0.3], mode: solid}\n" % (x, z)))

@@ -28,9 +28,8 @@ constexpr std::uint32_t kFarEnough = 16;
 constexpr double kGoesOn = 0.6;
 /// Ground in one cell so much higher is another floor, metres.
 constexpr double kNextFloor = 1.0;
-/// What is farther below isn't looked for, metres.
+/// Where there is more room between two surfaces, it is no room of a building, metres.
 constexpr double kHighestRoom = 15.0;
-constexpr double kHigherThanRoofs = 15.0;  // metres above a floor
 
 class IslandGround {
 public:
@@ -173,8 +172,8 @@ private:
         return weight;
     }
 
-    /// By spot: whether it is above other ground, or as high as most of the island that is, such as the eaves
-    /// of a roof, or within a block of terrain.
+    /// Tells for each spot whether it is above other ground, or as high as most of the island that is, such
+    /// as the eaves of a roof, or within a block of terrain.
     std::vector<bool> find_aside(const Island& island) const {
         struct Level {
             std::size_t upstairs = 0;
@@ -243,7 +242,8 @@ private:
         return false;
     }
 
-    /// Within a block of terrain: below the back of what faces up, which is higher above than a roof.
+    /// Whether the place is within a block of terrain: below the back of what faces up, which is higher above
+    /// than a roof.
     bool is_buried(const Vec3& foot) const {
         constexpr double kNear = 0.05;  // metres
         constexpr double kUp = 0.3;     // of the normal
@@ -251,7 +251,7 @@ private:
         const Vec3 start = foot + settings_.strides.body.height * Vec3::UnitY();
         const auto hit = collision::cast(world_, settings_.solids, {start, sky}, collision::Detection::solid);
         const Vec3 above = hit ? Vec3(start + hit->fraction * (sky - start)) : foot;
-        if (above.y() - foot.y() < kHigherThanRoofs) {
+        if (above.y() - foot.y() < kHighestRoom) {
             return false;
         }
         std::vector<collision::Obstacle> pieces;

@@ -213,6 +213,9 @@ int make_project_around(const InitOptions& options) {
     request.typed = options.typed;
     request.campus_file = options.folder / (name + ".campus.yaml");
     request.walk_file = options.folder / "walks" / (name + std::string(config::kWalkSuffix));
+    for (const fs::path& file : {request.campus_file, request.walk_file}) {
+        require_writable_file(file, "the suggestion can't be written here", options.folder);
+    }
     Undo undo;
     for (const init::NewFile& file : files) {
         write(options.folder / file.path, file.text, undo);
@@ -233,11 +236,13 @@ void add_init(Command program, CommandAction& chosen) {
     const auto options = std::make_shared<InitOptions>();
     Command command =
         program.add("init", "Create a folder with a small school, walks and a CI workflow to start from");
-    command.option({.names = "DIR",
-                    .help = "A new or an empty folder; with --template none, that of a project",
-                    .value = "DIR",
-                    .show_default = true},
-                   options->folder);
+    command.option(
+        {.names = "DIR",
+         .help = "A new or an empty folder; with --template none, that of a project; with --from, the "
+                 "model's",
+         .value = "DIR",
+         .show_default = true},
+        options->folder);
     const std::map<std::string, init::Template> templates = {{"minimal", init::Template::minimal},
                                                              {"stairs", init::Template::stairs},
                                                              {"campus", init::Template::campus},

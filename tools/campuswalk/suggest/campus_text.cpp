@@ -30,11 +30,11 @@ std::string origin_yaml(const SuggestedCampus& campus) {
     return keys.empty() ? "" : "origin: {" + keys.substr(2) + "}\n";
 }
 
-/// What has to be asked, as comments. Names of nodes in it stay in their line.
+/// What has to be asked, as comments.
 std::string doubts_yaml(const SuggestedCampus& campus) {
     std::string text;
-    for (const std::string& doubt : campus.doubts) {
-        text += "  # To be decided: " + doubt + ".\n";
+    for (const scene::ModelLint& doubt : campus.doubts) {
+        text += "  # To be decided: " + doubt.message + ".\n";
     }
     return text;
 }
@@ -136,7 +136,7 @@ std::string room_trigger(std::size_t room) {
 
 std::string campus_yaml(const SuggestedCampus& campus) {
     std::string text =
-        "# A first draft by `campuswalk info --suggest`: rename, describe, and split what is solid.\n"
+        "# A first draft by campuswalk: rename, describe, and split what is solid.\n"
         "scenes:\n" +
         doubts_yaml(campus) + "  - {file: " + yaml_string(campus.model);
     text += campus.scene.up == scene::UpAxis::z ? ", up: z" : "";
@@ -195,8 +195,9 @@ bool enters_something(const SuggestedCampus& campus, std::size_t visits) {
     });
 }
 
-std::string doorway_text(const SuggestedDoorway& doorway) {
-    return "the doorway at " + list_of(doorway.at) + ", " + fixed(doorway.width, 2) + " m wide";
+std::string closing_text(const SuggestedDoorway& doorway) {
+    return "the doorway at " + list_of(doorway.at) + ", " + fixed(doorway.width, 2) + " m wide, leaves " +
+           (doorway.is_only_path ? "no path of up to " + fixed(kFarthestVisit, 0) + " m" : "another path");
 }
 
 std::string walk_yaml(const SuggestedCampus& campus, const std::string& campus_file, std::size_t visits) {
@@ -206,9 +207,7 @@ std::string walk_yaml(const SuggestedCampus& campus, const std::string& campus_f
         const SuggestedVisit& visit = campus.visits[v];
         const auto doorway = std::ranges::find(campus.doorways, v, &SuggestedDoorway::visit);
         if (doorway != campus.doorways.end()) {
-            steps += "  # Through " + doorway_text(*doorway) +
-                     (doorway->is_only_path ? ": if it is closed, no way leads there.\n"
-                                            : ": if it is closed, another way leads there.\n");
+            steps += "  # Closing " + closing_text(*doorway) + ".\n";
         }
         steps += "  - go_to: " + (visit.place.empty() ? list_of(visit.to) : yaml_string(visit.place)) + "\n";
         if (!visit.trigger.empty()) {
@@ -217,7 +216,7 @@ std::string walk_yaml(const SuggestedCampus& campus, const std::string& campus_f
         expect += visit.place.empty() ? "" : "  - reaches: " + yaml_string(visit.place) + "\n";
     }
     expect += campus.at_most ? "  - duration: {at_most: " + std::to_string(*campus.at_most) + "}\n" : "";
-    return "# Beside " + campus_file + ", by `campuswalk info --suggest`.\n" +
+    return "# Beside " + campus_file + ", by campuswalk.\n" +
            (enters_something(campus, visits)
                 ? ""
                 : "# It goes through no door: no building was found that can be entered from the spawn.\n") +

@@ -9,6 +9,7 @@
 #include "collision/geometry/shapes.h"
 #include "config/loader/load_campus.h"
 #include "scene/campus/campus_description.h"
+#include "scene/lint/model_report.h"
 #include "scene/suggest/solid_parts.h"
 #include "scene/suggest/suggested_buildings.h"
 
@@ -26,8 +27,11 @@ struct SuggestedDoorway {
     std::size_t visit = 0;                         ///< index into the visits
     Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< feet of who passes it
     double width = 0.0;                            ///< metres
-    bool is_only_path = false;  ///< no other way was found, so that the walk fails if it is closed
+    bool is_only_path = false;                     ///< closed, it leaves no other within kFarthestVisit
 };
+
+/// Visits are looked for where a visitor gets by walking so far from the spawn, metres.
+inline constexpr double kFarthestVisit = 100.0;
 
 /// What becomes of the inside of a building.
 struct SuggestedInterior {
@@ -37,7 +41,7 @@ struct SuggestedInterior {
 
 /// The part of the id of a building's trigger behind the building's: of the one about it from outside.
 inline constexpr const char* kAroundTrigger = "/around";
-/// Of the one in its inside.
+/// The same part of the id of the trigger in its inside.
 inline constexpr const char* kInsideTrigger = "/inside";
 /// Of a room's; `room` counts from 0.
 std::string room_trigger(std::size_t room);
@@ -51,7 +55,7 @@ struct SuggestedCampus {
     std::optional<config::PlaceFile> places;         ///< its path is likewise relative
     std::vector<scene::SuggestedBuilding> buildings;
     std::size_t more_buildings = 0;            ///< without names, smaller than these
-    std::vector<std::string> doubts;           ///< about the unit and the upper axis
+    std::vector<scene::ModelLint> doubts;      ///< about the unit and the upper axis
     std::vector<SuggestedInterior> interiors;  ///< by building
     std::vector<std::vector<std::string>>
         left_out_of;                      ///< by building: those of `left_out` that are its nodes
@@ -82,8 +86,8 @@ std::string campus_yaml(const SuggestedCampus& campus);
 /// Whether one of the first `visits` visits leads into a building or to one of its rooms.
 bool enters_something(const SuggestedCampus& campus, std::size_t visits);
 
-/// "the doorway at [1.200, 0.000, -3.000], 0.92 m wide".
-std::string doorway_text(const SuggestedDoorway& doorway);
+/// What closing it does: "the doorway at [1.200, 0.000, -3.000], 0.92 m wide, leaves another path".
+std::string closing_text(const SuggestedDoorway& doorway);
 
 /// A walk that makes the first `visits` visits; `campus_file` is the campus file as seen from the walk's
 /// folder.

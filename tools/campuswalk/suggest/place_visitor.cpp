@@ -21,8 +21,7 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double kMinGround = 4.0;  // m²
-/// Visits are looked for where one gets to by walking so far, metres.
-constexpr double kFarthestVisit = 100.0;
+/// Without a building or a place to go to, visits are as near as that, metres.
 constexpr double kFarthestStroll = 8.0;
 /// A spawn is at least this far outside of the buildings' triggers, if possible.
 constexpr double kOutside = 0.5;  // metres

@@ -9,9 +9,9 @@
 
 namespace campuswalk::tools {
 
-/// Chooses a spawn, where to look from it, where to go and what can be entered: the last four members of
-/// `campus` and its interiors. `solid` is what it describes without them. Returns how what is reached from
-/// the spawn was explored, with the grid; none if there is hardly any ground.
+/// Chooses the spawn of `campus`, where to look from it, where to go and what can be entered. `solid` is what
+/// it describes without them. Returns how what is reached from the spawn was explored, with the grid; none if
+/// there is hardly any ground.
 std::optional<engine::ExploreSettings> place_visitor(const scene::ModelReport& report,
                                                      const scene::Campus& solid, SuggestedCampus& campus);
 

@@ -139,9 +139,7 @@ SuggestedCampus without_visitor(const UprightModel& model, const Vector3d& origi
     campus.buildings = std::move(buildings.list);
     campus.more_buildings = buildings.left_out;
     campus.interiors.assign(campus.buildings.size(), kUnknownInterior);
-    for (const scene::ModelLint& lint : frame_lints(model)) {
-        campus.doubts.push_back(lint.message);
-    }
+    campus.doubts = frame_lints(model);
     std::vector<std::string> left_out = closed_door_names(model.report);
     campus.closed_doors = left_out.size();
     for (const scene::IntangibleNode& each : model.intangible) {

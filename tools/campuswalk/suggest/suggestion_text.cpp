@@ -63,8 +63,7 @@ void print_walk(const Suggestion& suggestion) {
         print_line("  it starts above rooms, perhaps on a roof: nothing else was found to stand on");
     }
     for (const SuggestedDoorway& doorway : campus.doorways) {
-        print_line("  %s if %s, is closed", doorway.is_only_path ? "it fails" : "it goes another way",
-                   doorway_text(doorway).c_str());
+        print_line("  closing %s", closing_text(doorway).c_str());
     }
 }
 
