@@ -11,6 +11,7 @@
 
 #include "scene/base/quantile.h"
 #include "scene/lint/level_patches.h"
+#include "scene/model/common_ancestor.h"
 #include "scene/model/line_triangle.h"
 #include "scene/model/world_triangles.h"
 
@@ -122,23 +123,13 @@ std::vector<std::vector<std::size_t>> chains(const std::vector<std::optional<std
 
 std::size_t holder(const Model& model, const std::vector<Tread>& treads,
                    const std::vector<std::size_t>& chain) {
-    const auto path_to = [&](std::size_t node) {
-        std::vector<std::size_t> path = {node};
-        while (model.nodes[path.back()].parent >= 0) {
-            path.push_back(static_cast<std::size_t>(model.nodes[path.back()].parent));
-        }
-        std::reverse(path.begin(), path.end());
-        return path;
-    };
-    const std::size_t first = treads[chain.front()].node;
-    std::vector<std::size_t> common = path_to(first);
+    std::vector<std::size_t> nodes;
     for (const std::size_t t : chain) {
-        const std::vector<std::size_t> other = path_to(treads[t].node);
-        const auto end = std::mismatch(common.begin(), common.end(), other.begin(), other.end()).first;
-        common.erase(end, common.end());
+        nodes.push_back(treads[t].node);
     }
-    const bool is_root_of_many = common.size() == 1 && common[0] != first;
-    return common.empty() || is_root_of_many ? first : common.back();
+    const std::optional<std::size_t> common = common_ancestor(model, nodes);
+    const bool is_root_of_many = common && model.nodes[*common].parent < 0 && *common != nodes.front();
+    return common && !is_root_of_many ? *common : nodes.front();
 }
 
 /// A vertical line on which the surface nearest to a height is looked for.

@@ -16,15 +16,17 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// The name of the node, or of the nearest one above it that says more than how it was modelled.
-const std::string& telling_name(const Model& model, std::size_t node) {
-    for (std::size_t n = node;; n = static_cast<std::size_t>(model.nodes[n].parent)) {
+/// By node: the one whose name tells what it is: the node, or the nearest above it whose name says more than
+/// how it was modelled.
+std::vector<std::size_t> named_by(const Model& model) {
+    std::vector<std::size_t> named(model.nodes.size());
+    for (std::size_t n = 0; n < model.nodes.size(); ++n) {  // parents first
         const std::string& name = model.nodes[n].name;
-        if (model.nodes[n].parent < 0 ||
-            !(name.empty() || is_default_name(name) || is_generated_name(name))) {
-            return name;
-        }
+        const int parent = model.nodes[n].parent;
+        const bool tells = !(name.empty() || is_default_name(name) || is_generated_name(name));
+        named[n] = tells || parent < 0 ? n : named[static_cast<std::size_t>(parent)];
     }
+    return named;
 }
 
 std::vector<Bounds> bounds_of_nodes(const Model& model) {
@@ -35,16 +37,21 @@ std::vector<Bounds> bounds_of_nodes(const Model& model) {
     return bounds;
 }
 
-/// The bounds of all nodes but those for which `is_left_out` is true.
-template <typename IsLeftOut>
-Bounds bounds_without(const std::vector<Bounds>& bounds, const IsLeftOut& is_left_out) {
-    Bounds all;
+/// By node: the bounds of all others that aren't left out.
+std::vector<Bounds> bounds_of_others(const std::vector<Bounds>& bounds,
+                                     const std::vector<bool>& is_left_out) {
+    std::vector<Bounds> others(bounds.size());
+    Bounds before;
     for (std::size_t n = 0; n < bounds.size(); ++n) {
-        if (!bounds[n].empty() && !is_left_out(n)) {
-            all.extend(bounds[n]);
-        }
+        others[n] = before;
+        before.extend(is_left_out[n] ? Bounds() : bounds[n]);
     }
-    return all;
+    Bounds after;
+    for (std::size_t n = bounds.size(); n-- > 0;) {
+        others[n].extend(after);
+        after.extend(is_left_out[n] ? Bounds() : bounds[n]);
+    }
+    return others;
 }
 
 /// Whether the plan of one lies within the other's.
@@ -70,15 +77,18 @@ bool is_round(const Model& model, std::size_t node, const Bounds& bounds) {
     return is_even && vertices >= kFewest;
 }
 
-/// Tells of each node whether it is a sky: a dome, ball or box around what isn't called one, or clouds high
-/// above that.
-std::vector<bool> find_skies(const Model& model, const std::vector<Bounds>& bounds) {
+/// By node: whether it is a sky: a dome, ball or box around what isn't called one, or clouds high above that.
+std::vector<bool> find_skies(const Model& model, const std::vector<Bounds>& bounds,
+                             const std::vector<std::size_t>& named) {
     std::vector<bool> is_named(bounds.size(), false);
+    Bounds all;
+    Bounds below;
     for (std::size_t n = 0; n < bounds.size(); ++n) {
-        is_named[n] = !bounds[n].empty() && is_sky_name(telling_name(model, n));
+        is_named[n] = !bounds[n].empty() && is_sky_name(model.nodes[named[n]].name);
+        all.extend(bounds[n]);
+        below.extend(is_named[n] ? Bounds() : bounds[n]);
     }
-    const Bounds all = bounds_without(bounds, [](std::size_t) { return false; });
-    const Bounds below = bounds_without(bounds, [&](std::size_t n) { return is_named[n]; });
+    const std::vector<Bounds> others = bounds_of_others(bounds, is_named);
     const auto covers = [&](std::size_t n, const Bounds& rest) {
         return surrounds(bounds[n], rest) && bounds[n].max.y() > rest.max.y();
     };
@@ -89,10 +99,8 @@ std::vector<bool> find_skies(const Model& model, const std::vector<Bounds>& boun
     for (std::size_t n = 0; n < bounds.size(); ++n) {
         if (is_named[n]) {
             is_sky[n] = covers(n, below) || is_high(bounds[n]);
-        } else if (bounds[n].max.x() - bounds[n].min.x() >= 0.9 * (all.max.x() - all.min.x()) &&
-                   is_round(model, n, bounds[n])) {
-            is_sky[n] = covers(
-                n, bounds_without(bounds, [&](std::size_t other) { return other == n || is_named[other]; }));
+        } else if (bounds[n].max.x() - bounds[n].min.x() >= 0.9 * (all.max.x() - all.min.x())) {
+            is_sky[n] = covers(n, others[n]) && is_round(model, n, bounds[n]);
         }
     }
     return is_sky;
@@ -114,8 +122,8 @@ bool is_box(const Model& model, std::size_t node) {
     return triangles == 12;
 }
 
-std::optional<IntangibleNode::Kind> kind_of(const Model& model, std::size_t node, const Bounds& bounds) {
-    const std::string& name = telling_name(model, node);
+std::optional<IntangibleNode::Kind> kind_of(const Model& model, std::size_t node, const Bounds& bounds,
+                                            const std::string& name) {
     if (is_water_name(name) && is_level(bounds)) {
         return IntangibleNode::Kind::water;
     }
@@ -129,7 +137,8 @@ std::optional<IntangibleNode::Kind> kind_of(const Model& model, std::size_t node
 
 std::vector<IntangibleNode> intangible_nodes(const Model& model) {
     const std::vector<Bounds> bounds = bounds_of_nodes(model);
-    const std::vector<bool> is_sky = find_skies(model, bounds);
+    const std::vector<std::size_t> named = named_by(model);
+    const std::vector<bool> is_sky = find_skies(model, bounds, named);
     std::map<std::string, std::size_t> uses;
     std::vector<bool> has_children(model.nodes.size(), false);
     for (const Node& node : model.nodes) {
@@ -144,8 +153,8 @@ std::vector<IntangibleNode> intangible_nodes(const Model& model) {
         if (bounds[n].empty() || name.empty() || uses.at(name) > 1 || has_children[n]) {
             continue;
         }
-        if (const auto kind =
-                is_sky[n] ? std::optional(IntangibleNode::Kind::sky) : kind_of(model, n, bounds[n])) {
+        if (const auto kind = is_sky[n] ? std::optional(IntangibleNode::Kind::sky)
+                                        : kind_of(model, n, bounds[n], model.nodes[named[n]].name)) {
             found.push_back({n, *kind});
         }
     }

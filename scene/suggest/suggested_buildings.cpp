@@ -12,6 +12,7 @@
 #include "scene/base/glob.h"
 #include "scene/base/unicode_words.h"
 #include "scene/campus/object_names.h"
+#include "scene/model/common_ancestor.h"
 #include "scene/model/name_words.h"
 #include "scene/suggest/find_buildings.h"
 #include "scene/suggest/split_nodes.h"
@@ -37,40 +38,27 @@ std::string without_file_ending(const std::string& name) {
     return name;
 }
 
-/// From the node to its root.
-std::vector<std::size_t> chain_of(const Model& model, std::size_t node) {
-    std::vector<std::size_t> chain = {node};
-    while (model.nodes[chain.back()].parent >= 0) {
-        chain.push_back(static_cast<std::size_t>(model.nodes[chain.back()].parent));
-    }
-    return chain;
-}
-
-/// How many buildings have nodes below each node.
-std::vector<std::size_t> buildings_below(const Model& model, const std::vector<FoundBuilding>& buildings) {
-    std::vector<std::size_t> count(model.nodes.size(), 0);
-    for (const FoundBuilding& building : buildings) {
-        std::set<std::size_t> above;
-        for (const std::size_t node : building.nodes) {
-            const std::vector<std::size_t> chain = chain_of(model, node);
-            above.insert(chain.begin(), chain.end());
-        }
-        for (const std::size_t node : above) {
-            ++count[node];
+/// Whether nodes of several buildings are at each node or below it.
+std::vector<bool> hold_several(const Model& model, const std::vector<FoundBuilding>& buildings) {
+    std::vector<std::optional<std::size_t>> held(model.nodes.size());
+    std::vector<bool> several(model.nodes.size(), false);
+    const auto add = [&](std::size_t node, std::size_t building) {
+        several[node] = several[node] || (held[node] && *held[node] != building);
+        held[node] = building;
+    };
+    for (std::size_t b = 0; b < buildings.size(); ++b) {
+        for (const std::size_t node : buildings[b].nodes) {
+            add(node, b);
         }
     }
-    return count;
-}
-
-/// The lowest group that holds all nodes.
-std::optional<std::size_t> common_group(const Model& model, const std::vector<std::size_t>& nodes) {
-    std::vector<std::size_t> common = chain_of(model, nodes.front());
-    for (const std::size_t node : nodes) {
-        const std::vector<std::size_t> chain = chain_of(model, node);
-        std::erase_if(common,
-                      [&](std::size_t each) { return std::ranges::find(chain, each) == chain.end(); });
+    for (std::size_t n = model.nodes.size(); n-- > 0;) {  // children first
+        if (const int parent = model.nodes[n].parent; parent >= 0 && held[n]) {
+            add(static_cast<std::size_t>(parent), *held[n]);
+            several[static_cast<std::size_t>(parent)] =
+                several[static_cast<std::size_t>(parent)] || several[n];
+        }
     }
-    return common.empty() ? std::nullopt : std::optional(common.front());
+    return several;
 }
 
 /// Where the last word of the beginning is cut through, it is left out, as are marks and digits at the end.
@@ -154,17 +142,26 @@ std::vector<std::string> globs_of_building(const Model& model, const FoundBuildi
 
 /// The name of the lowest node that says something, from this one up to the highest that holds no other
 /// building and is no root without triangles, which an importer calls after the file.
-std::string name_above(const Model& model, std::size_t node, const std::vector<std::size_t>& below) {
-    for (const std::size_t group : chain_of(model, node)) {
-        const bool is_file = model.nodes[group].parent < 0 && model.nodes[group].meshes.empty();
-        if (below[group] > 1 || is_file) {
+std::string name_above(const Model& model, std::size_t node, const std::vector<bool>& several) {
+    for (int group = static_cast<int>(node); group >= 0 && !several[static_cast<std::size_t>(group)];
+         group = model.nodes[static_cast<std::size_t>(group)].parent) {
+        const Node& each = model.nodes[static_cast<std::size_t>(group)];
+        if (each.parent < 0 && each.meshes.empty()) {
             break;
         }
-        if (std::string name = without_file_ending(model.nodes[group].name); says_something(name)) {
+        if (std::string name = without_file_ending(each.name); says_something(name)) {
             return name;
         }
     }
     return "";
+}
+
+/// The name of the root that a node is below, unless that holds several buildings.
+std::string name_of_root(const Model& model, std::size_t node, const std::vector<bool>& several) {
+    while (model.nodes[node].parent >= 0) {
+        node = static_cast<std::size_t>(model.nodes[node].parent);
+    }
+    return several[node] ? "" : without_file_ending(model.nodes[node].name);
 }
 
 /// The name of the building's widest node, of those that begin near its foot, rise to half of its height and
@@ -195,11 +192,11 @@ std::string name_of_widest(const Model& model, const std::vector<NodeReport>& re
 /// names don't). If nothing does, empty. One name for each building.
 std::vector<std::string> names_of(const Model& model, const std::vector<NodeReport>& report,
                                   const std::vector<FoundBuilding>& buildings) {
-    const std::vector<std::size_t> below = buildings_below(model, buildings);
+    const std::vector<bool> several = hold_several(model, buildings);
     std::vector<std::string> names;
     for (const FoundBuilding& building : buildings) {
-        const auto group = common_group(model, building.nodes);
-        std::string name = group ? name_above(model, *group, below) : "";
+        const auto group = common_ancestor(model, building.nodes);
+        std::string name = group ? name_above(model, *group, several) : "";
         if (name.empty()) {
             name = shared_beginning(model, building.nodes);
         }
@@ -207,8 +204,7 @@ std::vector<std::string> names_of(const Model& model, const std::vector<NodeRepo
             name = name_of_widest(model, report, building);
         }
         if (!says_something(name)) {
-            const std::size_t root = group ? chain_of(model, *group).back() : 0;
-            name = group && below[root] == 1 ? without_file_ending(model.nodes[root].name) : "";
+            name = group ? name_of_root(model, *group, several) : "";
         }
         names.push_back(says_something(name) ? name : "");
     }
