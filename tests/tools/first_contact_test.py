@@ -126,6 +126,12 @@ class FirstContact(ProgramCase):
                 with self.subTest(name=name):
                     spawn, log = self.suggested(os.path.join("..", "wild", "15-roof-spawn", name))
                     self.assertLess(spawn[1], 1.0)
+        (x, y, z), _ = self.suggested("05-fence-without-ground.obj")
+        self.assertTrue(abs(x) < 30 and 0.4 < y < 1 and -20 < z < 28, (x, y, z))  # on the hall's floor
+        (x, y, z), _ = self.suggested("06-closed-room.obj")
+        self.assertTrue(abs(x) < 6 and abs(y) < 0.1 and abs(z) < 6, (x, y, z))  # its ceiling is at 4 m
+        _, log = self.suggested("14a-hall-with-door.obj")
+        self.assertRegex(log, r"trigger\.enter +\S+/inside")
         spawn, log = self.suggested("04-high-walls.obj")
         self.assertLess(spawn[1], 1.0)
         self.assertNotIn("avatar.fell", log)

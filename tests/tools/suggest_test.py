@@ -83,6 +83,17 @@ class Suggest(ProgramCase):
         self.assertRegex(log, r"popup\.open +hut-1")
         self.assertNotIn("collision.enter", log)
 
+    def test_grounds_apart_have_a_spawn_each(self):
+        self.write("two.obj", boxes_obj([("west", -40, -1, -10, -20, 0, 0), ("east", 0, -1, -10, 20, 0, 10)]))
+        campus, log = self.suggest("two.obj")
+        self.assertRegex(campus, r"(?s)start: \{at: \[\d\..*# On 200 m² of ground that isn't reached from `start`\.\n"
+                                 r"  start-2: \{at: \[-[23]\d\.")
+        self.write("other.walk.yaml", "campus: new.campus.yaml\navatar: adult\nsteps:\n  - spawn: start-2\n  - wait: 1\n"
+                                      "expect:\n  - never: avatar.fell *\n")
+        self.passes("run", "other.walk.yaml")
+        self.assertIn("spawn start-2, too: 200 m² of ground that isn't reached from start",
+                      self.passes("info", "two.obj", "--suggest", "new.campus.yaml", "--overwrite").out)
+
     def test_names_that_no_campus_file_may_have_are_globs_and_titles_without(self):
         for name, glob, title in ((b"Hut\x07\x08A", "Hut??A", "Hut A"), (b"H\xfctte 1", "H?tte 1", "H tte 1"), (b"Hut \x01", "Hut ?", "Hut ")):
             with self.subTest(name=name):

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
 #include <queue>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "collision/world/cast.h"
@@ -126,36 +128,40 @@ public:
         }
     }
 
-    std::optional<StartPlace> best() const {
-        std::optional<std::size_t> most;
-        std::size_t most_weight = 0;
+    std::vector<StartPlace> best() const {
+        constexpr std::size_t kMostStarts = 4;
+        std::vector<std::pair<std::size_t, std::size_t>> by_weight;  // and island
         for (std::size_t i = 0; i < islands_.size(); ++i) {
-            if (const std::size_t weight = weight_of(i); weight > most_weight) {
-                most_weight = weight;
-                most = i;
+            by_weight.emplace_back(weight_of(i), i);
+        }
+        std::ranges::stable_sort(by_weight, std::greater(), &std::pair<std::size_t, std::size_t>::first);
+        std::vector<StartPlace> places;
+        for (const auto& [weight, island] : by_weight) {
+            if (places.size() < kMostStarts && 4 * weight >= by_weight.front().first) {
+                places.push_back(best_on(island));
             }
         }
-        if (!most) {
-            return std::nullopt;
-        }
-        const Island& island = islands_[*most];
-        const IslandGround ground(island, grid_);
-        std::size_t best = 0;
-        Score best_score;
-        for (std::size_t i = 0; i < island.spots.size(); ++i) {
-            const Score score =
-                score_of(island.spots[i].at.foot, is_aside_[*most][i], ground.edge_distance(i));
-            if (i == 0 || score > best_score) {
-                best = i;
-                best_score = score;
-            }
-        }
-        return StartPlace{island.spots[best].at.foot, is_aside_[*most][best]};
+        return places;
     }
 
 private:
     /// Compared from the first to the last.
     using Score = std::tuple<bool, bool, bool, std::uint32_t, double>;
+
+    StartPlace best_on(std::size_t island) const {
+        const std::vector<UnreachedSpot>& spots = islands_[island].spots;
+        const IslandGround ground(islands_[island], grid_);
+        std::size_t best = 0;
+        Score best_score;
+        for (std::size_t i = 0; i < spots.size(); ++i) {
+            const Score score = score_of(spots[i].at.foot, is_aside_[island][i], ground.edge_distance(i));
+            if (i == 0 || score > best_score) {
+                best = i;
+                best_score = score;
+            }
+        }
+        return {spots[best].at.foot, is_aside_[island][best], islands_[island].area(grid_)};
+    }
 
     Score score_of(const Vec3& foot, bool is_aside, std::uint32_t edge_distance) const {
         const bool inside = preference_.is_inside && preference_.is_inside(foot);
@@ -278,8 +284,8 @@ private:
 
 }  // namespace
 
-std::optional<StartPlace> best_start(const WorkerWorlds& worlds, const ExploreSettings& settings,
-                                     const StartPreference& preference) {
+std::vector<StartPlace> best_starts(const WorkerWorlds& worlds, const ExploreSettings& settings,
+                                    const StartPreference& preference) {
     return StartFinder(worlds, settings, preference).best();
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <functional>
-#include <optional>
+#include <vector>
 
 #include "engine/walkspace/explore/explore.h"
 #include "engine/walkspace/stride/worker_worlds.h"
@@ -19,13 +19,15 @@ struct StartPreference {
 struct StartPlace {
     collision::Vec3 foot = collision::Vec3::Zero();
     bool is_aside = false;  ///< above other ground or rooms, such as on a roof, or within a block of terrain
+    double area = 0.0;      ///< m² of the connected walkable ground that it is on
 };
 
-/// Where to put a visitor down on a campus that says nothing of it: on the connected walkable ground that
-/// there is most of (under the open sky it counts four times, above other ground or rooms a sixteenth) within
-/// `settings.within`. In this order: not above other ground nor within a block of terrain, under the open
-/// sky, not inside, far from its edges (up to 8 m), near. None without walkable ground.
-std::optional<StartPlace> best_start(const WorkerWorlds& worlds, const ExploreSettings& settings,
-                                     const StartPreference& preference);
+/// Where to put visitors down on a campus that says nothing of it: the best place of each connected walkable
+/// ground within `settings.within` that counts at least a quarter of the largest; that one first, and at most
+/// four. Ground under the open sky counts four times, above other ground or rooms a sixteenth. A place is
+/// better, in this order: not above other ground nor within a block of terrain, under the open sky, not
+/// inside, far from its edges (up to 8 m), near. Empty without walkable ground.
+std::vector<StartPlace> best_starts(const WorkerWorlds& worlds, const ExploreSettings& settings,
+                                    const StartPreference& preference);
 
 }  // namespace campuswalk::engine

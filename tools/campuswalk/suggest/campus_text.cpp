@@ -39,6 +39,20 @@ std::string doubts_yaml(const SuggestedCampus& campus) {
     return text;
 }
 
+std::string spawn_yaml(const std::string& name, const Eigen::Vector3d& at, double yaw_deg) {
+    return "  " + name + ": {at: " + list_of(at) + ", yaw_deg: " + fixed(yaw_deg, 1) + "}\n";
+}
+
+std::string spawns_yaml(const SuggestedCampus& campus) {
+    std::string text = "spawns:\n" + spawn_yaml("start", campus.spawn, campus.yaw_deg);
+    for (std::size_t i = 0; i < campus.more_spawns.size(); ++i) {
+        const SuggestedSpawn& spawn = campus.more_spawns[i];
+        text += "  # On " + fixed(spawn.area, 0) + " m² of ground that isn't reached from `start`.\n" +
+                spawn_yaml(more_spawn_name(i), spawn.at, spawn.yaw_deg);
+    }
+    return text;
+}
+
 /// Nothing without a file of places.
 std::string places_yaml(const SuggestedCampus& campus) {
     if (!campus.places) {
@@ -130,6 +144,10 @@ scene::UprightBox trigger_about(const scene::SuggestedBuilding& building) {
     return box;
 }
 
+std::string more_spawn_name(std::size_t index) {
+    return "start-" + std::to_string(index + 2);
+}
+
 std::string room_trigger(std::size_t room) {
     return "/room-" + std::to_string(room + 1);
 }
@@ -183,9 +201,7 @@ std::string campus_yaml(const SuggestedCampus& campus) {
             add_trigger(room_trigger(r), campus.interiors[b].rooms[r], ", popup: false");
         }
     }
-    text +=
-        "spawns:\n  start: {at: " + list_of(campus.spawn) + ", yaw_deg: " + fixed(campus.yaw_deg, 1) + "}\n";
-    return text + places_yaml(campus);
+    return text + spawns_yaml(campus) + places_yaml(campus);
 }
 
 bool enters_something(const SuggestedCampus& campus, std::size_t visits) {

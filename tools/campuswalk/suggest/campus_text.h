@@ -33,6 +33,13 @@ struct SuggestedDoorway {
 /// Visits are looked for where a visitor gets by walking so far from the spawn, metres.
 inline constexpr double kFarthestVisit = 100.0;
 
+/// Another place to start from.
+struct SuggestedSpawn {
+    Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< the feet
+    double yaw_deg = 0.0;
+    double area = 0.0;  ///< m² of the ground there, which isn't reached from the first spawn
+};
+
 /// What becomes of the inside of a building.
 struct SuggestedInterior {
     bool can_be_entered = false;
@@ -66,6 +73,7 @@ struct SuggestedCampus {
     Eigen::Vector3d spawn = Eigen::Vector3d::Zero();
     bool starts_aside = false;  ///< the spawn is above rooms, such as on a roof: nothing else was found
     double yaw_deg = 0.0;
+    std::vector<SuggestedSpawn> more_spawns = {};  ///< on other ground, that with the most of it first
     std::vector<SuggestedVisit> visits;
     std::vector<SuggestedDoorway> doorways = {};  ///< once the walk has been played
     std::optional<int> at_most = {};              ///< seconds that the walk may take; likewise
@@ -85,6 +93,9 @@ collision::Aabb box_about(const scene::UprightBox& box);
 std::string campus_yaml(const SuggestedCampus& campus);
 /// Whether one of the first `visits` visits leads into a building or to one of its rooms.
 bool enters_something(const SuggestedCampus& campus, std::size_t visits);
+
+/// What the spawn at that index of the others is called: `start-2` for the first.
+std::string more_spawn_name(std::size_t index);
 
 /// What closing it does: "the doorway at [1.200, 0.000, -3.000], 0.92 m wide, leaves another path".
 std::string closing_text(const SuggestedDoorway& doorway);

@@ -21,6 +21,8 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double kMinGround = 4.0;  // m²
+/// Less ground that isn't reached from the spawn has no spawn of its own.
+constexpr double kMinOther = 10.0;  // m²
 /// Without a building or a place to go to, visits are as near as that, metres.
 constexpr double kFarthestStroll = 8.0;
 /// A spawn is at least this far outside of the buildings' triggers, if possible.
@@ -72,6 +74,12 @@ bool is_on_top(const std::vector<scene::SuggestedBuilding>& buildings, const sce
     });
 }
 
+/// Whether somebody gets to the place or close to it.
+bool is_reached(const engine::WalkSpace& reached, const Vector3d& foot) {
+    const Vector3d near(0.5, 0.5, 0.5);  // metres
+    return !reached.nodes_in({foot - near, foot + near}).empty();
+}
+
 SuggestedInterior as_written(const Interior& interior) {
     SuggestedInterior written{interior.place.has_value(), {}};
     for (const SuggestedRoom& room : interior.rooms) {
@@ -96,11 +104,12 @@ std::optional<engine::ExploreSettings> place_visitor(const scene::ModelReport& r
             return trigger_about(building).depth_of(foot) > -kOutside;
         });
     };
-    const auto spawn = engine::best_start(worlds, settings, {middle, is_inside});
-    if (!spawn) {
+    const std::vector<engine::StartPlace> starts = engine::best_starts(worlds, settings, {middle, is_inside});
+    if (starts.empty()) {
         return std::nullopt;
     }
-    settings.starts = {spawn->foot};
+    const engine::StartPlace& spawn = starts.front();
+    settings.starts = {spawn.foot};
     settings.steer_falls = false;  // visitors don't jump off roofs
     const bool has_goals = !campus.buildings.empty() || campus.places.has_value();
     const double far = has_goals ? kFarthestVisit : kFarthestStroll;
@@ -111,8 +120,23 @@ std::optional<engine::ExploreSettings> place_visitor(const scene::ModelReport& r
         return std::nullopt;
     }
     settings.grid = reached.grid;
-    campus.spawn = spawn->foot;
-    campus.starts_aside = spawn->is_aside || is_on_top(campus.buildings, report.bounds, spawn->foot);
+    const auto is_aside = [&](const engine::StartPlace& start) {
+        return start.is_aside || is_on_top(campus.buildings, report.bounds, start.foot);
+    };
+    const auto yaw_deg_at = [&](const Vector3d& foot) {
+        const auto* target = nearest_building(campus.buildings, foot);
+        return engine::degrees(
+            scene::first_view(solid.world, foot, target == nullptr ? middle : target->box.center));
+    };
+    campus.spawn = spawn.foot;
+    campus.starts_aside = is_aside(spawn);
+    campus.yaw_deg = yaw_deg_at(spawn.foot);
+    campus.more_spawns.clear();
+    for (const engine::StartPlace& other : starts) {
+        if (other.area >= kMinOther && !is_aside(other) && !is_reached(reached, other.foot)) {
+            campus.more_spawns.push_back({other.foot, yaw_deg_at(other.foot), other.area});
+        }
+    }
     engine::Strider strider(worlds[0], settings.strides, settings.solids);
     const auto interiors = find_interiors(solid, reached, campus.buildings, doors_in(report));
     for (std::size_t b = 0; b < interiors.size(); ++b) {
@@ -120,9 +144,6 @@ std::optional<engine::ExploreSettings> place_visitor(const scene::ModelReport& r
     }
     campus.visits = plan_visits(reached, strider, campus.spawn, campus.buildings, interiors);
     add_place_visits(reached, strider, campus.spawn, solid.description.places, campus.visits);
-    const auto* target = nearest_building(campus.buildings, campus.spawn);
-    campus.yaw_deg = engine::degrees(
-        scene::first_view(solid.world, campus.spawn, target == nullptr ? middle : target->box.center));
     return settings;
 }
 

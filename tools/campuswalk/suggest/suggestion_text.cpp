@@ -62,6 +62,10 @@ void print_walk(const Suggestion& suggestion) {
     if (campus.starts_aside) {
         print_line("  it starts above rooms, perhaps on a roof: nothing else was found to stand on");
     }
+    for (std::size_t i = 0; i < campus.more_spawns.size(); ++i) {
+        print_line("  spawn %s, too: %.0f m² of ground that isn't reached from start",
+                   more_spawn_name(i).c_str(), campus.more_spawns[i].area);
+    }
     for (const SuggestedDoorway& doorway : campus.doorways) {
         print_line("  closing %s", closing_text(doorway).c_str());
     }

@@ -21,8 +21,8 @@ std::optional<Vec3> start_on(const scene::Campus& campus, const StartPreference&
                              const collision::Aabb& within = {}) {
     ExploreSettings settings = explore_settings(campus, AvatarProfile(), 60);
     settings.within = within;
-    const auto start = best_start(WorkerWorlds(campus.world, 1, {}), settings, preference);
-    return start ? std::optional(start->foot) : std::nullopt;
+    const auto starts = best_starts(WorkerWorlds(campus.world, 1, {}), settings, preference);
+    return starts.empty() ? std::nullopt : std::optional(starts.front().foot);
 }
 
 scene::Campus lawn() {
@@ -76,10 +76,24 @@ TEST(BestStart, TellsThatItIsAboveRooms) {
         add_box(campus, "shelf" + std::to_string(x), {x - 0.2, 0, -11}, {x + 0.2, 4, 11});
     }
     const ExploreSettings settings = explore_settings(campus, AvatarProfile(), 60);
-    const auto start = best_start(WorkerWorlds(campus.world, 1, {}), settings, {});
-    ASSERT_TRUE(start);
-    EXPECT_NEAR(start->foot.y(), 5.2, 0.01);
-    EXPECT_TRUE(start->is_aside);
+    const auto starts = best_starts(WorkerWorlds(campus.world, 1, {}), settings, {});
+    ASSERT_FALSE(starts.empty());
+    EXPECT_NEAR(starts[0].foot.y(), 5.2, 0.01);
+    EXPECT_TRUE(starts[0].is_aside);
+}
+
+TEST(BestStart, IsOnEachLargeGroundThatThereIs) {
+    scene::Campus campus = empty_campus();
+    add_box(campus, "small", {-40, -0.2, -5}, {-34, 0, 5});
+    add_box(campus, "half", {-30, -0.2, -10}, {-10, 0, 0});
+    add_box(campus, "whole", {0, -0.2, -10}, {20, 0, 10});
+    const ExploreSettings settings = explore_settings(campus, AvatarProfile(), 60);
+    const auto starts = best_starts(WorkerWorlds(campus.world, 1, {}), settings, {});
+    ASSERT_EQ(starts.size(), 2U);
+    EXPECT_GT(starts[0].foot.x(), 0.0);
+    EXPECT_NEAR(starts[0].area, 400.0, 40.0);
+    EXPECT_LT(starts[1].foot.x(), -10.0);
+    EXPECT_NEAR(starts[1].area, 200.0, 20.0);
 }
 
 TEST(BestStart, IsNotOnAWall) {
