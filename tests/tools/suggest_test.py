@@ -94,6 +94,22 @@ class Suggest(ProgramCase):
         self.assertIn("spawn start-2, too: 200 m² of ground that isn't reached from start",
                       self.passes("info", "two.obj", "--suggest", "new.campus.yaml", "--overwrite").out)
 
+    def test_what_is_higher_than_buildings_and_of_no_known_unit_is_asked_about(self):
+        self.write("tower.obj", boxes_obj([("a", 0, 0, 0, 300, 900, 300), ("b", 300, 0, 0, 600, 500, 300)]))
+        said = self.run_program("info", "tower.obj", "--strict")
+        self.assertEqual(said.code, 1)
+        self.assertIn("odd-scale: it is 600 x 900 x 300 m large, higher than buildings are, and nothing tells its unit", said.out)
+
+    def test_crowded_places_are_left_out_and_said(self):
+        side = 250
+        points = ["v %g %g %g" % (2 + 2 * i / side, 0.3 + 0.1 * ((i * 7 + k * 3) % 5), 2 + 2 * k / side)
+                  for i in range(side) for k in range(side)]
+        faces = ["f %d %d %d" % (i * side + k + 9, i * side + k + 10, i * side + side + k + 9) for i in range(side - 1) for k in range(side - 1)]
+        self.write("hedge.obj", boxes_obj([("lawn", -20, -1, -20, 20, 0, 20)]) + "\n".join(["o hedge", *points, *faces]) + "\n")
+        self.suggest("hedge.obj")
+        self.assertIn("# To save time, crowded places, with over 1000 triangles within 2 m, weren't tried.", self.read("new.walk.yaml").decode())
+        self.assertIn("to save time, crowded places, with over 1000 ", self.passes("info", "hedge.obj", "--suggest", "x.campus.yaml").out)
+
     def test_names_that_no_campus_file_may_have_are_globs_and_titles_without(self):
         for name, glob, title in ((b"Hut\x07\x08A", "Hut??A", "Hut A"), (b"H\xfctte 1", "H?tte 1", "H tte 1"), (b"Hut \x01", "Hut ?", "Hut ")):
             with self.subTest(name=name):

@@ -182,6 +182,13 @@ std::optional<std::vector<Island>> find_unreached_ground(const WorkerWorlds& wor
     if (!surfaces) {
         return std::nullopt;
     }
+    if (settings.keep_out) {
+        std::erase_if(*surfaces, [&](const Surface& surface) {
+            Vec3 foot = reached.grid.center(surface.cell);
+            foot.y() = surface.y;
+            return settings.keep_out(foot);
+        });
+    }
     const std::vector<UnreachedSpot> spots = spots_with_room(worlds, settings, reached, *std::move(surfaces));
     SpotJoiner joiner(worlds, settings, reached.grid, spots);
     return islands_of(spots, joiner.sets(), reached.grid, least_area);

@@ -40,8 +40,9 @@ inline constexpr double kNotableIsland = 1.0;
 /// Walkable ground that the exploration didn't get to: the middle of each cell on a triangle that isn't too
 /// steep, with room for the body above. Spots in neighbouring cells belong together if their heights differ
 /// by no more than a step, or than the steepest walkable slope. The largest island first; those below
-/// `least_area` (m²) are left out. Only within `settings.within`; tops of round solids don't count. None if
-/// there are more than `most` cells of such ground, with room for the body or not.
+/// `least_area` (m²) are left out. Only within `settings.within` and where `settings.keep_out` is false; tops
+/// of round solids don't count. None if there are more than `most` cells of such ground, with room for the
+/// body or not.
 std::optional<std::vector<Island>> find_unreached_ground(const WorkerWorlds& worlds,
                                                          const ExploreSettings& settings,
                                                          const WalkSpace& reached, double least_area,

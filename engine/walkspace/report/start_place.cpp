@@ -14,6 +14,7 @@
 #include "collision/world/cast.h"
 #include "collision/world/obstacle.h"
 #include "engine/walkspace/explore/unreached_ground.h"
+#include "engine/walkspace/explore/unreached_surfaces.h"
 
 namespace campuswalk::engine {
 
@@ -22,8 +23,10 @@ using collision::Vec3;
 namespace {
 
 /// Coarser than the walk space: any good place will do.
-constexpr double kStartCell = 0.5;    // metres
-constexpr double kLeastGround = 1.0;  // m²
+constexpr double kStartCell = 0.5;  // metres
+/// On more ground than this, cells are larger, so that there are no more of them.
+constexpr double kMostGround = 150'000.0;  // m²
+constexpr double kLeastGround = 1.0;       // m²
 /// Farther from an edge is no better, cells.
 constexpr std::uint32_t kFarEnough = 16;
 /// Ground in the next cell that is no higher or lower goes on, metres: as steep as anyone walks.
@@ -32,6 +35,12 @@ constexpr double kGoesOn = 0.6;
 constexpr double kNextFloor = 1.0;
 /// Where there is more room between two surfaces, it is no room of a building, metres.
 constexpr double kHighestRoom = 15.0;
+
+double cell_for(const collision::World& world, const ExploreSettings& settings) {
+    const collision::Aabb& region = settings.within.empty() ? world.bounds() : settings.within;
+    const std::size_t ground = walkable_surfaces(world, settings, WalkGrid{1.0}, region).size();
+    return kStartCell * std::max(1.0, std::sqrt(static_cast<double>(ground) / kMostGround));
+}
 
 class IslandGround {
 public:
@@ -110,7 +119,10 @@ class StartFinder {
 public:
     StartFinder(const WorkerWorlds& worlds, const ExploreSettings& settings,
                 const StartPreference& preference)
-        : world_(worlds[0]), settings_(settings), preference_(preference), grid_{kStartCell} {
+        : world_(worlds[0]),
+          settings_(settings),
+          preference_(preference),
+          grid_{cell_for(worlds[0], settings)} {
         const WalkSpace nothing_reached(grid_);
         islands_ = find_unreached_ground(worlds, settings, nothing_reached, kLeastGround)
                        .value_or(std::vector<Island>());
@@ -206,14 +218,14 @@ private:
     /// the top of a wall is above the ground at its foot.
     void spread_lowest() {
         constexpr int kCells = 5;
-        constexpr double kRise = 1.2 * kStartCell;
+        const double rise = 1.2 * grid_.cell;
         for (int i = 0; i < kCells; ++i) {
             std::map<GridCell, double> spread = lowest_;
             for (const auto& [cell, height] : lowest_) {
                 for (const auto& [dx, dz] :
                      {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)}) {
                     double& beside = spread.try_emplace({cell.x + dx, cell.z + dz}, 1e300).first->second;
-                    beside = std::min(beside, height + kRise);
+                    beside = std::min(beside, height + rise);
                 }
             }
             lowest_ = std::move(spread);

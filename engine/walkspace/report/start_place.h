@@ -23,10 +23,11 @@ struct StartPlace {
 };
 
 /// Where to put visitors down on a campus that says nothing of it: the best place of each connected walkable
-/// ground within `settings.within` that counts at least a quarter of the largest; that one first, and at most
-/// four. Ground under the open sky counts four times, above other ground or rooms a sixteenth. A place is
-/// better, in this order: not above other ground nor within a block of terrain, under the open sky, not
-/// inside, far from its edges (up to 8 m), near. Empty without walkable ground.
+/// ground within `settings.within`, and not where `settings.keep_out` is true, that counts at least a quarter
+/// of the largest; that one first, and at most four. Ground under the open sky counts four times, above other
+/// ground or rooms a sixteenth. A place is better, in this order: not above other ground nor within a block
+/// of terrain, under the open sky, not inside, far from its edges (up to 8 m), near. Empty without walkable
+/// ground.
 std::vector<StartPlace> best_starts(const WorkerWorlds& worlds, const ExploreSettings& settings,
                                     const StartPreference& preference);
 

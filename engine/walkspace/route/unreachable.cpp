@@ -85,6 +85,7 @@ std::vector<Island> islands_around(const WorkerWorlds& worlds, ExploreSettings s
                                    const Island& ground) {
     constexpr double kSameSpot = 0.5;  // metres
     settings.within = ground.bounds.grown(kAroundGround);
+    settings.keep_out = nullptr;  // what is to be avoided is ground, too
     std::vector<Island> islands =
         find_unreached_ground(worlds, settings, reached, 0.0).value_or(std::vector<Island>());
     const auto apart = [&](const Island& island) {

@@ -211,6 +211,12 @@ bool enters_something(const SuggestedCampus& campus, std::size_t visits) {
     });
 }
 
+std::string crowded_text(const SuggestedCampus& campus) {
+    return campus.most_triangles ? "crowded places, with over " + fixed(*campus.most_triangles, 0) +
+                                       " triangles within 2 m, weren't tried"
+                                 : "";
+}
+
 std::string closing_text(const SuggestedDoorway& doorway) {
     return "the doorway at " + list_of(doorway.at) + ", " + fixed(doorway.width, 2) + " m wide, leaves " +
            (doorway.is_only_path ? "no path of up to " + fixed(kFarthestVisit, 0) + " m" : "another path");
@@ -241,6 +247,7 @@ std::string walk_yaml(const SuggestedCampus& campus, const std::string& campus_f
            (campus.starts_aside
                 ? "# The visitor starts above rooms, perhaps on a roof: nothing else was found to stand on.\n"
                 : "") +
+           (campus.most_triangles ? "# To save time, " + crowded_text(campus) + ".\n" : "") +
            "campus: " + yaml_string(campus_file) + "\navatar: adult\nsteps:\n" + steps +
            (visits == 0 ? "  - wait: 1\n" : "") + "expect:\n" + expect;
 }

@@ -74,6 +74,8 @@ struct SuggestedCampus {
     bool starts_aside = false;  ///< the spawn is above rooms, such as on a roof: nothing else was found
     double yaw_deg = 0.0;
     std::vector<SuggestedSpawn> more_spawns = {};  ///< on other ground, that with the most of it first
+    /// Where more triangles than these are near, nobody was sent: it would take too long to try.
+    std::optional<double> most_triangles = {};
     std::vector<SuggestedVisit> visits;
     std::vector<SuggestedDoorway> doorways = {};  ///< once the walk has been played
     std::optional<int> at_most = {};              ///< seconds that the walk may take; likewise
@@ -96,6 +98,9 @@ bool enters_something(const SuggestedCampus& campus, std::size_t visits);
 
 /// What the spawn at that index of the others is called: `start-2` for the first.
 std::string more_spawn_name(std::size_t index);
+
+/// That crowded places weren't tried; empty if they were.
+std::string crowded_text(const SuggestedCampus& campus);
 
 /// What closing it does: "the doorway at [1.200, 0.000, -3.000], 0.92 m wide, leaves another path".
 std::string closing_text(const SuggestedDoorway& doorway);

@@ -1,6 +1,7 @@
 #include "tools/campuswalk/suggest/place_visitor.h"
 
 #include <algorithm>
+#include <memory>
 #include <thread>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "engine/events/decimals.h"
 #include "engine/script/walk.h"
 #include "engine/walkspace/explore/campus_settings.h"
+#include "engine/walkspace/report/crowded_places.h"
 #include "engine/walkspace/report/start_place.h"
 #include "engine/walkspace/report/walk_report.h"
 #include "scene/suggest/first_view.h"
@@ -99,6 +101,11 @@ std::optional<engine::ExploreSettings> place_visitor(const scene::ModelReport& r
     engine::ExploreSettings settings = settings_around(solid, middle);
     const engine::WorkerWorlds worlds(solid.world, std::max(1U, std::thread::hardware_concurrency()),
                                       collision::make_bullet_broad_phase);
+    const auto crowded = std::make_shared<const engine::CrowdedPlaces>(solid.world, settings);
+    if (crowded->limit()) {
+        settings.keep_out = [crowded](const Vector3d& foot) { return crowded->contains(foot); };
+    }
+    campus.most_triangles = crowded->limit();
     const auto is_inside = [&](const Vector3d& foot) {
         return std::ranges::any_of(campus.buildings, [&](const scene::SuggestedBuilding& building) {
             return trigger_about(building).depth_of(foot) > -kOutside;

@@ -141,10 +141,11 @@ bool is_reached_otherwise(const engine::WorkerWorlds& worlds, engine::ExploreSet
     constexpr double kHeight = 2.0;      // metres, up and down
     constexpr double kNear = 0.6;        // metres from the goal
     const Vector3d across(doorway.ahead.z(), 0.0, -doorway.ahead.x());
-    settings.keep_out = [&](const Vector3d& foot) {
+    settings.keep_out = [&, is_left_out = settings.keep_out](const Vector3d& foot) {
         const Vector3d there = foot - doorway.foot;
-        return std::abs(there.dot(doorway.ahead)) < kHalfDepth && std::abs(there.y()) < kHeight &&
-               std::abs(there.dot(across)) < doorway.width + kJambs;
+        return (is_left_out && is_left_out(foot)) ||
+               (std::abs(there.dot(doorway.ahead)) < kHalfDepth && std::abs(there.y()) < kHeight &&
+                std::abs(there.dot(across)) < doorway.width + kJambs);
     };
     const engine::WalkGrid grid = settings.grid.value();
     const engine::UntilCell there{[&](const engine::GridCell& cell, double y) {

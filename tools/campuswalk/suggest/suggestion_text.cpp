@@ -66,6 +66,9 @@ void print_walk(const Suggestion& suggestion) {
         print_line("  spawn %s, too: %.0f m² of ground that isn't reached from start",
                    more_spawn_name(i).c_str(), campus.more_spawns[i].area);
     }
+    if (campus.most_triangles) {
+        print_line("  to save time, %s", crowded_text(campus).c_str());
+    }
     for (const SuggestedDoorway& doorway : campus.doorways) {
         print_line("  closing %s", closing_text(doorway).c_str());
     }
