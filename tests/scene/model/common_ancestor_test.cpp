@@ -33,7 +33,8 @@ TEST(CommonAncestor, IsTheLowestNodeOnAllPathsToTheRoot) {
     for (int trial = 0; trial < 500; ++trial) {
         std::vector<int> parents;
         for (int n = 0; n < 40; ++n) {
-            parents.push_back(n == 0 || random() % 20 == 0 ? -1 : static_cast<int>(random() % static_cast<unsigned>(n)));
+            parents.push_back(
+                n == 0 || random() % 20 == 0 ? -1 : static_cast<int>(random() % static_cast<unsigned>(n)));
         }
         const Model model = model_with_parents(parents);
         Nodes nodes;
@@ -45,7 +46,8 @@ TEST(CommonAncestor, IsTheLowestNodeOnAllPathsToTheRoot) {
             const Nodes path = path_from(model, node);
             std::erase_if(common, [&](std::size_t n) { return std::ranges::find(path, n) == path.end(); });
         }
-        EXPECT_EQ(common_ancestor(model, nodes), common.empty() ? std::nullopt : std::optional(common.front()));
+        EXPECT_EQ(common_ancestor(model, nodes),
+                  common.empty() ? std::nullopt : std::optional(common.front()));
     }
 }
 

@@ -65,7 +65,8 @@ TEST(NameWords, RecognizesPartsOfBuildings) {
 }
 
 TEST(NameWords, RecognizesNamesThatSayNothing) {
-    for (const char* name : {"Cube", "Cube.012", "Mesh_4", "Group 7", "polySurface12", "3", ""}) {
+    for (const char* name :
+         {"Cube", "Cube.012", "Mesh_4", "Group 7", "polySurface12", "SketchUp", "Sketchfab_model", "3", ""}) {
         EXPECT_TRUE(is_default_name(name)) << name;
     }
     EXPECT_FALSE(is_default_name("Library"));

@@ -98,6 +98,16 @@ bool is_too_small(const UprightModel& upright) {
            (bounds.max - bounds.min).maxCoeff() < kLeast;
 }
 
+/// Whether it is higher than any building and no landscape, and nothing tells whether it is one.
+bool is_too_high(const UprightModel& upright) {
+    constexpr double kMost = 300.0;  // metres
+    constexpr double kSteep = 0.5;   // of its width
+    const scene::Bounds& bounds = upright.report.bounds;
+    const Eigen::Vector3d size = bounds.max - bounds.min;
+    return !bounds.empty() && upright.frame.scale_confidence == Confidence::none && size.y() > kMost &&
+           size.y() > kSteep * std::max(size.x(), size.z());
+}
+
 }  // namespace
 
 std::string size_text(const Eigen::Vector3d& size, int digits) {
@@ -164,12 +174,14 @@ std::vector<scene::ModelLint> frame_lints(const UprightModel& upright) {
                                      for_z + (for_y.empty() ? "" : ", but " + for_y) + "; " + other +
                                      " would turn it"});
     }
-    if (is_too_small(upright)) {
+    if (is_too_small(upright) || is_too_high(upright)) {
+        const int digits = is_too_high(upright) ? 0 : 3;
         lints.push_back(
-            {"odd-scale", "it is " + size_text(upright.report.bounds.max - upright.report.bounds.min, 3) +
-                              " large, too small to walk about in, and nothing tells its unit; it is "
-                              "read with " +
-                              scene::short_number(upright.file.scale)});
+            {"odd-scale",
+             "it is " + size_text(upright.report.bounds.max - upright.report.bounds.min, digits) +
+                 " large, " +
+                 (is_too_high(upright) ? "higher than buildings are" : "too small to walk about in") +
+                 ", and nothing tells its unit; it is read with " + scene::short_number(upright.file.scale)});
     }
     if (frame.scale != 1.0 && !upright.is_scaled) {
         const std::string scale = scene::short_number(upright.file.scale * frame.scale);

@@ -36,7 +36,7 @@ scene::Campus garden(int rows) {
 }
 
 TEST(CrowdedPlaces, AreWhereMostTrianglesAre) {
-    const scene::Campus campus = garden(300);
+    const scene::Campus campus = garden(500);
     const CrowdedPlaces crowded(campus.world, explore_settings(campus, AvatarProfile(), 60));
     ASSERT_TRUE(crowded.limit());
     EXPECT_GE(*crowded.limit(), 1000.0);
