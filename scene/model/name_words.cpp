@@ -101,10 +101,10 @@ constexpr std::array kBuildingParts = {
     "muro",    "muros",    "suelo",   "techo",  "ventana", "стена",    "крыша",   "окно",    "комната"};
 
 constexpr std::array kDefaultNames = {
-    "cube",  "box",       "cylinder", "plane",       "sphere",   "mesh",      "object", "obj",      "group",
-    "node",  "component", "polygon",  "polysurface", "surface",  "solid",     "shape",  "line",     "extrude",
-    "empty", "collider",  "geometry", "poly",        "model",    "scene",     "root",   "instance", "element",
-    "body",  "part",      "entity",   "default",     "sketchup", "sketchfab", "skp"};
+    "cube",  "box",       "cylinder", "plane",       "sphere",  "mesh",  "object",    "obj",      "group",
+    "node",  "component", "polygon",  "polysurface", "surface", "solid", "shape",     "line",     "extrude",
+    "empty", "collider",  "geometry", "poly",        "model",   "scene", "root",      "instance", "element",
+    "body",  "part",      "entity",   "default",     "sketch",  "up",    "sketchfab", "skp"};
 
 /// Whether the name contains a GUID: 8, 4, 4, 4 and 12 hexadecimal digits.
 bool contains_guid(std::string_view name) {
