@@ -20,9 +20,11 @@ MOST_SECONDS_A_TRIANGLE = MOST_SECONDS / 500_000
 
 
 def processor_seconds(*command):
-    """Of the command and what it starts."""
+    """Returns what the command and its children take; exit codes above 2 and signals are errors of the benchmark."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    subprocess.run(command, check=False, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    done = subprocess.run(command, check=False, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    if done.returncode not in (0, 1, 2):
+        done.check_returncode()
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     return after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
 

@@ -16,8 +16,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// By node: the one whose name tells what it is: the node, or the nearest above it whose name says more than
-/// how it was modelled.
+/// Returns for each node the node that it is named by: itself or, if its name only says how it was modelled,
+/// the nearest one above it whose name says more.
 std::vector<std::size_t> named_by(const Model& model) {
     std::vector<std::size_t> named(model.nodes.size());
     for (std::size_t n = 0; n < model.nodes.size(); ++n) {  // parents first
@@ -37,7 +37,7 @@ std::vector<Bounds> bounds_of_nodes(const Model& model) {
     return bounds;
 }
 
-/// By node: the bounds of all others that aren't left out.
+/// Returns for each node the bounds of all other nodes that aren't left out.
 std::vector<Bounds> bounds_of_others(const std::vector<Bounds>& bounds,
                                      const std::vector<bool>& is_left_out) {
     std::vector<Bounds> others(bounds.size());
@@ -77,7 +77,8 @@ bool is_round(const Model& model, std::size_t node, const Bounds& bounds) {
     return is_even && vertices >= kFewest;
 }
 
-/// By node: whether it is a sky: a dome, ball or box around what isn't called one, or clouds high above that.
+/// Returns for each node whether it is a sky. Domes, balls and boxes around everything that isn't called a
+/// sky are, and so are clouds high above that.
 std::vector<bool> find_skies(const Model& model, const std::vector<Bounds>& bounds,
                              const std::vector<std::size_t>& named) {
     std::vector<bool> is_named(bounds.size(), false);
